@@ -19,6 +19,7 @@ enum class SubImages { independent, stratified };
 enum class Discard { mended, printed };
 enum class Backs { lit, black, open };
 enum class Discs { all, above, seen };
+enum class Level0 { discs, triangles };
 enum class LastShell { ends, open };
 enum class Shells { full_discs, shells };
 enum class Influence { constant, estimated };
@@ -55,6 +56,7 @@ struct Parameters {
     LastShell last_shell = LastShell::ends;
     float coverage = 1;  ///< area of a disc that rays are tested against, in areas of its surfel
     Discs discs = Discs::above;
+    Level0 level0 = Level0::discs;
     bool splat_culling = true;
     Influence influence = Influence::estimated;
     float trade_off = 0.05f;  ///< ε

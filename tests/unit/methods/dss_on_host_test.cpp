@@ -116,6 +116,12 @@ TEST_F(DssOnHost, MeetsTheSameDiscsByAllChoices) {
         {"stratified", [](auto& p) { p.sub_images = dss::SubImages::stratified; }},
         {"small ε", [](auto& p) { p.trade_off = 0.002f; }},
         {"large ε", [](auto& p) { p.trade_off = 0.3f; }},
+        {"triangles", [](auto& p) { p.level0 = dss::Level0::triangles; }},
+        {"triangles, constant",
+         [](auto& p) {
+             p.level0 = dss::Level0::triangles;
+             p.influence = dss::Influence::constant;
+         }},
         {"one level", [](auto& p) { p.levels = 1; }},
     };
     const auto discs = corner_discs();

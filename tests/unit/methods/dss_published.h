@@ -11,6 +11,7 @@ inline methods::deep_screen_space::Parameters published() {
     parameters.placement = Placement::random;
     parameters.sub_images = SubImages::independent;
     parameters.discs = Discs::above;
+    parameters.level0 = Level0::discs;
     parameters.last_shell = LastShell::ends;
     parameters.backs = Backs::lit;
     parameters.light_offset = 0;

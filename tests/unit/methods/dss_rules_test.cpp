@@ -2,6 +2,8 @@
 #include <map>
 #include <vector>
 
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/ray_offset.h"
 #include "tests/unit/methods/dss_visible_fixture.h"
 
 namespace ir::test {
@@ -15,6 +17,20 @@ class DssRules : public VisibleTest {
         int count = 0;
         for (int sample = 0; sample < run.parameters.directions.samples; ++sample)
             for (const float distance : read("bounce.distance", sample).pixels) count += distance >= 0;
+        return count;
+    }
+    /// Of what was drawn last: which rays meet a triangle within `reach`, m.
+    int exact_hits(const Shot& shot, int samples, float reach) {
+        const passes::Bvh bvh(shot.scene, shot.world);
+        const auto positions = read("gbuffer.position"), normals = read("gbuffer.geometric_normal");
+        int count = 0;
+        for (int sample = 0; sample < samples; ++sample) {
+            const auto directions = read("bounce.directions", sample);
+            for (int y = 0; y < positions.height; ++y)
+                for (int x = 0; x < positions.width; ++x)
+                    count += bvh.occluded(passes::offset_origin(rgb(positions, x, y), rgb(normals, x, y)),
+                                          rgb(directions, x, y), 0, reach);
+        }
         return count;
     }
 };
@@ -64,6 +80,33 @@ TEST_F(DssRules, AnOpenLastShellReachesWhateverIsFar) {
     EXPECT_GT(hits(floor_below(false), run), 1000);
     run.parameters.transport.max_distance = 5;
     EXPECT_EQ(hits(floor_below(false), run), 0);
+}
+
+/// The plate is 0.5 m above the floor, a disc lies between the two.
+TEST_F(DssRules, TrianglesDecideAsFarAsTheFirstShellReaches) {
+    const auto shot = floor_below(true);
+    VisibleRun run{.surfels = {disc({0, 0.2f, 0}, {0, 1, 0}, 9)}, .parameters = visible_parameters(4, 2)};
+    run.parameters.level0 = dss::Level0::triangles;
+    for (const auto on : {Processor::gl, Processor::host}) {
+        run.wanted = {"bounce.*", "splats.nearest", "gbuffer.*"};
+        const auto count = [&](float shell) {
+            run.parameters.shell_radius = shell;
+            run_shot(shot, method(run), run, 0, on);
+            int hits = 0, triangles = 0;
+            for (int sample = 0; sample < 4; ++sample) {
+                for (const float distance : read("bounce.distance", sample).pixels) hits += distance >= 0;
+                for (const float number : read("splats.nearest", sample).pixels) triangles += number > 2e9f;
+            }
+            return std::pair(hits, triangles);
+        };
+        const auto far = count(100);
+        const int expected = exact_hits(shot, 4, 100);
+        EXPECT_GT(expected, 100);
+        EXPECT_EQ(far, std::pair(expected, expected)) << "no disc counts";
+        const auto near = count(0.19f);
+        EXPECT_EQ(near.second, 0);
+        EXPECT_GT(near.first, 24 * 24 / 2) << "beyond, discs do";
+    }
 }
 
 /// Of 16 surfels in order each of the 4^l sub-images has as many; drawn independently they have not.

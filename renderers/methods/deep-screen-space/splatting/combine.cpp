@@ -33,12 +33,13 @@ graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visi
         .reads("winners", visible.winner)
         .reads("depths", visible.depth)
         .reads(visible.gbuffer.position)
-        .reads("directions", visible.directions.directions)
-        .writes("distance_image", distance)
+        .reads("directions", visible.directions.directions);
+    if (visible.exact.index >= 0) pass.reads("exact_rays", visible.exact);
+    pass.writes("distance_image", distance)
         .writes("nearest_image", visible.nearest)
         .writes("level_image", visible.hit_level);
     passes::bounce::compute_by_tiles(
-        pass, builder, {{"methods/deep-screen-space/splatting/combine.comp"}},
+        pass, builder, with_acceptance({{folder + "combine.comp"}}, visible.splats),
         Combine{visible.splats.hierarchy.levels, samples, nearest_decides(visible.splats)});
     return distance;
 }

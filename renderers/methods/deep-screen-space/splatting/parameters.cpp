@@ -94,7 +94,19 @@ void add_visible(ParameterTable<Parameters>& table) {
                     "nothing, so that a larger coverage closes leaks and no gaps."}},
               .active_when = only_with_visibility,
               .since_version = 2,
-              .value_in_older_projects = std::string("above")});
+              .value_in_older_projects = std::string("above")})
+        .add(&Parameters::level0,
+             {.key = "level0",
+              .label = "Level 0",
+              .doc = "What rays meet as far as the first shell of a surfel at the pixel reaches.",
+              .citation = "Nalbach15 §4.1",
+              .choices = {{"discs", "Discs", "Surfels, as published."},
+                          {"triangles", "Triangles",
+                           "The scene's triangles, by an exact ray; discs count beyond. Nothing leaks or "
+                           "hangs over edges where it is seen best."}},
+              .active_when = only_with_visibility,
+              .since_version = 3,
+              .value_in_older_projects = std::string("discs")});
 }
 
 void add_additive(ParameterTable<Parameters>& table) {

@@ -8,8 +8,10 @@ namespace {
 struct Senders {
     passes::SceneBuffers scene;
     passes::ShadowMaps shadow;
-    passes::HitSurfaces surfaces;  ///< only with glossy senders
-    bool glossy;
+    passes::HitSurfaces surfaces;  ///< only where senders are looked up again
+    bool glossy, exact;
+
+    bool are_looked_up() const { return glossy || exact; }
 };
 
 gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders) {
@@ -17,6 +19,8 @@ gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders
     gl::ProgramSource source{{"methods/deep-screen-space/splatting/resolve.comp"}};
     source.defines["BLACK_BACKS"] = parameters.backs == Backs::black ? "1" : "0";
     source.defines["GLOSSY_SENDERS"] = senders.glossy ? "1" : "0";
+    source.defines["EXACT"] = senders.exact ? "1" : "0";
+    source.defines["EMITS"] = parameters.transport.paths == Transport::Paths::full ? "1" : "0";
     source.defines["MATERIALS"] = std::to_string(static_cast<int>(parameters.transport.materials));
     return source;
 }
@@ -32,12 +36,13 @@ struct ResolveGlossy {
 }  // namespace
 
 graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                              const passes::ShadowMaps& shadow, const VisibleSplats& visible) {
+                              const passes::ShadowMaps& shadow, const VisibleSplats& visible,
+                              graph::ImageRef distance) {
     const auto& parameters = visible.splats.parameters;
     const bool glossy =
         parameters.glossy_senders && parameters.transport.materials != Transport::Materials::lambert;
-    Senders senders{scene, shadow, {}, glossy};
-    if (glossy) senders.surfaces = passes::hit_surfaces(builder, scene);
+    Senders senders{scene, shadow, {}, glossy, parameters.level0 == Level0::triangles};
+    if (senders.are_looked_up()) senders.surfaces = passes::hit_surfaces(builder, scene);
     const auto incoming = passes::bounce::declare_incoming_light(builder, visible.splats.samples);
     auto pass = builder.pass("light of the winners");
     pass.reads("Surfels", visible.splats.surfels.records)
@@ -45,7 +50,8 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
         .reads("nearest", visible.nearest)
         .reads("directions", visible.directions.directions)
         .writes("incoming", incoming);
-    if (glossy) {
+    if (senders.exact) pass.reads(visible.gbuffer.position).reads("distances", distance);
+    if (senders.are_looked_up()) {
         pass.reads(scene.lights, shadow.views, shadow.maps);
         senders.surfaces.read_by(pass);
     }

@@ -57,12 +57,14 @@ VisibleLevel visible_level(const Splats& splats) {
 }
 
 gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats) {
+    source.defines["EXACT"] = splats.parameters.level0 == Level0::triangles ? "1" : "0";
     source.defines["DISCS"] = std::to_string(static_cast<int>(splats.parameters.discs));
     source.defines["OPEN_BACKS"] = splats.parameters.backs == Backs::open ? "1" : "0";
     return source;
 }
 
 void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible) {
+    if (visible.exact.index >= 0) pass.reads("exact_rays", visible.exact);
     if (visible.splats.parameters.discs != Discs::seen) return;
     pass.reads("BvhNodes", visible.bvh.nodes)
         .reads("BvhTriangles", visible.bvh.triangles)
@@ -98,17 +100,18 @@ passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes
     VisibleSplats visible;
     visible.splats = declare_splats(builder, hierarchy, surfels, parameters, directions.samples);
     visible.scene = scene;
-    if (parameters.discs == Discs::seen) visible.bvh = passes::device_bvh(builder);
+    if (needs_triangles(parameters)) visible.bvh = passes::device_bvh(builder);
     visible.gbuffer = gbuffer;
     visible.directions = directions;
     visible.depth = declare_layers(builder, visible.splats, "splats.depth", gl::Format::depth32f);
     visible.winner = declare_layers(builder, visible.splats, "splats.winner", gl::Format::r32ui);
+    if (parameters.level0 == Level0::triangles) trace_level0(builder, visible);
     passes::bounce::Samples samples;
     samples.distance = on_host ? splat_on_host(builder, visible) : splat_on_device(builder, visible);
     samples.incoming = parameters.transport.paths == Transport::Paths::ao
                            ? passes::bounce::visibility_of(builder, gbuffer, directions, samples.distance,
                                                            parameters.transport)
-                           : resolve_light(builder, scene, shadow, visible);
+                           : resolve_light(builder, scene, shadow, visible, samples.distance);
     show_levels(builder, visible, samples.distance);
     explain_splats(builder, visible);
     return samples;

@@ -9,12 +9,15 @@ namespace ir::methods::deep_screen_space {
 struct VisibleSplats {
     Splats splats;
     passes::SceneBuffers scene;
-    passes::DeviceBvh bvh;  ///< only where discs must be seen
+    passes::DeviceBvh bvh;  ///< only where rays ask triangles
     passes::GBuffer gbuffer;
     passes::bounce::Directions directions;
     graph::ImageRef depth;  ///< "splats.depth" depth32f stack, z, a layer per sample and level (sample-major)
-    graph::ImageRef winner;     ///< "splats.winner" r32ui stack likewise: 1 + surfel; 0: none
-    graph::ImageRef nearest;    ///< "splats.nearest" r32ui stack of the view, a layer per sample: 1 + surfel
+    graph::ImageRef winner;  ///< "splats.winner" r32ui stack likewise: 1 + surfel; 0: none
+    graph::ImageRef exact;  ///< "splats.exact" rg32ui stack of the view, a layer per sample: exact.glsl; only
+                            ///< where level 0 is exact
+    graph::ImageRef nearest;  ///< "splats.nearest" r32ui stack likewise: 1 + surfel, or EXACT_HIT | triangle;
+                              ///< 0: nothing was met
     graph::ImageRef hit_level;  ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
 };
 
@@ -27,6 +30,11 @@ struct VisibleLevel {
 };
 VisibleLevel visible_level(const Splats& splats);
 
+/// Whether rays ask the scene's triangles, and not only discs.
+inline bool needs_triangles(const Parameters& parameters) {
+    return parameters.discs == Discs::seen || parameters.level0 == Level0::triangles;
+}
+
 /// What shaders/methods/deep-screen-space/splatting/accepted.glsl needs: defines and accesses.
 gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats);
 void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible);
@@ -35,12 +43,16 @@ void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible);
 graph::ImageRef declare_winning(graph::GraphBuilder& builder, VisibleSplats& visible,
                                 const std::string& fingerprint = {});
 
+/// Declares the pass "exact rays of level 0" and `exact`, on the device.
+void trace_level0(graph::GraphBuilder& builder, VisibleSplats& visible);
+
 /// Declares the pass "combine levels", which writes it. [Nalbach15 §4.2]
 graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible);
 
 /// Declares the pass "light of the winners" and "bounce.incoming": what they send towards x_p.
 graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                              const passes::ShadowMaps& shadow, const VisibleSplats& visible);
+                              const passes::ShadowMaps& shadow, const VisibleSplats& visible,
+                              graph::ImageRef distance);
 
 /// Declares what only people look at: levels unshuffled, radiance of the winners on each level, implied ε.
 void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance);

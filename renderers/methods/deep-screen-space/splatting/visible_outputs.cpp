@@ -28,7 +28,9 @@ std::vector<OutputDescription> of_samples() {
          .label = "Surfels that were hit",
          .kind = OutputKind::stack,
          .semantic = Semantic::id,
-         .doc = "1 + index of the surfel that the sample's ray met; 0: none. A layer per sample."},
+         .doc =
+             "1 + index of the surfel that the sample's ray met, or 2147483648 + that of the triangle, where "
+             "level 0 is of triangles; 0: nothing was met. A layer per sample."},
         {.key = "splats.epsilon",
          .label = "Implied ε",
          .kind = OutputKind::stack,

@@ -45,7 +45,8 @@ void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, gr
         .reads(visible.gbuffer.position)
         .reads("Surfels", visible.splats.surfels.records)
         .writes("epsilon_image", image);
-    passes::bounce::compute_by_tiles(pass, builder, {{folder + "visible_epsilon.comp"}},
+    passes::bounce::compute_by_tiles(pass, builder,
+                                     with_acceptance({{folder + "visible_epsilon.comp"}}, visible.splats),
                                      visible_level(visible.splats));
 }
 

@@ -1,9 +1,10 @@
 // Which of the discs that a ray meets count. DISCS: as Discs counts; OPEN_BACKS: surfels are open from behind.
+#include "methods/deep-screen-space/splatting/exact.glsl"
+
 #if DISCS == 2
+#include "methods/deep-screen-space/splatting/ray_origin.glsl"
 #include "passes/raytracing/bvh.glsl"
 
-/// Ray origins start this part of their coordinates above the surface: renderers/passes/raytracing/ray_offset.h.
-const float SPLAT_RAY_OFFSET = 4e-6;
 /// Part of the disc's radius by which its centre is lifted towards the ray, so that a curved or crumpled surface does
 /// not hide its own.
 const float SPLAT_LIFT = 0.05;
@@ -12,8 +13,7 @@ const float SPLAT_LIFT = 0.05;
 /// DEVIATION [Nalbach15 §3.2]: no such test. Enlarged discs reach around edges and into what is closed; there they
 /// hide what the ray would meet, and what they send is what arrives somewhere else.
 bool splat_is_seen(vec3 x_ws, vec3 geometric_normal_ws, vec3 direction_ws, Surfel s, float disc_radius) {
-    vec3 size = abs(x_ws);
-    vec3 origin = x_ws + (1e-6 + SPLAT_RAY_OFFSET * max(size.x, max(size.y, size.z))) * geometric_normal_ws;
+    vec3 origin = splat_ray_origin(x_ws, geometric_normal_ws);
     vec3 facing = dot(s.normal_ws, direction_ws) > 0.0 ? -s.normal_ws : s.normal_ws;
     vec3 way = s.centre_ws + SPLAT_LIFT * disc_radius * facing - origin;
     float distance_m = length(way);
@@ -23,8 +23,12 @@ bool splat_is_seen(vec3 x_ws, vec3 geometric_normal_ws, vec3 direction_ws, Surfe
 }
 #endif
 
-/// `x_ws` and `geometric_normal_ws` are the receiver's, `hit` is what the disc does to its ray.
-bool splat_is_accepted(Surfel s, SplatHit hit, vec3 x_ws, vec3 direction_ws, vec3 geometric_normal_ws) {
+/// `x_ws` and `geometric_normal_ws` are of the receiver at `pixel`, `hit` is what the disc does to its ray.
+bool splat_is_accepted(Surfel s, SplatHit hit, ivec2 pixel, int sample_index, vec3 x_ws, vec3 direction_ws,
+                       vec3 geometric_normal_ws) {
+#if EXACT
+    if (!is_left_to_discs(pixel, sample_index, hit.distance_m)) return false;
+#endif
 #if OPEN_BACKS
     if (dot(s.normal_ws, direction_ws) > 0.0) return false;
 #endif

@@ -5,6 +5,7 @@
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/places.glsl"
 #include "methods/deep-screen-space/splatting/visible_hit.glsl"
+#include "methods/deep-screen-space/splatting/exact.glsl"
 #include "passes/bounce/tiles.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
@@ -22,7 +23,7 @@ uniform int levels, samples;
 uniform bool nearest_decides;
 
 struct Winner {
-    uint surfel;  // 1 + index; 0: none
+    uint surfel;  // 1 + index, or EXACT_HIT | triangle; 0: none
     int level;    // -1: none
 };
 
@@ -55,7 +56,15 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(distance_image).xy))) return;
     for (int i = 0; i < samples; ++i) {
         Winner winner = winner_of(pixel, i);
-        imageStore(distance_image, ivec3(pixel, i), vec4(distance_of(winner, pixel, i)));
+        float distance_m = distance_of(winner, pixel, i);
+#if EXACT
+        uvec2 exact = texelFetch(exact_rays, ivec3(pixel, i), 0).xy;
+        if (exact.x != 0u) {
+            winner = Winner(EXACT_HIT | (exact.x - 1u), 0);
+            distance_m = uintBitsToFloat(exact.y);
+        }
+#endif
+        imageStore(distance_image, ivec3(pixel, i), vec4(distance_m));
         imageStore(nearest_image, ivec3(pixel, i), uvec4(winner.surfel));
         imageStore(level_image, ivec3(pixel, i), vec4(winner.level));
     }

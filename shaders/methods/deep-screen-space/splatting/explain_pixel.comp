@@ -43,7 +43,7 @@ void explain(Surfel s, uint index, int level, int sample_index, ivec2 place, vec
     if (!is_in_sub_image(s, level, sample_index, place)) return;
     vec4 direction = texelFetch(directions, ivec3(picked, sample_index), 0);
     if (direction == vec4(0)) return;
-    ExplainedSplat e = explained_splat(s, level, x_ws, direction.xyz, normal_ws);
+    ExplainedSplat e = explained_splat(s, level, picked, sample_index, x_ws, direction.xyz, normal_ws);
     int row = sample_index * levels + level;
     atomicAdd(sums[row].splats, 1u);
     if (e.hit.outcome == SPLAT_OUTSIDE) atomicAdd(sums[row].outside, 1u);

@@ -44,12 +44,14 @@ struct ExplainedSplat {
     SplatHit hit;
 };
 
-ExplainedSplat explained_splat(Surfel s, int level, vec3 x_ws, vec3 direction_ws, vec3 geometric_normal_ws) {
+ExplainedSplat explained_splat(Surfel s, int level, ivec2 pixel, int sample_index, vec3 x_ws, vec3 direction_ws,
+                               vec3 geometric_normal_ws) {
     SplatLevel l = splat_level(level, s);
     ExplainedSplat e = ExplainedSplat(splat_shell(l, x_ws, s.centre_ws), SplatHit(SPLAT_OUTSIDE, 0.0, 1.0, 0.0));
     if (e.shell < 0) return e;
     e.hit = splat_hit(l, e.shell, x_ws, direction_ws, s.centre_ws, s.normal_ws, s.radius);
-    if (e.hit.outcome == SPLAT_HIT && !splat_is_accepted(s, e.hit, x_ws, direction_ws, geometric_normal_ws))
+    if (e.hit.outcome == SPLAT_HIT &&
+        !splat_is_accepted(s, e.hit, pixel, sample_index, x_ws, direction_ws, geometric_normal_ws))
         e.hit.outcome = SPLAT_REFUSED;
     return e;
 }

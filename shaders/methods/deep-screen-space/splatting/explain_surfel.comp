@@ -20,7 +20,7 @@ int cover_of(Surfel s, uint index, int level, int j, ivec2 pixel, vec3 x_ws, vec
     ivec2 place = place_of(pixel, level);
     vec4 direction = texelFetch(directions, ivec3(pixel, j), 0);
     if (direction == vec4(0) || !is_in_sub_image(s, level, j, place)) return SPLAT_NONE;
-    int outcome = explained_splat(s, level, x_ws, direction.xyz, normal_ws).hit.outcome;
+    int outcome = explained_splat(s, level, pixel, j, x_ws, direction.xyz, normal_ws).hit.outcome;
     if (outcome != SPLAT_HIT || texelFetch(winners, ivec3(place, j * levels + level), 0).x != index + 1u) return outcome;
     bool wins = int(texelFetch(hit_levels, ivec3(pixel, j), 0).x) == level;
     return wins ? SPLAT_WINS : SPLAT_LEVEL;

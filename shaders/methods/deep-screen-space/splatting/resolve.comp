@@ -1,6 +1,7 @@
 // What the surfels that rays met send towards the pixels. [Nalbach15 §3.2]
-// BLACK_BACKS: nothing from behind; GLOSSY_SENDERS: with highlights. MATERIALS: as Transport::Materials counts.
+// BLACK_BACKS: nothing from behind; GLOSSY_SENDERS: with highlights. EMITS, MATERIALS: as sent.glsl has them.
 #include "methods/deep-screen-space/records.glsl"
+#include "methods/deep-screen-space/splatting/exact.glsl"
 #include "passes/bounce/tiles.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
@@ -10,17 +11,61 @@ uniform usampler2DArray nearest;
 uniform sampler2DArray directions;
 layout(rgba32f) uniform writeonly image2DArray incoming;
 
+#if GLOSSY_SENDERS || EXACT
+#include "methods/deep-screen-space/surfels/sent.glsl"
+#endif
 #if GLOSSY_SENDERS
 #include "methods/deep-screen-space/splatting/resolve_glossy.glsl"
 #endif
 
-vec3 sent(uint surfel, vec3 direction_ws) {
-    Surfel s = surfels[surfel];
+#if EXACT
+uniform sampler2D gbuffer_position;
+uniform sampler2DArray distances;
+
+/// A surfel of no size where a ray met a triangle.
+Surfel point_of(uint triangle, vec3 position_ws) {
+    uvec3 first = 4u * uvec3(hit_indices[3u * triangle], hit_indices[3u * triangle + 1u],
+                             hit_indices[3u * triangle + 2u]);
+    vec3 a = hit_vertices[first.x].xyz, ab = hit_vertices[first.y].xyz - a, ac = hit_vertices[first.z].xyz - a;
+    vec3 n = cross(ab, ac), ap = position_ws - a;
+    vec2 weights = clamp(vec2(dot(cross(ap, ac), n), dot(cross(ab, ap), n)) / dot(n, n), 0.0, 1.0);
+    return Surfel(position_ws, triangle, normalize(n), 0.0, packUnorm2x16(weights / max(1.0, weights.x + weights.y)), 0u,
+                  0u, 0u);
+}
+
+vec3 stored(Surfel s, vec3 direction_ws) {
+    vec2 weights = unpackUnorm2x16(s.barycentrics);
+    vec3 emission = vec3(0);
+#if EMITS
+    emission = emitted(s.triangle, weights);
+#endif
+    HitSurface side = hit_surface(s.triangle, weights.x, weights.y, direction_ws, normal_maps != 0);
+    return emission + reflected(side, s.centre_ws, s.radius);
+}
+#endif
+
+/// By what "splats.nearest" says of the sample.
+vec3 sent(uint winner, vec3 direction_ws, ivec3 at) {
+#if EXACT
+    bool is_exact = (winner & EXACT_HIT) != 0u;
+    Surfel s;
+    if (is_exact)
+        s = point_of(winner & ~EXACT_HIT, texelFetch(gbuffer_position, at.xy, 0).xyz +
+                                              texelFetch(distances, at, 0).x * direction_ws);
+    else
+        s = surfels[winner - 1u];
+#else
+    Surfel s = surfels[winner - 1u];
+#endif
     bool is_front = dot(s.normal_ws, direction_ws) <= 0.0;
 #if BLACK_BACKS
     if (!is_front) return vec3(0);
 #endif
-    vec3 radiance = light_of_side(surfel_lights[surfel], is_front);
+#if EXACT
+    vec3 radiance = is_exact ? stored(s, direction_ws) : light_of_side(surfel_lights[winner - 1u], is_front);
+#else
+    vec3 radiance = light_of_side(surfel_lights[winner - 1u], is_front);
+#endif
 #if GLOSSY_SENDERS
     radiance = max(radiance + sent_to_one_side(s, direction_ws), 0.0);
 #endif
@@ -35,7 +80,7 @@ void main() {
         ivec3 at = ivec3(pixel, i);
         uint winner = texelFetch(nearest, at, 0).x;
         vec3 radiance = vec3(0);
-        if (winner != 0u) radiance = sent(winner - 1u, texelFetch(directions, at, 0).xyz);
+        if (winner != 0u) radiance = sent(winner, texelFetch(directions, at, 0).xyz, at);
         imageStore(incoming, at, vec4(radiance, winner != 0u ? 1 : 0));
     }
 }

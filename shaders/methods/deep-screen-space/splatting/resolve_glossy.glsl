@@ -1,15 +1,6 @@
 // What glossy surfels send to one side more, or less, than they store for all: with the whole BRDF, for lights
-// without extent. [Nalbach15 §3.2: "radiance from either a Lambertian or glossy sender"]
-#include "passes/scene/hit_surface.glsl"
-#include "lib/brdf.glsl"
-#include "passes/shadow/shadow.glsl"
-#include "methods/deep-screen-space/surfels/diffuse.glsl"
-
-layout(std430) readonly buffer Lights { Light lights[]; };
-
-uniform int light_count, normal_maps;
-uniform float light_offset;  // radii
-
+// without extent. Include sent.glsl before it. [Nalbach15 §3.2: "radiance from either a Lambertian or glossy
+// sender"]
 /// Of the part that is no glass. [glTF2 KHR_materials_transmission]
 vec3 whole_brdf(HitSurface s, vec3 l, vec3 v) {
     Surface surface = Surface(s.base_colour, s.metallic, s.roughness, s.ior);

@@ -31,7 +31,7 @@ void main() {
     SplatHit hit = splat_hit(l, shell, x.xyz, direction.xyz, surfel.centre_ws, surfel.normal_ws, surfel.radius);
     if (hit.outcome != SPLAT_HIT) discard;
     vec3 normal_ws = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
-    if (!splat_is_accepted(surfel, hit, x.xyz, direction.xyz, normal_ws)) discard;
+    if (!splat_is_accepted(surfel, hit, pixel, sample_index, x.xyz, direction.xyz, normal_ws)) discard;
     winner = 1u + surfel_index;
     gl_FragDepth = hit.z;
 }

@@ -3,6 +3,7 @@
 // [Nalbach15 fig. 9]
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/visible_level.glsl"
+#include "methods/deep-screen-space/splatting/exact.glsl"
 #include "passes/bounce/tiles.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
@@ -15,7 +16,7 @@ layout(r32f) uniform writeonly image2DArray epsilon_image;
 
 float epsilon_of(ivec3 at) {
     uint winner = texelFetch(nearest, at, 0).x;
-    if (winner == 0u) return 0.0;
+    if (winner == 0u || (winner & EXACT_HIT) != 0u) return 0.0;
     Surfel s = surfels[winner - 1u];
     SplatLevel l = splat_level(int(texelFetch(levels, at, 0).x), s);
     int shell = max(splat_shell(l, texelFetch(gbuffer_position, at.xy, 0).xyz, s.centre_ws), 0);

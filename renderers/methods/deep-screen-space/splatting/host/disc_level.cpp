@@ -109,7 +109,7 @@ void DiscLevel::ask(DiscRay& ray, std::uint32_t cell, float near, float far) con
     query.ray.org_x = origin.x, query.ray.org_y = origin.y, query.ray.org_z = origin.z;
     query.ray.dir_x = ray.direction_ws.x, query.ray.dir_y = ray.direction_ws.y;
     query.ray.dir_z = ray.direction_ws.z;
-    query.ray.tnear = std::max(0.0f, near), query.ray.tfar = far;
+    query.ray.tnear = std::max(0.99f * ray.known, near), query.ray.tfar = far;
     query.ray.mask = ~0u;
     query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_.get(), &ray.context, &query);
@@ -124,7 +124,7 @@ bool DiscLevel::take(DiscRay& ray, std::uint32_t primitive) const {
     const int shell = splat_shell(rules_, level_, s.radius, glm::dot(to_centre, to_centre));
     if (shell < 0) return false;
     const float t = splat_plane_distance(x_ws, ray.direction_ws, s);
-    if (!(t > 0) || (rules_.max_distance > 0 && t > rules_.max_distance)) return false;
+    if (!(t > ray.known) || (rules_.max_distance > 0 && t > rules_.max_distance)) return false;
     const float radius = splat_disc_radius(rules_, shell, s.radius);
     const auto from_centre = t * ray.direction_ws - to_centre;
     if (!(glm::dot(from_centre, from_centre) <= radius * radius)) return false;

@@ -20,6 +20,7 @@ struct DiscRay {
     RTCIntersectContext context;  ///< first, as Embree hands it on
     const Receiver& receiver;
     glm::vec3 direction_ws;
+    float known = 0;                         ///< m: up to which no disc counts
     float z = 2;                             ///< only discs below it count; then of the nearest
     std::uint32_t winner = 0;                ///< 1 + surfel of the nearest; 0: none
     const class DiscLevel* level = nullptr;  ///< that is being asked

@@ -46,6 +46,11 @@ float RayRanges::last(float beyond, float factor, glm::vec3 x_ws, glm::vec3 dire
          solve(ideal_.ideal_nearest, 0)});
 }
 
+float RayRanges::exact_reach(glm::vec3 x_ws) const {
+    const float reach = shell_of(rules_.influence, ideal_.ideal_radius * distance(x_ws), 0).outer;
+    return rules_.max_distance > 0 ? std::min(reach, rules_.max_distance) : reach;
+}
+
 RayRanges::Range RayRanges::of(int level, glm::vec3 x_ws, glm::vec3 direction_ws) const {
     const auto& i = rules_.influence;
     const float disc = splat_disc_radius(rules_, level, 1);  // radii of a surfel

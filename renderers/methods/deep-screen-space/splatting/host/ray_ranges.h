@@ -20,6 +20,10 @@ class RayRanges {
     struct Range {
         float near = 0, far = std::numeric_limits<float>::infinity();
     };
+    /// How far from a point the triangles decide, where level 0 is theirs: as far as the first shell of a
+    /// surfel there reaches.
+    float exact_reach(glm::vec3 x_ws) const;
+
     /// On coarser levels without hits in the shells of level 0: those level 0 has, too.
     Range of(int level, glm::vec3 x_ws, glm::vec3 direction_ws) const;
 

@@ -113,19 +113,35 @@ class HostSplats {
     }
 
     struct Winner {
-        std::uint32_t surfel = 0;  ///< 1 + index; 0: none
+        std::uint32_t number = 0;  ///< as in "splats.nearest"
         int level = -1;
         float distance = -1;  ///< m
     };
+
+    /// What triangles decide of a ray on level 0: up to which distance, and what it met there.
+    struct Exact {
+        float known = 0;  ///< m
+        passes::Hit hit = {};
+    };
+    Exact exact(const Receiver& from, glm::vec3 direction_ws) const {
+        if (visible_.splats.parameters.level0 != Level0::triangles) return {};
+        const float reach = ranges_->exact_reach(from.x_ws);
+        return {reach, tree_->closest_hit(passes::offset_origin(from.x_ws, from.geometric_normal_ws),
+                                          direction_ws, 0, reach)};
+    }
+
     /// Of all levels, as combine.comp chooses.
     Winner winner(std::size_t index, glm::uvec2 pixel, glm::vec3 direction_ws, int sample) const {
         const auto from = receiver(index);
         const bool nearest = nearest_decides(visible_.splats);
+        const auto [known, hit] = exact(from, direction_ws);
+        if (hit.is_hit()) return {exact_hit | hit.triangle, 0, hit.distance};
         DiscRay ray(from, direction_ws);
+        ray.known = known;
         Winner result;
         for (int level = 0; level < visible_.splats.hierarchy.levels; ++level) {
             auto range = ranges_->of(level, from.x_ws, direction_ws);
-            if (result.surfel != 0) range.far = std::min(range.far, result.distance);
+            if (result.number != 0) range.far = std::min(range.far, result.distance);
             ask(ray, pixel, level, sample, range);
             if (ray.winner == 0) continue;
             result = {ray.winner, level,
@@ -203,7 +219,7 @@ void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible,
                 HostSplats::Winner winner;
                 const auto& direction = directions[layer][index];
                 if (splats.is_ray(index, direction)) winner = splats.winner(index, pixel, direction, sample);
-                nearest[layer][index] = winner.surfel;
+                nearest[layer][index] = winner.number;
                 levels[layer][index] = glm::packHalf1x16(static_cast<float>(winner.level));
                 distances[layer][index] = winner.distance;
             });
@@ -229,8 +245,10 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
                 const auto& direction = directions[static_cast<std::size_t>(sample)][index];
                 if (!splats.is_ray(index, direction)) return;
                 const auto from = splats.receiver(index);
-                for (int level = 0; level < hierarchy.levels; ++level) {
+                const auto [known, hit] = splats.exact(from, direction);
+                for (int level = 0; level < hierarchy.levels && !hit.is_hit(); ++level) {
                     DiscRay ray(from, direction);
+                    ray.known = known;
                     splats.ask(ray, pixel, level, sample, {});
                     if (ray.winner == 0) continue;
                     const auto at = splats.place(pixel, level);
@@ -248,7 +266,7 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
 
 graph::ImageRef splat_on_host(graph::GraphBuilder& builder, VisibleSplats& visible) {
     graph::ObjectRef bvh;
-    if (visible.splats.parameters.discs == Discs::seen) bvh = passes::bvh(builder);
+    if (needs_triangles(visible.splats.parameters)) bvh = passes::bvh(builder);
     const auto distance = declare_winning(builder, visible, visible.splats.fingerprint);
     declare_winners(builder, visible, bvh, distance);
     declare_levels(builder, visible, bvh);

@@ -38,6 +38,8 @@ inline std::uint32_t sub_image_offset(unsigned level, unsigned sample, unsigned 
     return pcg4d({0u, level, sample, seed}).x;
 }
 
+inline constexpr std::uint32_t exact_hit = 1u << 31;  ///< EXACT_HIT of exact.glsl
+
 inline float first_shell(const InfluenceConstants& i, float radius) {
     return i.trade_off > 0 ? std::max(radius / std::sqrt(i.trade_off), i.shell_radius) : i.shell_radius;
 }
