@@ -37,11 +37,11 @@ struct Parameters {
 
     // surfels/parameters.cpp
     float surfel_radius = 1.5f;  ///< pixels: of the ideal surfel, seen face on
-    Placement placement = Placement::random;
+    Placement placement = Placement::systematic;
     float fine_area = 0.5f;  ///< part of the ideal area that fine surfels aim at
     bool thinning = true;
     Discard discard = Discard::mended;
-    Backs backs = Backs::lit;
+    Backs backs = Backs::open;
     float light_offset = 0;  ///< radii: how far above its centre a surfel asks for shadows
     bool glossy_senders = true;
     bool frustum_culling = true;
@@ -51,15 +51,15 @@ struct Parameters {
     int levels = 6;          ///< l_max
     float shell_radius = 0;  ///< m: d, of the first shell; counts where there is no maximum distance. 0: 1/64
                              ///< of the diagonal of the scene's bounds
-    SubImages sub_images = SubImages::independent;
+    SubImages sub_images = SubImages::stratified;
     Shells shells = Shells::full_discs;
-    LastShell last_shell = LastShell::ends;
-    float coverage = 1;  ///< area of a disc that rays are tested against, in areas of its surfel
-    Discs discs = Discs::above;
-    Level0 level0 = Level0::discs;
+    LastShell last_shell = LastShell::open;
+    float coverage = 2;  ///< area of a disc that rays are tested against, in areas of its surfel
+    Discs discs = Discs::seen;
+    Level0 level0 = Level0::triangles;
     bool splat_culling = true;
     Influence influence = Influence::estimated;
-    float trade_off = 0.05f;  ///< ε
+    float trade_off = 0.005f;  ///< ε
 };
 
 ParameterTable<Parameters> parameter_table();

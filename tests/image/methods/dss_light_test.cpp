@@ -84,6 +84,8 @@ Settings surfels() {
             {"sub_images", std::string("independent")},
             {"discs", std::string("above")},
             {"level0", std::string("discs")},
+            {"backs", std::string("lit")},
+            {"last_shell", std::string("ends")},
             {"thinning", false},
             {"levels", std::int64_t{1}},
             {"influence", std::string("constant")},

@@ -131,6 +131,7 @@ TEST_F(StandsStill, SurfelsAndWhatRaysMeetDependOnNoLight) {
 
 TEST_F(StandsStill, SurfelsStayWhileTheReceiversSamplesChange) {
     auto experiment = experiment_of(registry().at("deep-screen-space"));
+    experiment.settings["level0"] = std::string("discs");
     Execution execution(machine, experiment);
     execution.run_frame({});
     EXPECT_EQ(built(execution.run_frame({})), std::vector<std::string>());
