@@ -8,7 +8,7 @@ namespace {
 
 using std::numbers::pi;
 
-class ExtendedEmissionTest : public IndirectTracingTest {
+class PhotonsOfLampsTest : public IndirectTracingTest {
   protected:
     static scene::Light lamp_of(scene::LightType type, glm::vec2 size, float radiance = 2) {
         scene::Light light;
@@ -41,7 +41,7 @@ class ExtendedEmissionTest : public IndirectTracingTest {
     double emitted() { return flux(energy()[li::emitted]).r; }
 };
 
-TEST_F(ExtendedEmissionTest, SourcesEmitTheirFluxAndNoneIsLost) {
+TEST_F(PhotonsOfLampsTest, SourcesEmitTheirFluxAndNoneIsLost) {
     trace(Shot(box({lamp_of(scene::LightType::rectangle, {0.8f, 0.5f})}), inside(), 48, 48), quick());
     expect_balanced("rectangle");
     EXPECT_NEAR(emitted() / (pi * 0.4 * 2), 1, 1e-4);
@@ -66,7 +66,7 @@ TEST_F(ExtendedEmissionTest, SourcesEmitTheirFluxAndNoneIsLost) {
 }
 
 // The lamp lies in the plane of the ceiling.
-TEST_F(ExtendedEmissionTest, LightArrivesByTheFormFactor) {
+TEST_F(PhotonsOfLampsTest, LightArrivesByTheFormFactor) {
     auto lamp = lamp_of(scene::LightType::rectangle, {1, 1});
     lamp.position = {0, 2, 0};
     auto settings = quick();
@@ -99,7 +99,7 @@ TEST_F(ExtendedEmissionTest, LightArrivesByTheFormFactor) {
 }
 
 // Of n photons each has 1/n of the lamp's area and of the directions, π/(n cosθ) sr.
-TEST_F(ExtendedEmissionTest, FootprintsAreAsFarApartAsPhotons) {
+TEST_F(PhotonsOfLampsTest, FootprintsAreAsFarApartAsPhotons) {
     const Shot shot(box({lamp_of(scene::LightType::rectangle, {1, 1})}), inside(), 16, 16);
     for (const std::int64_t emission : {16, 64}) {
         auto settings = quick();
@@ -123,7 +123,7 @@ TEST_F(ExtendedEmissionTest, FootprintsAreAsFarApartAsPhotons) {
 
 // The panel's back sends half of its light up to the ceiling, half a millimetre away, from where it does not
 // come down through the panel.
-TEST_F(ExtendedEmissionTest, LightOfNarrowGapsStaysThere) {
+TEST_F(PhotonsOfLampsTest, LightOfNarrowGapsStaysThere) {
     auto scene = with_panel();
     const auto below_ceiling = [&](float gap) {
         for (auto& p : scene.meshes.back().positions) p.y = 3 - gap;
@@ -141,7 +141,7 @@ TEST_F(ExtendedEmissionTest, LightOfNarrowGapsStaysThere) {
     EXPECT_NEAR(below_ceiling(1), 0.5, 0.01);  // the box's reflectance
 }
 
-TEST_F(ExtendedEmissionTest, LightsKeepTheirNumbers) {
+TEST_F(PhotonsOfLampsTest, LightsKeepTheirNumbers) {
     auto scene = with_panel();
     scene.lights = {lamp({0.3f, 1.2f, -0.4f}), lamp_of(scene::LightType::disk, {0.8f, 0.5f})};
     trace(Shot(scene, inside(), 16, 16), quick());
