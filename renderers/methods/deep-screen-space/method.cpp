@@ -60,10 +60,10 @@ MethodDescription description() {
     d.version = 3;
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
-    // Senders are lit by shadow maps; emissive ones are direct light of what sees them.
-    d.missing_light = {
-        {{LightPart::indirect}, {LightKind::lamp, LightKind::surface, LightKind::environment}},
-        passes::without_light_samples({LightPart::direct}, {LightKind::lamp, LightKind::environment})};
+    d.missing_light = {passes::without_light_samples(),
+                       {{LightPart::indirect},
+                        {LightKind::lamp, LightKind::surface, LightKind::environment},
+                        {"sender_samples", {std::int64_t{0}}}}};
     d.outputs = outputs();
     d.selectors = {surfel_selector()};
     d.stages = {{"bounce.incoming", 0, "What the first sample met", with_visibility},

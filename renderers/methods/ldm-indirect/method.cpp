@@ -19,8 +19,7 @@ MethodDescription description() {
         "the footprints' size.";
     d.version = 2;
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
-    d.missing_light = {{{LightPart::indirect}, {LightKind::lamp, LightKind::surface, LightKind::environment}},
-                       passes::without_light_samples()};
+    d.missing_light = {passes::without_light_samples()};
     d.outputs = joined({splatting_outputs(), tracing_outputs()});
     d.selectors = tracing_selectors();
     return d;
