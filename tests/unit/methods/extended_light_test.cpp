@@ -250,7 +250,7 @@ Lab lit_floor(float roughness) {
 std::vector<Estimate> light_estimates(const Lab& lab, const passes::LightEstimate::Options& options,
                                       int seeds, int samples) {
     const auto world = lab.world(options.materials);
-    const passes::LightEstimate estimate(world.bvh, world.surfaces, world.lights, options);
+    const passes::LightEstimate estimate(world.bvh, world.surfaces, world.lights.direct, options);
     const auto start = ray({0, 0.5f, 1}, {0, -0.5f, -1});
     const auto hit = world.bvh.closest_hit(start.origin_ws, start.direction_ws, 0, 100);
     const auto surface = world.surfaces.at(hit, start.direction_ws);
