@@ -81,9 +81,10 @@ inline std::vector<Value> tried_values(const ParameterDescription& p) {
 /// when nothing does.
 inline bool activate(const MethodDescription& method, const ParameterDescription& p, Settings& settings,
                      int depth = 0) {
-    if (is_active(p, settings)) return true;
+    if (p.active_when.key.empty()) return true;
     const auto* condition = find(method.parameters, p.active_when.key);
     if (!condition || depth > 8 || !activate(method, *condition, settings, depth + 1)) return false;
+    if (is_active(p, settings)) return true;
     const auto possible = tried_values(*condition);
     for (const auto& value : std::views::reverse(p.active_when.values)) {
         const bool is_choice = condition->type == ParameterType::choice;
@@ -92,6 +93,13 @@ inline bool activate(const MethodDescription& method, const ParameterDescription
         if (is_active(p, settings)) return true;
     }
     return false;
+}
+
+/// As projects have them that are older than some of the parameters: published, mostly.
+inline Settings older_settings(const MethodDescription& method, Settings settings) {
+    for (const auto& p : method.parameters)
+        if (p.value_in_older_projects) settings[p.key] = *p.value_in_older_projects;
+    return settings;
 }
 
 /// Every other number in the middle of its slider, so that effects that cancel at the defaults show.

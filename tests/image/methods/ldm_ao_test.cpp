@@ -56,11 +56,12 @@ TEST_P(LdmAoOnBoth, AConstantSkyIsAmbientLight) {
             settings["ambient_source"] = std::string("environment");
             const auto sky = render(view, 61, 43, settings, {}, 0, "lit");
             EXPECT_GT(mean(ambient), 0.05);
-            // On the host vectors and single points may round a hit at the limit to different sides.
+            // On the host tiles and single points are asked by different code: about one in 2,000 queries
+            // of a limited distance, of 33 a pixel, is answered otherwise.
             std::size_t different = 0;
             for (std::size_t i = 0; i < sky.pixels.size(); ++i)
                 different += std::abs(sky.pixels[i] - ambient.pixels[i]) > 1e-4f;
-            EXPECT_LT(different, sky.pixels.size() / 200) << reach << falloff;
+            EXPECT_LE(different, reach > 0 ? sky.pixels.size() / 50 : 0) << reach << falloff;
             EXPECT_LT(max_different(sky, ambient), 0.7f * 2 / 33) << reach << falloff;
         }
 }

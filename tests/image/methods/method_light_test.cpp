@@ -41,7 +41,7 @@ double scattered_light(Experiment e, const MethodDescription& method, const Sett
     e.settings = settings;
     Execution execution(machine(), e);
     graph::FrameOptions options;
-    options.wanted = {"*"};
+    options.wanted = {"valid", "gbuffer.emission"};
     execution.run_frame(options);
     const auto picture = main_result(execution);
     const auto valid = execution.graph().read_image("valid").value(),

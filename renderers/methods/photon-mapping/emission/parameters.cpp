@@ -13,7 +13,7 @@ void add_counts(ParameterTable<Parameters>& table) {
                .doc = "Photons that all lights together emit in a frame, before any is absorbed.",
                .citation = "Smal19 §4.2",
                .hard = {1, 8'000'000},
-               .soft = {1000, 1'000'000},
+               .soft = {10'000, 1'000'000},
                .on_change = OnChange::reallocate,
                .coarse = std::int64_t{20'000}});
     table.include(&Parameters::transport,
