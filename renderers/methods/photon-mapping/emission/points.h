@@ -12,8 +12,8 @@ struct EmissionPoints {
     std::uint64_t from_maps = 0;  ///< of these the first ones, warped by maps; rays are traced for the rest
     graph::BufferRef candidates;  ///< "emission.candidates": for each of the former bits 0-9 texel x, 10-19
                                   ///< texel y, 20-25 source, 26 set where it survives
-    graph::BufferRef survivors;  ///< "emission.survivors": 1 for each point that survives
-    graph::BufferRef places;     ///< in "photons.samples", found by find_places
+    graph::BufferRef survivors;   ///< "emission.survivors": 1 for each point that survives
+    graph::BufferRef places;      ///< in "photons.samples", found by find_places
 };
 
 /// Points of the first slice of a pass.

@@ -38,7 +38,6 @@ inline std::uint32_t sub_image_offset(unsigned level, unsigned sample, unsigned 
     return pcg4d({0u, level, sample, seed}).x;
 }
 
-
 inline float first_shell(const InfluenceConstants& i, float radius) {
     return i.trade_off > 0 ? std::max(radius / std::sqrt(i.trade_off), i.shell_radius) : i.shell_radius;
 }
