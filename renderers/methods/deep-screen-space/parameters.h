@@ -41,7 +41,7 @@ struct Parameters {
     float fine_area = 0.5f;  ///< part of the ideal area that fine surfels aim at
     bool thinning = true;
     Discard discard = Discard::mended;
-    Backs backs = Backs::open;
+    Backs backs = Backs::lit;
     float light_offset = 0;  ///< radii: how far above its centre a surfel asks for shadows
     int sender_samples = 4;
     bool glossy_senders = true;
