@@ -1,4 +1,6 @@
 // At its defaults, on six levels and with visibility, deep screen space keeps light and occlusion.
+#include <cstdlib>
+
 #include "app/engine/execution.h"
 #include "app/engine/pictures.h"
 #include "tests/image/methods/every_method.h"
@@ -44,6 +46,21 @@ TEST(DssDefaults, KeepTheLightOfTheStillLife) {
         scene, "reference", with(light, {{"samples", std::int64_t{512}}, {"max_bounces", std::int64_t{1}}})));
     ASSERT_GT(truth, 0);
     EXPECT_NEAR(mean_of(scene, light) / truth, 1, 0.15);
+    machines().clear();
+}
+
+/// Lit by an emissive panel alone, with walls that face outward.
+TEST(DssDefaults, KeepTheLightOfAShippedRoom) {
+    const char* folder = std::getenv("INTERREFLECT_SCENES");
+    if (!folder) GTEST_SKIP() << "set INTERREFLECT_SCENES to the folder that has rooms/cornell-box";
+    const auto scene = std::string(folder) + "/rooms/cornell-box/cornell-box.glb";
+    const Settings light{{"paths", std::string("indirect")}, {"max_distance", 0.0}};
+    const double truth = mean_of(picture_of(
+        scene, "reference", with(light, {{"samples", std::int64_t{512}}, {"max_bounces", std::int64_t{1}}})));
+    ASSERT_GT(truth, 0);
+    const double found = mean_of(scene, light);
+    EXPECT_GT(found, 0.85 * truth);
+    EXPECT_LT(found, 1.1 * truth);
     machines().clear();
 }
 
