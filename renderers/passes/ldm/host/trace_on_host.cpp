@@ -7,12 +7,11 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <mutex>
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/ldm/host/first_hit.h"
+#include "renderers/passes/ldm/host/kept_maps.h"
 #include "renderers/passes/ldm/sky.h"
-#include "renderers/passes/raytracing/alpha_masks.h"
 
 namespace ir::passes::ldm {
 namespace {
@@ -34,59 +33,6 @@ int maps_together(int resolution, Holds holds, int threads) {
     const auto room = std::min(cache_bytes, memory_bytes / static_cast<std::uint64_t>(threads));
     return static_cast<int>(std::clamp<std::uint64_t>(room / bytes, 1, most_together));
 }
-
-/// Maps of outermost depths that stand from frame to frame while the world and the maps' frames do: the first
-/// ones of all, as many as there is room for. They are built when they are first asked, which graphs that
-/// share them may do at once.
-class KeptMaps {
-  public:
-    static constexpr std::uint64_t most_bytes = 32 << 20;
-
-    /// How many maps with such a layout are kept.
-    static int count(const Layout& layout) {
-        const auto bytes = 4 * layout.map_texels() + overhead;
-        return static_cast<int>(std::min<std::uint64_t>(layout.maps, most_bytes / bytes));
-    }
-
-    explicit KeptMaps(const Layout& layout)
-        : rows_(StreamedMap::band_rows(layout.resolution)),
-          count_(static_cast<std::size_t>(count(layout))),
-          bands_(static_cast<std::size_t>((layout.resolution + rows_ - 1) / rows_) * count_,
-                 StreamedMap(layout.resolution, Holds::outermost)),
-          fragments_(bands_.size()),
-          built_(std::make_unique<std::once_flag[]>(bands_.size())) {}
-
-    std::uint64_t bytes() const { return bands_.size() * (bands_.front().texel_bytes() + overhead); }
-
-    /// The band from `row` on of maps first … end - 1, whose fragments are counted in `scratch` as if they
-    /// were made now. `built` counts those that were not there yet.
-    std::span<const StreamedMap> get(const HostScene& scene, const Maps& maps, std::int64_t first,
-                                     std::int64_t end, int row, BuildScratch& scratch, std::uint64_t& built) {
-        const auto start = static_cast<std::size_t>(row / rows_) * count_;
-        const int rows = std::min(rows_, maps.layout.resolution - row);
-        for (auto map = static_cast<std::size_t>(first); map < static_cast<std::size_t>(end); ++map)
-            std::call_once(built_[start + map], [&] {
-                const auto before = scratch.fragments_made;
-                build_map(scene.meshlets, scene.masks, maps.frames[map], row, rows, bands_[start + map],
-                          scratch);
-                fragments_[start + map] = scratch.fragments_made - before;
-                scratch.fragments_made = before;
-                built += row == 0;
-            });
-        for (auto map = first; map < end; ++map)
-            scratch.fragments_made += fragments_[start + static_cast<std::size_t>(map)];
-        return std::span(bands_).subspan(start + static_cast<std::size_t>(first),
-                                         static_cast<std::size_t>(end - first));
-    }
-
-  private:
-    static constexpr std::uint64_t overhead = 256;  ///< of a map, at most
-    int rows_;
-    std::size_t count_;
-    std::vector<StreamedMap> bands_;  ///< those of the same rows together
-    std::vector<std::uint64_t> fragments_;
-    std::unique_ptr<std::once_flag[]> built_;
-};
 
 /// What one thread works with.
 struct Worker {
@@ -381,22 +327,6 @@ class SkyAsker {
     float brightest_ = 0;
 };
 
-/// Declares the object "ldm.kept" and its pass, which makes room; absent where nothing may stand still.
-graph::ObjectRef declare_kept(graph::GraphBuilder& builder, const std::shared_ptr<const Maps>& maps) {
-    if (maps->layout.fingerprint.empty() || KeptMaps::count(maps->layout) == 0) return {};
-    graph::ObjectDesc desc;
-    desc.text.key = "ldm.kept";
-    desc.text.label = "Kept maps";
-    desc.text.doc = "Outermost depths of maps that are asked anew while only the camera moves.";
-    desc.fingerprint = maps->layout.fingerprint;
-    const auto result = builder.object(desc);
-    builder.pass("kept maps", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
-        const auto made = std::make_shared<KeptMaps>(maps->layout);
-        context.store(result, made, made->bytes());
-    });
-    return result;
-}
-
 }  // namespace
 
 SelfHitRule self_hit_rule(const MapParameters& parameters) {
@@ -405,55 +335,6 @@ SelfHitRule self_hit_rule(const MapParameters& parameters) {
             .slope = parameters.slope_tolerance,
             .offset = parameters.normal_offset,
             .max_dip = parameters.max_dip};
-}
-
-int host_threads(const graph::FrameInputs& inputs) {
-    return inputs.threads > 0 ? inputs.threads : tbb::info::default_concurrency();
-}
-
-void HostCounters::report(const graph::PassContext& context, const Layout& layout,
-                          const std::vector<HostWork>& threads) const {
-    HostWork all;
-    for (const auto& each : threads) {
-        all.fragments += each.fragments;
-        all.bytes += each.bytes;
-        all.build_ms += each.build_ms / static_cast<double>(threads.size());
-        all.ask_ms += each.ask_ms / static_cast<double>(threads.size());
-    }
-    context.add(fragments, static_cast<std::uint32_t>(all.fragments));
-    context.add(texels, static_cast<std::uint32_t>(layout.map_texels() * layout.maps));
-    context.add(bytes, static_cast<std::uint32_t>(all.bytes));
-    context.notes().set_figure("ldm.build_ms", all.build_ms);
-    context.notes().set_figure("ldm.ask_ms", all.ask_ms);
-}
-
-HostCounters declare_host_counters(graph::GraphBuilder& builder) {
-    return {builder.counter({.key = "ldm.fragments",
-                             .label = "Fragments",
-                             .doc = "Made by rasterising the scene into all maps."}),
-            builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."}),
-            builder.counter({.key = "ldm.bytes",
-                             .label = "Memory of maps",
-                             .doc = "Bytes that the maps take which are in memory at once, and "
-                                    "building them."})};
-}
-
-graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder) {
-    graph::ObjectDesc desc;
-    desc.text.key = "ldm.meshlets";
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
-    desc.text.label = "Meshlets";
-    desc.text.doc = "The scene's triangles in groups that lie together, for maps that are built on the host.";
-    desc.fingerprint = builder.inputs().geometry_fingerprint;
-    const auto result = builder.object(desc);
-    builder.pass("meshlets", graph::Queue::cpu).writes(result).execute([result](graph::PassContext& context) {
-        const auto& inputs = context.inputs();
-        const auto made = std::make_shared<HostScene>(HostScene{make_meshlets(*inputs.world, inputs.threads),
-                                                                AlphaMasks(*inputs.scene, *inputs.world)});
-        context.store(result, made, made->meshlets.bytes() + made->masks.bytes());
-    });
-    return result;
 }
 
 void trace_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,

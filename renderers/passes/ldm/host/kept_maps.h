@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "renderers/passes/ldm/builder.h"
+#include "renderers/passes/ldm/host/host_scene.h"
+
+namespace ir::passes::ldm {
+
+/// Maps of outermost depths that stand from frame to frame while the world and the maps' frames do: the first
+/// ones of all, as many as there is room for. They are built when they are first asked, which graphs that
+/// share them may do at once.
+class KeptMaps {
+  public:
+    static constexpr std::uint64_t most_bytes = 32 << 20;
+
+    /// How many maps with such a layout are kept.
+    static int count(const Layout& layout) {
+        const auto bytes = 4 * layout.map_texels() + overhead;
+        return static_cast<int>(std::min<std::uint64_t>(layout.maps, most_bytes / bytes));
+    }
+
+    explicit KeptMaps(const Layout& layout)
+        : rows_(StreamedMap::band_rows(layout.resolution)),
+          count_(static_cast<std::size_t>(count(layout))),
+          bands_(static_cast<std::size_t>((layout.resolution + rows_ - 1) / rows_) * count_,
+                 StreamedMap(layout.resolution, Holds::outermost)),
+          fragments_(bands_.size()),
+          built_(std::make_unique<std::once_flag[]>(bands_.size())) {}
+
+    std::uint64_t bytes() const { return bands_.size() * (bands_.front().texel_bytes() + overhead); }
+
+    /// The band from `row` on of maps first … end - 1, whose fragments are counted in `scratch` as if they
+    /// were made now. `built` counts those that were not there yet.
+    std::span<const StreamedMap> get(const HostScene& scene, const Maps& maps, std::int64_t first,
+                                     std::int64_t end, int row, BuildScratch& scratch, std::uint64_t& built);
+
+  private:
+    static constexpr std::uint64_t overhead = 256;  ///< of a map, at most
+    int rows_;
+    std::size_t count_;
+    std::vector<StreamedMap> bands_;  ///< those of the same rows together
+    std::vector<std::uint64_t> fragments_;
+    std::unique_ptr<std::once_flag[]> built_;
+};
+
+/// Declares the object "ldm.kept" and its pass, which makes room; absent where nothing may stand still.
+graph::ObjectRef declare_kept(graph::GraphBuilder& builder, const std::shared_ptr<const Maps>& maps);
+
+}  // namespace ir::passes::ldm
