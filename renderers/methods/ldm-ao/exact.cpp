@@ -8,6 +8,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "renderers/core/constants.h"
+#include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
@@ -124,7 +125,7 @@ void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, M
             const auto bvh = p.object<passes::Bvh>(exact.bvh);
             const PixelTracer tracer(*bvh, *maps, batch, exact, transport);
             const int threads = p.inputs().threads;
-            tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+            tbb::task_arena arena(arena_size(threads));
             arena.execute([&] {
                 tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t row) {
                     if (p.cancel().is_cancelled()) return;

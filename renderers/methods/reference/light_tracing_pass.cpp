@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/reference/light_tracer.h"
 #include "renderers/methods/reference/tiles.h"
@@ -74,7 +75,7 @@ class SplatTracer {
     void trace(std::int64_t begin, std::int64_t end, std::int64_t of_sample) {
         splats_.resize(static_cast<std::size_t>(end - begin));
         const int threads = context_.inputs().threads;
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        tbb::task_arena arena(arena_size(threads));
         arena.execute([&] {
             tbb::parallel_for(begin, end, [&](std::int64_t item) {
                 auto& splats = splats_[static_cast<std::size_t>(item - begin)];

@@ -1,5 +1,7 @@
 #include "renderers/methods/reference/tiles.h"
 
+#include "renderers/core/threads.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -30,7 +32,7 @@ void run_tiles(const graph::PassContext& context, const Tiles& tiles, SampleRang
                                          static_cast<double>(work));
     };
     const int threads = context.inputs().threads;
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(arena_size(threads));
     const auto last = slice.end == declared ? work : place(slice.end);
     for (auto item = place(slice.begin); item < last;) {
         const auto range = tiles.block(samples, item / count);

@@ -7,6 +7,7 @@
 #include <glm/gtc/packing.hpp>
 #include <memory>
 
+#include "renderers/core/threads.h"
 #include "renderers/passes/a_trous/a_trous.h"
 #include "renderers/passes/direct/light_estimate.h"
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
@@ -118,7 +119,7 @@ class LightSampling {
 
     void run(graph::Slice slice) const {
         const int threads = context_.inputs().threads;
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        tbb::task_arena arena(arena_size(threads));
         arena.execute([&] {
             tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t i) {
                 if (!context_.cancel().is_cancelled()) fill_tile(static_cast<int>(i));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 
+#include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/glass.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
@@ -205,7 +206,7 @@ void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& g, const GBuff
             const auto lookup = context.object<SurfaceLookup>(surfaces);
             const HostGBuffer filled(context, g, *tree, *lookup);
             const int threads = context.inputs().threads;
-            tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+            tbb::task_arena arena(arena_size(threads));
             arena.execute([&] {
                 tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t block) {
                     const int first = static_cast<int>(block) * side;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "renderers/core/error.h"
+#include "renderers/core/threads.h"
 #include "renderers/passes/raytracing/device_bvh.h"
 
 namespace ir::passes {
@@ -108,7 +109,7 @@ class Builder {
         arguments.setNodeBounds = set_bounds;
         arguments.createLeaf = create_leaf;
         // Not the device's option "threads", which limits TBB in the whole process.
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        tbb::task_arena arena(arena_size(threads));
         void* root = nullptr;
         arena.execute([&] { root = rtcBuildBVH(&arguments); });
         check();

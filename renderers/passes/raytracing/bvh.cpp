@@ -12,6 +12,7 @@
 
 #include "renderers/core/constants.h"
 #include "renderers/core/error.h"
+#include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/alpha_masks.h"
 
@@ -148,7 +149,7 @@ struct Bvh::Impl {
     /// Not with the device's option "threads": that one limits TBB in the whole process while the device
     /// lives.
     void build(int threads) {
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        tbb::task_arena arena(arena_size(threads));
         arena.execute([this] { rtcJoinCommitScene(handle.get()); });
     }
 

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
+#include "renderers/core/threads.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
 
@@ -103,7 +104,7 @@ EmbreeTiming time_embree_ao(const scene::Scene& scene, const scene::World& world
         throw Error("ray tracing benchmark: as many normals as positions are needed");
     }
     EmbreeTiming timing;
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(arena_size(threads));
     const auto start = std::chrono::steady_clock::now();
     const Bvh bvh(scene, world, threads, Bvh::Edges::fast);
     timing.build_ms = milliseconds_since(start);

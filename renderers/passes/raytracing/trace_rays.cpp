@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/device_bvh.h"
@@ -53,7 +54,7 @@ void trace_packets(const graph::PassContext& context, graph::ObjectRef bvh, cons
     const auto hits = context.elements<RayHitRecord>(buffers.hits);
     const auto scene = context.object<Bvh>(bvh);
     const int threads = context.inputs().threads;
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(arena_size(threads));
     arena.execute([&] {
         tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t packet) {
             const auto first = static_cast<std::size_t>(packet * lanes);

@@ -2,6 +2,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "renderers/core/threads.h"
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
 
@@ -47,7 +48,7 @@ std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const 
                 const SourceIrradiance estimate(*traced, *emitters);
                 const auto from = context.pixels<const glm::vec4>(position);
                 const auto seed = random_seed(inputs, parameters);
-                tbb::task_arena arena(inputs.threads > 0 ? inputs.threads : tbb::task_arena::automatic);
+                tbb::task_arena arena(arena_size(inputs.threads));
                 for (auto layer = static_cast<int>(slice.begin); layer < slice.end; ++layer) {
                     const auto winners = context.pixels<const std::uint32_t>(nearest, layer);
                     const auto distances = context.pixels<const float>(distance, layer);

@@ -3,6 +3,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
@@ -95,7 +96,7 @@ std::optional<graph::BufferRef> sample_sources(graph::GraphBuilder& builder, con
                 if (slice.first) context.add(irradiance.count, counts[0].made);
                 const auto count =
                     static_cast<std::int64_t>(std::min<std::size_t>(counts[0].stored, lights.size()));
-                tbb::task_arena arena(inputs.threads > 0 ? inputs.threads : tbb::task_arena::automatic);
+                tbb::task_arena arena(arena_size(inputs.threads));
                 arena.execute([&] {
                     tbb::parallel_for(count * slice.begin / packing_parts, count * slice.end / packing_parts,
                                       [&](std::int64_t i) {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "renderers/core/constants.h"
+#include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/tracing/host/children.h"
 #include "renderers/methods/ldm-indirect/tracing/host/landings.h"
@@ -193,7 +194,7 @@ void emit_from_extended(graph::GraphBuilder& builder, const Primaries& primaries
                 const auto emitted = context.object<ExtendedEmission>(emission);
                 const auto all = context.elements<Primary>(primaries.records);
                 const int threads = context.inputs().threads;
-                tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+                tbb::task_arena arena(arena_size(threads));
                 arena.execute([&] {
                     tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t i) {
                         const auto number = static_cast<std::uint64_t>(i);

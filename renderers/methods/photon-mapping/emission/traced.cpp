@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "renderers/core/constants.h"
+#include "renderers/core/threads.h"
 #include "renderers/passes/sampling/point_sequence.h"
 #include "shaders/methods/photon-mapping/emission/emitted.glsl.h"
 
@@ -114,7 +115,7 @@ void start_rays(graph::GraphBuilder& builder, const TracedEmission& traced, cons
                 const auto rays = context.elements<passes::RayRecord>(traced.rays.rays);
                 const auto emitted = context.elements<EmittedRay>(traced.emitted);
                 const int threads = context.inputs().threads;
-                tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+                tbb::task_arena arena(arena_size(threads));
                 arena.execute([&] {
                     tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t i) {
                         const auto at = static_cast<std::size_t>(i);

@@ -1,5 +1,7 @@
 #include "renderers/passes/ldm/host/meshlets.h"
 
+#include "renderers/core/threads.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -151,7 +153,7 @@ std::uint64_t Meshlets::bytes() const {
 
 Meshlets make_meshlets(const scene::World& world, int threads) {
     Meshlets result;
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(arena_size(threads));
     arena.execute([&] {
         const auto opaque = along_curve(world, 0, world.opaque_triangles),
                    masked = along_curve(world, world.opaque_triangles,

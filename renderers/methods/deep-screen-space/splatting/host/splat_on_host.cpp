@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "renderers/core/error.h"
+#include "renderers/core/threads.h"
 #include "renderers/methods/deep-screen-space/splatting/host/disc_level.h"
 #include "renderers/methods/deep-screen-space/splatting/host/ray_ranges.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
@@ -181,7 +182,7 @@ void execute(graph::PassBuilder& pass, const graph::GraphBuilder& builder, const
     if (bvh.index >= 0) pass.reads(bvh);
     pass.execute_sliced(tiles * visible.splats.samples, [=](PassContext& p, Slice slice) {
         const int threads = p.inputs().threads;
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        tbb::task_arena arena(arena_size(threads));
         arena.execute([&] {
             if (slice.first) splats->begin(p);
             const auto run = make_run(p, slice);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/splatting/host/add_kernels.h"
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
@@ -15,7 +16,7 @@ namespace {
 /// theirs in order, whatever the number of threads.
 class HostSplat {
   public:
-    explicit HostSplat(int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+    explicit HostSplat(int threads) : arena_(arena_size(threads)) {}
 
     void begin(const graph::PassContext& p, const SplatTask& task, const passes::GBuffer& gbuffer) {
         const auto shape = p.shape(gbuffer.position);
