@@ -268,7 +268,7 @@ void ViewModel::finish_loading() {
     emit linked_changed(linked_);
     refresh();
     for (const int view : area_.open_views()) emit explained_changed(view);
-    emit active_changed();
+    on_active_changed();  // what is worked on is what the active view was left with
 }
 
 }  // namespace ir::gui

@@ -139,6 +139,26 @@ TEST_F(SessionTest, ARedoneExperimentIsShownAsItWas) {
     EXPECT_EQ(shown(), (widgets::ViewSource{first, "slices"}));
 }
 
+TEST_F(SessionTest, TheActiveViewOpensWithTheExperimentItWasLeftWith) {
+    open_scene();
+    const auto first = session().experiment()->id;
+    trigger("experiment-add");
+    const auto second = session().experiment()->id;
+    session().files().save_as(folder);
+    for (const std::string remembered : {"", first.c_str()}) {
+        session().files().close();
+        auto memory = projects::load_session(folder);
+        memory["experiment"] = remembered;
+        memory["views"]["active"] = 0;
+        memory["views"]["states"][0]["a"]["owner"] = second;
+        projects::save_session(folder, memory);
+        session().files().open(folder);
+        ASSERT_TRUE(settle());
+        EXPECT_EQ(window.views().active_state().a.owner, second) << "remembered: " << remembered;
+        EXPECT_EQ(session().experiment()->id, second) << "what is worked on is what is shown";
+    }
+}
+
 TEST_F(SessionTest, AnImageThatIsRefusedIsNotSelected) {
     open_scene();
     session().files().save_as(folder);
