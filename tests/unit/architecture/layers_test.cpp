@@ -89,8 +89,9 @@ TEST(Layers, RenderersAndProjectsKnowNoQt) {
 TEST(Layers, WindowsAndCommandsNameNoMethod) {
     const auto ids = folders_in("renderers/methods");
     EXPECT_GE(ids.size(), 2u);
-    const auto files = source_files({"app", "widgets"}, {".h", ".cpp"});
+    auto files = source_files({"app", "widgets"}, {".h", ".cpp"});
     EXPECT_GT(files.size(), 10u);
+    for (auto& file : files) file.text = without_comments(file.text);
     for (const auto& id : ids) {
         auto name = id;
         std::replace(name.begin(), name.end(), '-', '_');
@@ -103,9 +104,11 @@ TEST(Layers, WindowsAndCommandsNameNoMethod) {
             pattern += "|\\b" + name + "\\b|\\b" + id + "\\b";
         const std::regex names_it(pattern);
         for (const auto& file : files) {
-            const auto text = without_comments(file.text);
+            if (file.text.find(id) == std::string::npos && file.text.find(name) == std::string::npos)
+                continue;  // faster than the expression
             std::smatch match;
-            EXPECT_FALSE(std::regex_search(text, match, names_it)) << file.path << " names " << match.str();
+            EXPECT_FALSE(std::regex_search(file.text, match, names_it))
+                << file.path << " names " << match.str();
         }
     }
 }

@@ -49,10 +49,13 @@ struct Includes {
     std::vector<std::string> own, system;
 };
 inline Includes includes_of(const std::string& text) {
-    static const std::regex pattern(R"((?:^|\n)[ \t]*#[ \t]*include[ \t]*(["<])([^">\n]+)[">])");
+    static const std::regex pattern(R"([ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">].*)");
     Includes result;
-    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
-        ((*it)[1] == "\"" ? result.own : result.system).push_back((*it)[2]);
+    std::istringstream lines(text);
+    std::smatch match;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find('#') != std::string::npos && std::regex_match(line, match, pattern))
+            (match[1] == "\"" ? result.own : result.system).push_back(match[2]);
     return result;
 }
 
