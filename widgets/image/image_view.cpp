@@ -16,6 +16,8 @@ namespace ir::widgets {
 namespace {
 
 constexpr double zoom_step = 1.25;
+/// Logical pixels that a click may wander.
+constexpr double click_slack = 4;
 /// Logical pixels on either side of the divider that take hold of it.
 constexpr double divider_reach = 7;
 
@@ -24,7 +26,8 @@ constexpr qreal whole_legend = 10000;
 
 }  // namespace
 
-ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent), region_tool_(state_, *this) {
+ImageView::ImageView(QWidget* parent, Surface surface)
+    : QWidget(parent), region_tool_(state_, *this), light_tool_(state_, *this) {
     canvas_ = surface == Surface::raster ? make_raster_canvas(state_, this) : make_canvas(state_, this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -37,6 +40,15 @@ ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent), region
     setAccessibleName(tr("Picture"));
     connect(&camera_, &CameraController::moved, this, &ImageView::camera_moved);
     connect(&camera_, &CameraController::finished, this, &ImageView::camera_gesture_finished);
+    connect(&camera_, &CameraController::posed, this, [this] {
+        state_.camera = camera_.pose();
+        if (!state_.light) return;
+        if (!state_.light->moves()) state_.light->position = state_.camera.target;
+        overlay_->update();
+    });
+    connect(&light_tool_, &LightTool::moved, this, &ImageView::light_moved);
+    connect(&light_tool_, &LightTool::turned, this, &ImageView::light_turned);
+    connect(&light_tool_, &LightTool::finished, this, &ImageView::light_gesture_finished);
     connect(&region_tool_, &RegionTool::changed, this, [this](const QRect& region) {
         set_mark(&Marks::region, region);
         emit region_changed(region);
@@ -114,6 +126,17 @@ void ImageView::set_stale(bool stale) {
     repaint_all();
 }
 
+void ImageView::set_light(std::optional<PlacedLight> light) {
+    if (light && !light->moves()) light->position = state_.camera.target;
+    if (light == state_.light) return;
+    state_.light = light;
+    if (!light_tool_.is_dragging()) state_.light_handle = LightHandle::none;
+    setAccessibleDescription(
+        light ? tr("%1 has handles here. Arrows move it, Alt and arrows turn it.").arg(light->name)
+              : QString());
+    overlay_->update();
+}
+
 void ImageView::follow(const ViewTransform& transform) {
     if (transform.is_fitted())
         state_.transform.fit();
@@ -132,6 +155,7 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     drawn.hint.clear();
     drawn.marks.cursor = {-1, -1};
     drawn.region_edited = false;
+    drawn.light.reset();
     drawn.stale = false;
     drawn.legend = legend;
     qreal ratio = devicePixelRatioF();
@@ -177,7 +201,8 @@ void ImageView::set_tool(Tool tool) {
 }
 
 void ImageView::update_hint() {
-    state_.hint = tool_ == Tool::orbit
+    state_.hint = light_tool_.is_over_handle() ? light_tool_.hint()
+                  : tool_ == Tool::orbit
                       ? tr("Orbit: drag to turn  ·  Shift-drag to slide  ·  Ctrl+wheel for distance")
                   : tool_ == Tool::fly
                       ? tr("Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster")
@@ -191,6 +216,8 @@ void ImageView::update_hint() {
 void ImageView::update_cursor_shape() {
     if (drag_ == Drag::wipe || (drag_ == Drag::none && !space_ && over_divider_))
         setCursor(Qt::SplitHCursor);
+    else if (drag_ == Drag::light || (drag_ == Drag::none && !space_ && light_tool_.is_over_handle()))
+        setCursor(Qt::SizeAllCursor);
     else if (drag_ == Drag::pan || space_)
         setCursor(drag_ == Drag::pan ? Qt::ClosedHandCursor : Qt::OpenHandCursor);
     else if (tool_ == Tool::rectangle)
@@ -250,6 +277,7 @@ void ImageView::changeEvent(QEvent* event) {
 
 ImageView::Drag ImageView::drag_for(const QMouseEvent& event) {
     if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) return Drag::pan;
+    if (event.button() == Qt::LeftButton && light_tool_.is_over_handle()) return Drag::light;
     if (event.button() == Qt::LeftButton && is_over_divider(event.position())) return Drag::wipe;
     if (tool_ == Tool::rectangle && event.button() == Qt::LeftButton)
         return state_.has_image() ? Drag::region : Drag::pan;
@@ -266,9 +294,11 @@ ImageView::Drag ImageView::drag_for(const QMouseEvent& event) {
 
 void ImageView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != Drag::none) return;
+    light_tool_.hover(event->position());
     drag_ = drag_for(*event);
     last_position_ = press_position_ = event->position();
     if (drag_ == Drag::region) region_tool_.press(event->position());
+    if (drag_ == Drag::light) light_tool_.press(event->position());
     update_cursor_shape();
 }
 
@@ -276,7 +306,7 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF delta = event->position() - last_position_;
     last_position_ = event->position();
     // A press that wanders off is no pick but a pan.
-    if (drag_ == Drag::pick && (event->position() - press_position_).manhattanLength() > 4) drag_ = Drag::pan;
+    if (drag_ == Drag::pick && !is_click(event->position())) drag_ = Drag::pan;
     if (drag_ == Drag::wipe) {
         const QPointF at = state_.transform.image_from_view(device(event->position()));
         move_wipe(at.x() / state_.transform.image_size().width());
@@ -285,9 +315,15 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
         finish_transform();
     } else if (drag_ == Drag::region) {
         region_tool_.drag(event->position(), event->modifiers());
+    } else if (drag_ == Drag::light) {
+        light_tool_.drag(event->position());
     } else if (drag_ == Drag::camera) {
         const QSizeF shown = state_.transform.image_size() * state_.transform.zoom() / devicePixelRatioF();
         camera_.drag(delta, height(), shown.height());
+    }
+    if (drag_ == Drag::none && light_tool_.hover(event->position())) {
+        update_hint();
+        update_cursor_shape();
     }
     const bool over = is_over_divider(event->position());
     if (over != over_divider_) {
@@ -302,10 +338,13 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 bool ImageView::event(QEvent* event) {
-    // Escape clears the rectangle before it is the window's key.
-    if (event->type() == QEvent::ShortcutOverride && region_tool_.takes(*static_cast<QKeyEvent*>(event))) {
-        event->accept();
-        return true;
+    // Escape clears the rectangle, or takes a light back, before it is the window's key.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (region_tool_.takes(key) || takes_light_key(key)) {
+            event->accept();
+            return true;
+        }
     }
     return QWidget::event(event);
 }
@@ -329,14 +368,29 @@ void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
     mousePressEvent(event);
 }
 
+bool ImageView::is_click(QPointF logical) const {
+    return (logical - press_position_).manhattanLength() <= click_slack;
+}
+
+void ImageView::pick(QPointF logical) {
+    set_mark(&Marks::picked, pixel_at(logical));
+    emit picked_changed(state_.marks.picked);
+}
+
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (drag_ == Drag::pick) {
-        set_mark(&Marks::picked, pixel_at(event->position()));
-        emit picked_changed(state_.marks.picked);
-    }
+    if (drag_ == Drag::pick) pick(event->position());
     region_tool_.release();
+    light_tool_.release();
     if (std::exchange(drag_, Drag::none) == Drag::camera) camera_.finish();
     update_cursor_shape();
+    if (event->button() != Qt::RightButton || !is_click(event->position())) return;
+    pick(event->position());
+    emit menu_wanted(event->globalPosition().toPoint());
+}
+
+void ImageView::contextMenuEvent(QContextMenuEvent* event) {
+    // The mouse asks by a click, because its right button drags, too.
+    if (event->reason() == QContextMenuEvent::Keyboard) emit menu_wanted(mapToGlobal(rect().center()));
 }
 
 void ImageView::wheelEvent(QWheelEvent* event) {
@@ -354,7 +408,15 @@ void ImageView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
+/// The divider has the arrows before a light, the rectangle before both.
+bool ImageView::takes_light_key(const QKeyEvent& event) const {
+    const bool moves_divider =
+        state_.has_divider() && (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right);
+    return light_tool_.takes(event) && !moves_divider;
+}
+
 void ImageView::keyPressEvent(QKeyEvent* event) {
+    if (light_tool_.is_dragging() && takes_light_key(*event)) return light_tool_.press_key(*event);
     if (event->key() == Qt::Key_Space) {
         space_ = true;
         return update_cursor_shape();
@@ -368,11 +430,13 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
         const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;
         return move_wipe(state_.wipe + (event->key() == Qt::Key_Left ? -step : step));
     }
+    if (takes_light_key(*event)) return light_tool_.press_key(*event);
     QWidget::keyPressEvent(event);
 }
 
 void ImageView::keyReleaseEvent(QKeyEvent* event) {
     if (event->isAutoRepeat()) return;
+    light_tool_.finish_keys();
     if (event->key() == Qt::Key_Space) {
         space_ = false;
         update_cursor_shape();
@@ -382,6 +446,7 @@ void ImageView::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void ImageView::leaveEvent(QEvent*) {
+    if (drag_ == Drag::none && light_tool_.hover({-1e6, -1e6})) update_hint();
     emit cursor_moved({-1, -1});
 }
 
@@ -393,6 +458,7 @@ void ImageView::focusInEvent(QFocusEvent* event) {
 void ImageView::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
     camera_.drop_keys();
+    light_tool_.finish_keys();
     space_ = false;
     update_cursor_shape();
     if (drag_ == Drag::none) camera_.finish();

@@ -5,6 +5,7 @@
 
 #include "widgets/image/camera_controller.h"
 #include "widgets/image/canvas.h"
+#include "widgets/image/light_tool.h"
 #include "widgets/image/region_tool.h"
 
 namespace ir::widgets {
@@ -40,6 +41,8 @@ class ImageView : public QWidget {
     /// Takes zoom and place (or being fitted) over from another view of the same picture size. Emits nothing.
     void follow(const ViewTransform& transform);
     void set_stale(bool stale);
+    /// A light of the picture's scene, with handles; none: there are none.
+    void set_light(std::optional<PlacedLight> light);
 
     const Image& image() const;  ///< empty without a picture
     const std::shared_ptr<const Picture>& picture() const { return state_.pictures[0].picture; }
@@ -79,10 +82,16 @@ class ImageView : public QWidget {
     void transform_changed(const ir::widgets::ViewTransform& transform);
     void wipe_moved(double fraction);
     void activated();  ///< got the keyboard
+    /// A right click, which also picks the pixel, or the menu key.
+    void menu_wanted(QPoint global_position);
     void camera_moved(const ir::widgets::CameraPose& pose);
     /// The hand let go: what came since the last one is one step.
     void camera_gesture_finished();
     void tool_changed(ir::widgets::ImageView::Tool tool);
+    // As in LightTool.
+    void light_moved(const glm::dvec3& position);
+    void light_turned(const glm::dvec3& direction);
+    void light_gesture_finished(bool kept);
 
   protected:
     bool event(QEvent*) override;
@@ -94,16 +103,20 @@ class ImageView : public QWidget {
     void wheelEvent(QWheelEvent*) override;
     void keyPressEvent(QKeyEvent*) override;
     void keyReleaseEvent(QKeyEvent*) override;
+    void contextMenuEvent(QContextMenuEvent*) override;
     void leaveEvent(QEvent*) override;
     void focusInEvent(QFocusEvent*) override;
     void focusOutEvent(QFocusEvent*) override;
     void changeEvent(QEvent*) override;
 
   private:
-    enum class Drag { none, pan, camera, pick, wipe, region };
+    enum class Drag { none, pan, camera, pick, wipe, region, light };
     Drag drag_for(const QMouseEvent& event);
     bool moves_camera() const { return tool_ == Tool::orbit || tool_ == Tool::fly; }
     void finish_transform();
+    void pick(QPointF logical);
+    bool takes_light_key(const QKeyEvent& event) const;
+    bool is_click(QPointF logical) const;
     bool is_over_divider(QPointF logical) const;
     void move_wipe(double fraction);
     void repaint_all();
@@ -119,6 +132,7 @@ class ImageView : public QWidget {
     QWidget* overlay_;
     CameraController camera_;
     RegionTool region_tool_;
+    LightTool light_tool_;
     Tool tool_ = Tool::inspect;
     Drag drag_ = Drag::none;
     QPointF last_position_, press_position_;
