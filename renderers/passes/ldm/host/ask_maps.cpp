@@ -10,6 +10,7 @@
 
 #include "renderers/passes/ldm/host/ask_lists.inl"
 #include "renderers/passes/ldm/host/ask_outermost.inl"
+#include "renderers/passes/ldm/host/judge.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace ir::passes::ldm::HWY_NAMESPACE {
@@ -24,13 +25,18 @@ void visibility_sums(const PixelTiles& tiles, std::size_t first, std::size_t end
         const auto group_end = std::min(end, group + lanes);
         for (const auto& asked : all) {
             const bool keeps_outermost = asked.map.holds == Holds::outermost;
-            const auto verdict = keeps_outermost ? judge(tiles, group, asked, rule) : Verdict{};
+            const auto verdict = keeps_outermost ? Judge(tiles, group, asked, rule).verdict() : Verdict{};
             for (auto tile = group; tile < group_end; ++tile) {
                 const auto bit = tile - group;
                 if (tiles.valid[tile] == 0 || (verdict.nothing >> bit & 1) != 0) continue;
                 auto* const to = sums + tile * pixels;
+                const bool is_whole = tiles.valid[tile] == ~std::uint64_t{0};
                 if ((verdict.open >> bit & 1) != 0)
                     add_open(tiles, tile, asked, scale, to);
+                else if (is_whole && (verdict.forward >> bit & 1) != 0)
+                    ask_inside<true>(tiles, tile, asked, rule, scale, to);
+                else if (is_whole && (verdict.backward >> bit & 1) != 0)
+                    ask_inside<false>(tiles, tile, asked, rule, scale, to);
                 else if (keeps_outermost)
                     ask_outermost(tiles, tile, asked, rule, scale, to);
                 else

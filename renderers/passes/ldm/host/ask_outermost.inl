@@ -1,4 +1,4 @@
-// Asks the outermost depths of texels, and of tiles of pixels at once where one answer holds for all.
+// Asks the outermost depths of texels.
 // Read once for each instruction set, within a source that includes <hwy/foreach_target.h>.
 #include "renderers/passes/ldm/host/question.inl"
 
@@ -32,110 +32,35 @@ void ask_outermost(const PixelTiles& tiles, std::size_t tile, const Asked& asked
     }
 }
 
-/// Least and largest dot product with the vectors in boxes of tiles first … first + lanes - 1.
-struct Range {
-    Floats least, most;
-};
-Range range_of(const PixelTiles::Boxes& boxes, std::size_t first, const glm::vec4& row, float added) {
-    auto middle = hn::Set(f, added), reach = hn::Zero(f);
-    for (int axis = 0; axis < 3; ++axis) {
-        middle = hn::MulAdd(hn::LoadU(f, boxes.centre[axis].data() + first), hn::Set(f, row[axis]), middle);
-        reach =
-            hn::MulAdd(hn::LoadU(f, boxes.half[axis].data() + first), hn::Set(f, std::abs(row[axis])), reach);
-    }
-    return {hn::Sub(middle, reach), hn::Add(middle, reach)};
-}
-Floats largest(const Range& range) {
-    return hn::Max(hn::Abs(range.least), hn::Abs(range.most));
-}
-
-/// What is known of tiles of pixels without asking any of them, as bits.
-struct Verdict {
-    std::uint32_t nothing = 0;  ///< no pixel gets light from this band
-    std::uint32_t open = 0;     ///< all pixels are open
-};
-
-/// Judges tiles first … first + lanes - 1 by the outermost depths of all texels that they may ask: no depth
-/// reaches beyond what is largest, and all reach beyond what is least. Rounding is covered by margins.
-Verdict judge(const PixelTiles& tiles, std::size_t first, const Asked& asked, const SelfHitRule& rule) {
-    constexpr float texel_margin = 0.01f;
-    constexpr int most_texels = 6;  // a side
-    const auto& map = asked.map;
-    const auto& frame = map.frame;
-    const auto zero = hn::Zero(f), one = hn::Set(f, 1);
-    const auto cosine = range_of(tiles.normal_boxes, first, frame.direction, 0),
-               facing = range_of(tiles.geometric_normal_boxes, first, frame.direction, 0);
-    const auto forward = hn::And(hn::Gt(cosine.least, zero), hn::Gt(facing.least, zero)),
-               backward = hn::And(hn::Lt(cosine.most, zero), hn::Lt(facing.most, zero));
-    const auto below = hn::Or(hn::And(hn::Gt(cosine.least, zero), hn::Le(facing.most, zero)),
-                              hn::And(hn::Lt(cosine.most, zero), hn::Ge(facing.least, zero)));
-    const auto u = range_of(tiles.position_boxes, first, frame.u, frame.u.w),
-               v = range_of(tiles.position_boxes, first, frame.v, frame.v.w),
-               depth = range_of(tiles.position_boxes, first, frame.depth, frame.depth.w);
-    // The largest gain and tolerance of ask_tangent.
-    const auto least_abs_facing =
-        hn::Max(hn::Set(f, least_facing), hn::IfThenElse(forward, facing.least, hn::Neg(facing.most)));
-    const auto slope =
-        hn::Div(hn::Add(largest(range_of(tiles.geometric_normal_boxes, first, asked.slope_u, 0)),
-                        largest(range_of(tiles.geometric_normal_boxes, first, asked.slope_v, 0))),
-                least_abs_facing);
-    const auto dip = hn::Set(f, rule.max_dip * asked.texel_quanta),
-               half_slope = hn::Mul(slope, hn::Set(f, 0.505f));
-    const auto tolerance = hn::Add(
-        hn::Set(f, rule.quanta),
-        hn::Min(hn::Mul(hn::Set(f, rule.slope), slope), hn::Set(f, most_tolerance * asked.texel_quanta)));
-    const auto gain = hn::Add(hn::Min(half_slope, dip), tolerance);
-    // The texels that may be asked: where rays may dip, neighbours too.
-    const auto margin = hn::Add(hn::Set(f, texel_margin), hn::IfThenElseZero(hn::Gt(half_slope, dip), one));
-    const auto left = hn::Floor(hn::Sub(u.least, margin)), right = hn::Floor(hn::Add(u.most, margin)),
-               top = hn::Floor(hn::Sub(v.least, margin)), bottom = hn::Floor(hn::Add(v.most, margin));
-    const auto first_row = hn::Set(f, static_cast<float>(map.first_row)),
-               end_row = hn::Set(f, static_cast<float>(map.first_row + map.rows)),
-               end = hn::Set(f, static_cast<float>(map.resolution));
-    Verdict verdict;
-    auto nothing = below;
-    // Pixels outside of the map count with its first band.
-    if (map.first_row > 0 || map.rows < map.resolution) {
-        const auto inside = hn::And(hn::And(hn::Ge(left, one), hn::Lt(right, hn::Sub(end, one))),
-                                    hn::And(hn::Ge(top, one), hn::Lt(bottom, hn::Sub(end, one))));
-        nothing = hn::Or(nothing, hn::And(inside, hn::Or(hn::Lt(hn::Add(bottom, one), first_row),
-                                                         hn::Gt(hn::Sub(top, one), end_row))));
-    }
-    const auto columns = hn::Sub(right, left), rows = hn::Sub(bottom, top);
-    auto known = hn::And(hn::Or(forward, backward), hn::Lt(hn::Max(columns, rows), hn::Set(f, most_texels)));
-    known = hn::And(known, hn::And(hn::And(hn::Ge(left, zero), hn::Lt(right, end)),
-                                   hn::And(hn::Ge(top, first_row), hn::Lt(bottom, end_row))));
-    if (!hn::AllFalse(f, known)) {
-        const auto* const texels = reinterpret_cast<const std::int32_t*>(map.outermost.data());
-        const auto base =
-            hn::ConvertTo(n, hn::IfThenElseZero(known, hn::MulAdd(hn::Sub(top, first_row), end, left)));
-        const auto low_half = hn::Set(n, 0xffff);
-        auto least = low_half, most = hn::Zero(n);
-        for (int y = 0; y < most_texels; ++y) {
-            const auto in_rows = hn::And(known, hn::Ge(rows, hn::Set(f, static_cast<float>(y))));
-            if (hn::AllFalse(f, in_rows)) break;
-            for (int x = 0; x < most_texels; ++x) {
-                const auto in_both = hn::And(in_rows, hn::Ge(columns, hn::Set(f, static_cast<float>(x))));
-                if (hn::AllFalse(f, in_both)) break;
-                const auto which = hn::RebindMask(n, in_both);
-                const auto place =
-                    hn::Add(base, hn::IfThenElseZero(which, hn::Set(n, y * map.resolution + x)));
-                const auto texel = hn::GatherIndex(n, texels, place);
-                const auto outermost =
-                    hn::IfThenElse(hn::RebindMask(n, forward), upper_half(texel), lower_half(texel));
-                least = hn::Min(least, hn::IfThenElse(which, outermost, low_half));
-                most = hn::Max(most, hn::IfThenElseZero(which, outermost));
-            }
+/// Of a tile whose pixels all ask texels of the band, all along v or all along -v, above their surfaces.
+template <bool forward>
+void ask_inside(const PixelTiles& tiles, std::size_t tile, const Asked& asked, const SelfHitRule& rule,
+                float scale, std::uint32_t* sums) {
+    const auto* const map = reinterpret_cast<const std::int32_t*>(asked.map.outermost.data());
+    const auto& frame = asked.map.frame;
+    const auto first_row = hn::Set(f, static_cast<float>(asked.map.first_row)),
+               resolution = hn::Set(f, static_cast<float>(asked.map.resolution));
+    const bool is_flat = tiles.geometric_normal_boxes.is_point(tile);
+    Slant slant{};
+    for (int i = 0; i < pixels; i += lanes) {
+        const auto place = tile * pixels + static_cast<std::size_t>(i);
+        if (i == 0 || !is_flat) {
+            const auto normal = load(tiles.geometric_normal, place);
+            slant = slant_of(asked, rule, normal, dot(normal, frame.direction));
         }
-        const auto own_least = hn::IfThenElse(forward, depth.least, hn::Sub(hn::Set(f, 65535), depth.most)),
-                   own_most = hn::IfThenElse(forward, depth.most, hn::Sub(hn::Set(f, 65535), depth.least));
-        const auto start = hn::Add(hn::Add(own_most, hn::Max(gain, zero)), one);
-        nothing = hn::Or(nothing, hn::And(known, hn::Gt(hn::ConvertTo(f, least), start)));
-        const auto open = hn::And(known, hn::Lt(hn::ConvertTo(f, most), hn::Sub(own_least, one)));
-        verdict.open = bits_of(open);
+        const auto position = load(tiles.position, place);
+        const auto at =
+            texel_of<true>(asked, rule, slant, project(position, frame.u), project(position, frame.v));
+        const auto depth = project(position, frame.depth);
+        const auto start = start_of(forward ? depth : hn::Sub(hn::Set(f, 65535), depth), at, slant);
+        const auto texel = hn::GatherIndex(
+            n, map, hn::ConvertTo(n, hn::MulAdd(hn::Sub(at.row, first_row), resolution, at.column)));
+        const auto outermost = forward ? upper_half(texel) : lower_half(texel);
+        const auto open = hn::Not(hn::Gt(outermost, key_of(start)));
+        if (hn::AllFalse(n, open)) continue;
+        const auto cosine = hn::Abs(dot(load(tiles.normal, place), frame.direction));
+        add(sums + i, part_of_sum(hn::Set(f, 1), cosine, scale), hn::RebindMask(f, open));
     }
-    verdict.nothing = bits_of(nothing);
-    return verdict;
 }
 
 /// All of a tile's pixels are open.

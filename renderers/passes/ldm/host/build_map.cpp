@@ -1,4 +1,3 @@
-#include <cstdio>
 // Builds a band of rows of one map: meshlets are transformed, and triangles that may cover a texel's centre
 // go into a queue, from which they are rasterised many at a time.
 #include "renderers/passes/ldm/host/streamed_map.h"
@@ -29,23 +28,15 @@ class MapBuild {
 
     void run() {
         rasteriser_.begin();
-        scratch_.hidden.assign(meshlets_.meshlets.size() + BuildScratch::lanes, 0);
-        const bool keeps_outermost = map_.holds == Holds::outermost;
         const auto all = meshlets_.meshlets.size();
-        std::size_t first = 0;
-        for (const auto end : meshlets_.stage_ends) {
-            rasterise(first, end);
-            rasteriser_.rasterise_queue();
-            first = end;
-            if (!keeps_outermost) continue;
-            rasteriser_.flush();
-            rasteriser_.find_hidden(first, all);
-        }
-        rasterise(first, all);
-        if (keeps_outermost)
-            rasteriser_.flush();
-        else
-            rasteriser_.sort_into_lists();
+        scratch_.hidden.assign(all + BuildScratch::lanes, 0);
+        rasterise(0, meshlets_.occluders);
+        rasteriser_.rasterise_queue();
+        if (map_.holds == Holds::outermost) rasteriser_.find_hidden(meshlets_.occluders, all);
+        rasterise(meshlets_.occluders, meshlets_.opaque);
+        rasteriser_.rasterise_queue();
+        rasterise(meshlets_.opaque, all);
+        rasteriser_.finish();
     }
 
   private:
@@ -54,10 +45,10 @@ class MapBuild {
         for (auto i = first; i < end; ++i) {
             if (scratch_.hidden[i] || is_outside(i)) continue;
             const auto& meshlet = meshlets_.meshlets[i];
-            if (i < meshlets_.opaque())
+            if (i < meshlets_.opaque)
                 queue_triangles<false>(meshlet, nullptr);
             else
-                queue_triangles<true>(meshlet, meshlets_.masked_triangles[i - meshlets_.opaque()].data());
+                queue_triangles<true>(meshlet, meshlets_.masked_triangles[i - meshlets_.opaque].data());
         }
     }
 
@@ -93,8 +84,11 @@ class MapBuild {
         for (int first = 0; first < meshlet.triangles; first += lanes) {
             Floats x[3], y[3], z[3];
             for (int k = 0; k < 3; ++k) {
-                const auto px = hn::Load(f, meshlet.x[k] + first), py = hn::Load(f, meshlet.y[k] + first),
-                           pz = hn::Load(f, meshlet.z[k] + first);
+                const auto& corner = meshlet.packs[first / Meshlet::pack_size].corner[k];
+                constexpr int within = Meshlet::pack_size - 1;
+                const auto px = hn::Load(f, corner[0] + (first & within)),
+                           py = hn::Load(f, corner[1] + (first & within)),
+                           pz = hn::Load(f, corner[2] + (first & within));
                 x[k] = hn::Floor(u_.dot(px, py, pz));
                 y[k] = hn::Floor(v_.dot(px, py, pz));
                 z[k] = depth_.dot(px, py, pz);
@@ -123,7 +117,6 @@ class MapBuild {
     const Meshlets& meshlets_;
     const StreamedMap& map_;
     BuildScratch& scratch_;
-    std::size_t q_ = 0;
     BuildScratch::Queue& queue_;
     Rasteriser rasteriser_;
     Row u_, v_, depth_;  ///< corners are snapped to whole subtexels

@@ -19,19 +19,18 @@ class KeptMaps {
 
     /// How many maps with such a layout are kept.
     static int count(const Layout& layout) {
-        const auto bytes = 4 * layout.map_texels() + overhead;
+        const auto bytes = bands(layout.resolution) * band_bytes(layout.resolution);
         return static_cast<int>(std::min<std::uint64_t>(layout.maps, most_bytes / bytes));
     }
 
     explicit KeptMaps(const Layout& layout)
         : rows_(StreamedMap::band_rows(layout.resolution)),
           count_(static_cast<std::size_t>(count(layout))),
-          bands_(static_cast<std::size_t>((layout.resolution + rows_ - 1) / rows_) * count_,
-                 StreamedMap(layout.resolution, Holds::outermost)),
+          bands_(bands(layout.resolution) * count_, StreamedMap(layout.resolution, Holds::outermost)),
           fragments_(bands_.size()),
           built_(std::make_unique<std::once_flag[]>(bands_.size())) {}
 
-    std::uint64_t bytes() const { return bands_.size() * (bands_.front().texel_bytes() + overhead); }
+    std::uint64_t bytes() const { return bands_.size() * band_bytes(bands_.front().resolution); }
 
     /// The band from `row` on of maps first … end - 1, whose fragments are counted in `scratch` as if they
     /// were made now. `built` counts those that were not there yet.
@@ -39,7 +38,14 @@ class KeptMaps {
                                      std::int64_t end, int row, BuildScratch& scratch, std::uint64_t& built);
 
   private:
-    static constexpr std::uint64_t overhead = 256;  ///< of a map, at most
+    /// Of a map.
+    static std::size_t bands(int resolution) {
+        const int rows = StreamedMap::band_rows(resolution);
+        return static_cast<std::size_t>((resolution + rows - 1) / rows);
+    }
+    static std::uint64_t band_bytes(int resolution) {
+        return StreamedMap::outermost_bytes(resolution) + sizeof(StreamedMap);
+    }
     int rows_;
     std::size_t count_;
     std::vector<StreamedMap> bands_;  ///< those of the same rows together

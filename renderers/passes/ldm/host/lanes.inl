@@ -80,15 +80,28 @@ class Packing {
 [[maybe_unused]] Ints lower_half(Ints packed) {
     return hn::And(packed, hn::Set(n, 0xffff));
 }
-/// The larger halves of each.
-[[maybe_unused]] Ints max_of_halves(Ints a, Ints b) {
+/// The larger halves of each, and the smaller ones.
 #if HWY_TARGET == HWY_SCALAR
+[[maybe_unused]] Ints max_of_halves(Ints a, Ints b) {
     return hn::Or(hn::ShiftLeft<16>(hn::Max(upper_half(a), upper_half(b))),
                   hn::Max(lower_half(a), lower_half(b)));
+}
+[[maybe_unused]] Ints min_of_halves(Ints a, Ints b) {
+    return hn::Or(hn::ShiftLeft<16>(hn::Min(upper_half(a), upper_half(b))),
+                  hn::Min(lower_half(a), lower_half(b)));
+}
 #else
-    constexpr hn::Repartition<std::uint16_t, IntTag> halves;
-    return hn::BitCast(n, hn::Max(hn::BitCast(halves, a), hn::BitCast(halves, b)));
+constexpr hn::Repartition<std::uint16_t, IntTag> both_halves;
+[[maybe_unused]] Ints max_of_halves(Ints a, Ints b) {
+    return hn::BitCast(n, hn::Max(hn::BitCast(both_halves, a), hn::BitCast(both_halves, b)));
+}
+[[maybe_unused]] Ints min_of_halves(Ints a, Ints b) {
+    return hn::BitCast(n, hn::Min(hn::BitCast(both_halves, a), hn::BitCast(both_halves, b)));
+}
 #endif
+/// What a texel holds whose only depth this is.
+[[maybe_unused]] Ints both_depths(Ints depth) {
+    return hn::Or(hn::ShiftLeft<16>(depth), hn::Sub(hn::Set(n, 0xffff), depth));
 }
 
 }  // namespace

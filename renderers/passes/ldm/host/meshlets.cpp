@@ -83,20 +83,18 @@ void fill(Meshlet& meshlet, const scene::World& world, std::span<const Placed> t
     meshlet.triangles = static_cast<int>(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const auto corners = corners_of(world, triangles[t].triangle);
-        for (int k = 0; k < 3; ++k) {
-            meshlet.x[k][t] = corners.at[k].x;
-            meshlet.y[k][t] = corners.at[k].y;
-            meshlet.z[k][t] = corners.at[k].z;
-        }
+        for (int k = 0; k < 3; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                meshlet.at(static_cast<int>(t), k, axis) = corners.at[k][axis];
     }
 }
 
-/// Part of the area that each stage and those before it have.
-constexpr double stage_parts[Meshlets::stages] = {0.2, 0.45, 0.75, 2};
+/// Part of the area that occluders have.
+constexpr double occluding_part = 0.75;
 
-/// Groups stage by stage, each along the curve.
-std::vector<std::size_t> by_stages(const scene::World& world, const std::vector<Placed>& placed,
-                                   std::size_t (&stage_ends)[Meshlets::stages]) {
+/// Groups, those with most area first, and how many of them are occluders; each part along the curve.
+std::vector<std::size_t> by_area(const scene::World& world, const std::vector<Placed>& placed,
+                                 std::size_t& occluders) {
     std::vector<std::pair<float, std::size_t>> areas(groups_of(placed));
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t group) {
         float sum = 0;
@@ -110,15 +108,12 @@ std::vector<std::size_t> by_stages(const scene::World& world, const std::vector<
     for (const auto& [area, group] : areas) all -= double{area};
     std::sort(areas.begin(), areas.end());
     std::vector<std::size_t> order(areas.size());
-    auto next = areas.begin();
-    for (int stage = 0; stage < Meshlets::stages; ++stage) {
-        const auto first = next;
-        for (; next != areas.end() && sum <= stage_parts[stage] * all; ++next) sum -= double{next->first};
-        const auto to = order.begin() + (first - areas.begin());
-        std::transform(first, next, to, [](const auto& area) { return area.second; });
-        stage_ends[stage] = static_cast<std::size_t>(next - areas.begin());
-        std::sort(to, order.begin() + (next - areas.begin()));
-    }
+    std::transform(areas.begin(), areas.end(), order.begin(), [](const auto& area) { return area.second; });
+    for (occluders = 0; occluders < areas.size() && sum <= occluding_part * all; ++occluders)
+        sum -= double{areas[occluders].first};
+    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(occluders);
+    std::sort(order.begin(), middle);
+    std::sort(middle, order.end());
     return order;
 }
 
@@ -129,14 +124,13 @@ void find_boxes(Meshlets& result) {
         result.half[axis].assign(count + box_padding, 0);
     }
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        const auto& meshlet = result.meshlets[i];
-        const float(*axes[3])[Meshlet::max_triangles] = {meshlet.x, meshlet.y, meshlet.z};
+        auto& meshlet = result.meshlets[i];
         for (int axis = 0; axis < 3; ++axis) {
-            float least = axes[axis][0][0], most = least;
+            float least = meshlet.at(0, 0, axis), most = least;
             for (int corner = 0; corner < 3; ++corner)
                 for (int t = 0; t < meshlet.triangles; ++t) {
-                    least = std::min(least, axes[axis][corner][t]);
-                    most = std::max(most, axes[axis][corner][t]);
+                    least = std::min(least, meshlet.at(t, corner, axis));
+                    most = std::max(most, meshlet.at(t, corner, axis));
                 }
             result.centre[axis][i] = 0.5f * (least + most);
             result.half[axis][i] = 0.5f * (most - least);
@@ -158,7 +152,8 @@ Meshlets make_meshlets(const scene::World& world, int threads) {
         const auto opaque = along_curve(world, 0, world.opaque_triangles),
                    masked = along_curve(world, world.opaque_triangles,
                                         static_cast<std::uint32_t>(world.triangles()));
-        const auto order = by_stages(world, opaque, result.stage_ends);
+        const auto order = by_area(world, opaque, result.occluders);
+        result.opaque = order.size();
         result.meshlets.resize(order.size() + groups_of(masked), Meshlet{});
         result.masked_triangles.resize(groups_of(masked));
         tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {

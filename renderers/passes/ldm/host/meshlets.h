@@ -11,19 +11,25 @@ namespace ir::passes::ldm {
 /// Triangles that lie together: corners by axis, in m. (Vertices that triangles share stand as often as they
 /// are used: to transform one again is quicker than to gather it.)
 struct Meshlet {
-    static constexpr int max_triangles = 64;
-    alignas(64) float x[3][max_triangles], y[3][max_triangles], z[3][max_triangles];
+    static constexpr int max_triangles = 64, pack_size = 16;
+    /// They stand one after the other in memory, so that processors fetch them in time.
+    struct Pack {
+        float corner[3][3][pack_size];  ///< corner, axis, triangle
+    };
+    alignas(64) Pack packs[max_triangles / pack_size];
     int triangles = 0;  ///< beyond the last one all are 0
+
+    float& at(int triangle, int corner, int axis) {
+        return packs[triangle / pack_size].corner[corner][axis][triangle % pack_size];
+    }
 };
 
-/// A world in meshlets. Those without alpha masks stand first, in stages: what has most area first, each
-/// stage in the order of a space-filling curve.
+/// A world in meshlets. Those without alpha masks stand first; of these the ones with most area, each part in
+/// the order of a space-filling curve.
 struct Meshlets {
-    static constexpr int stages = 4;
     std::vector<Meshlet> meshlets;
-    /// Where stages end; what earlier ones hide need not be rasterised. Behind the last one masks begin.
-    std::size_t stage_ends[stages] = {};
-    std::size_t opaque() const { return stage_ends[stages - 1]; }
+    /// Where parts end: what the first ones hide need not be rasterised; behind the opaque ones masks begin.
+    std::size_t occluders = 0, opaque = 0;
     /// Of each masked meshlet: its triangles' numbers among the masked ones, as AlphaMasks counts.
     std::vector<std::array<std::uint32_t, Meshlet::max_triangles>> masked_triangles;
     /// Centre and half extent of each meshlet's box by axis, padded to a whole number of vectors.

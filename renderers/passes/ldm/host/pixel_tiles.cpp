@@ -29,6 +29,21 @@ struct Extent {
     }
 };
 
+void find_plane(PixelTiles& tiles, std::size_t tile) {
+    constexpr auto whole = ~std::uint64_t{0};
+    if (tiles.valid[tile] != whole || !tiles.geometric_normal_boxes.is_point(tile)) return;
+    const auto first = tile * PixelTiles::pixels;
+    float least = std::numeric_limits<float>::max(), most = -least;
+    for (auto place = first; place < first + PixelTiles::pixels; ++place) {
+        float offset = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            offset += tiles.geometric_normal[axis][place] * tiles.position[axis][place];
+        least = std::min(least, offset), most = std::max(most, offset);
+    }
+    tiles.plane_offset[tile] = 0.5f * (least + most);
+    tiles.off_plane[tile] = 0.5f * (most - least);
+}
+
 void fill_tile(PixelTiles& tiles, std::size_t tile, const Images& images) {
     const int left = static_cast<int>(tile % tiles.columns) * PixelTiles::side;
     const int top = static_cast<int>(tile / tiles.columns) * PixelTiles::side;
@@ -56,6 +71,7 @@ void fill_tile(PixelTiles& tiles, std::size_t tile, const Images& images) {
     positions.store(tiles.position_boxes, tile);
     geometric_normals.store(tiles.geometric_normal_boxes, tile);
     normals.store(tiles.normal_boxes, tile);
+    find_plane(tiles, tile);
 }
 
 }  // namespace
@@ -71,6 +87,8 @@ PixelTiles make_pixel_tiles(int width, int height, std::span<const glm::vec4> po
     const auto count = static_cast<std::size_t>(tiles.columns) * rows;
     constexpr std::size_t padding = 16;  // at least the lanes of a vector of floats
     tiles.valid.assign(count, 0);
+    tiles.plane_offset.assign(count + padding, 0.0f);
+    tiles.off_plane.assign(count + padding, std::numeric_limits<float>::infinity());
     for (int axis = 0; axis < 3; ++axis) {
         for (auto* values : {&tiles.position[axis], &tiles.geometric_normal[axis], &tiles.normal[axis]})
             values->assign(count * PixelTiles::pixels, 0.0f);

@@ -19,8 +19,15 @@ struct PixelTiles {
     /// vectors.
     struct Boxes {
         std::vector<float> centre[3], half[3];
+        /// Whether all vectors in it are the same.
+        bool is_point(std::size_t tile) const {
+            return half[0][tile] == 0 && half[1][tile] == 0 && half[2][tile] == 0;
+        }
     };
     Boxes position_boxes, geometric_normal_boxes, normal_boxes;
+    /// By tile, padded likewise: the plane n · x = offset through its pixels, and how far the farthest of
+    /// them is from it, m; infinite where geometric normals differ or a pixel shows no surface.
+    std::vector<float> plane_offset, off_plane;
 
     std::size_t count() const { return valid.size(); }
     /// Where pixel (x, y) stands among all of the tiles.
@@ -28,7 +35,7 @@ struct PixelTiles {
         const auto tile = static_cast<std::size_t>(y / side) * columns + x / side;
         return tile * pixels + static_cast<std::size_t>(y % side * side + x % side);
     }
-    std::uint64_t bytes() const { return count() * (pixels * 9 * sizeof(float) + 18 * sizeof(float) + 8); }
+    std::uint64_t bytes() const { return count() * (pixels * 9 * sizeof(float) + 20 * sizeof(float) + 8); }
 };
 
 /// From the G-buffer's images: rows of xyzw, the shading normal in half floats; a geometric normal of 0 is

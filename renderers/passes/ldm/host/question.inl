@@ -91,43 +91,70 @@ HWY_INLINE void set_texel(Question& q, const Asked& asked, Floats column, Floats
     q.texel = hn::ConvertTo(n, hn::IfThenElseZero(q.here, texel));
 }
 
+/// How a surface lies to a map: depth that its tangent plane gains a texel, and the tolerance for entries.
+struct Slant {
+    Floats per_column, per_row, tolerance;
+};
+HWY_INLINE Slant slant_of(const Asked& asked, const SelfHitRule& rule, const Vector3& normal, Floats facing) {
+    const auto per_facing = hn::Div(hn::Set(f, -1), hn::Max(hn::Abs(facing), hn::Set(f, least_facing)));
+    Slant result;
+    result.per_column = hn::Mul(dot(normal, asked.slope_u), per_facing);
+    result.per_row = hn::Mul(dot(normal, asked.slope_v), per_facing);
+    const auto slope = hn::Add(hn::Abs(result.per_column), hn::Abs(result.per_row));
+    result.tolerance = hn::Add(
+        hn::Set(f, rule.quanta),
+        hn::Min(hn::Mul(hn::Set(f, rule.slope), slope), hn::Set(f, most_tolerance * asked.texel_quanta)));
+    return result;
+}
+
+/// The texel that a point asks, and what its tangent plane gains up to that texel's centre. `is_inside`: the
+/// point's texel and its neighbours are texels of the map.
+struct Asks {
+    Floats column, row, gain;
+};
+template <bool is_inside>
+HWY_INLINE Asks texel_of(const Asked& asked, const SelfHitRule& rule, const Slant& slant, Floats u,
+                         Floats v) {
+    const auto zero = hn::Zero(f), one = hn::Set(f, 1), half = hn::Set(f, 0.5f);
+    const auto resolution = static_cast<float>(asked.map.resolution);
+    Asks at{hn::Floor(u), hn::Floor(v), zero};
+    auto to_u = hn::Sub(hn::Add(at.column, half), u), to_v = hn::Sub(hn::Add(at.row, half), v);
+    at.gain = hn::MulAdd(slant.per_column, to_u, hn::Mul(slant.per_row, to_v));
+    auto moves = hn::Gt(at.gain, hn::Set(f, rule.max_dip * asked.texel_quanta));
+    if constexpr (!is_inside) moves = hn::AndNot(is_outside(at.column, at.row, resolution), moves);
+    if (hn::AllFalse(f, moves)) return at;
+    const auto along_u = hn::Gt(hn::Abs(slant.per_column), hn::Abs(slant.per_row));
+    const auto back_u =
+        hn::IfThenElseZero(along_u, hn::IfThenElse(hn::Gt(slant.per_column, zero), hn::Neg(one), one));
+    const auto back_v =
+        hn::IfThenZeroElse(along_u, hn::IfThenElse(hn::Gt(slant.per_row, zero), hn::Neg(one), one));
+    if constexpr (!is_inside)
+        moves =
+            hn::AndNot(is_outside(hn::Add(at.column, back_u), hn::Add(at.row, back_v), resolution), moves);
+    at.column = hn::Add(at.column, hn::IfThenElseZero(moves, back_u));
+    at.row = hn::Add(at.row, hn::IfThenElseZero(moves, back_v));
+    to_u = hn::Add(to_u, hn::IfThenElseZero(moves, back_u));
+    to_v = hn::Add(to_v, hn::IfThenElseZero(moves, back_v));
+    at.gain =
+        hn::IfThenElse(moves, hn::MulAdd(slant.per_column, to_u, hn::Mul(slant.per_row, to_v)), at.gain);
+    return at;
+}
+Floats start_of(Floats own, const Asks& at, const Slant& slant) {
+    return hn::Add(own, hn::Max(hn::Add(at.gain, slant.tolerance), hn::Zero(f)));
+}
+
 /// ldm_question_tangent
 HWY_INLINE void ask_tangent(Question& q, const Asked& asked, const SelfHitRule& rule, const Vector3& position,
-                 const Vector3& normal, Floats facing) {
+                            const Vector3& normal, Floats facing) {
     const auto& frame = asked.map.frame;
-    const auto zero = hn::Zero(f), one = hn::Set(f, 1), half = hn::Set(f, 0.5f);
-    const auto u = project(position, frame.u), v = project(position, frame.v),
-               depth = project(position, frame.depth);
-    auto column = hn::Floor(u), row = hn::Floor(v);
-    const auto resolution = static_cast<float>(asked.map.resolution);
-    const auto begins_outside = is_outside(column, row, resolution);
-    const auto per_facing = hn::Div(hn::Set(f, -1), hn::Max(hn::Abs(facing), hn::Set(f, least_facing)));
-    const auto slope_u = hn::Mul(dot(normal, asked.slope_u), per_facing),
-               slope_v = hn::Mul(dot(normal, asked.slope_v), per_facing);
-    auto to_u = hn::Sub(hn::Add(column, half), u), to_v = hn::Sub(hn::Add(row, half), v);
-    auto gain = hn::MulAdd(slope_u, to_u, hn::Mul(slope_v, to_v));
-    const auto dips = hn::AndNot(begins_outside, hn::Gt(gain, hn::Set(f, rule.max_dip * asked.texel_quanta)));
-    if (!hn::AllFalse(f, dips)) {
-        const auto along_u = hn::Gt(hn::Abs(slope_u), hn::Abs(slope_v));
-        const auto back_u =
-            hn::IfThenElseZero(along_u, hn::IfThenElse(hn::Gt(slope_u, zero), hn::Neg(one), one));
-        const auto back_v =
-            hn::IfThenZeroElse(along_u, hn::IfThenElse(hn::Gt(slope_v, zero), hn::Neg(one), one));
-        const auto moves =
-            hn::AndNot(is_outside(hn::Add(column, back_u), hn::Add(row, back_v), resolution), dips);
-        column = hn::Add(column, hn::IfThenElseZero(moves, back_u));
-        row = hn::Add(row, hn::IfThenElseZero(moves, back_v));
-        to_u = hn::Add(to_u, hn::IfThenElseZero(moves, back_u));
-        to_v = hn::Add(to_v, hn::IfThenElseZero(moves, back_v));
-        gain = hn::IfThenElse(moves, hn::MulAdd(slope_u, to_u, hn::Mul(slope_v, to_v)), gain);
-    }
-    const auto slope = hn::Add(hn::Abs(slope_u), hn::Abs(slope_v));
-    q.tolerance = hn::Add(hn::Set(f, rule.quanta), hn::Min(hn::Mul(hn::Set(f, rule.slope), slope),
-                                                           hn::Set(f, most_tolerance * asked.texel_quanta)));
-    const auto own = along(q.forward, depth);
-    q.plane = hn::Add(own, gain);
-    q.start = hn::Add(own, hn::Max(hn::Add(gain, q.tolerance), zero));
-    set_texel(q, asked, column, row);
+    const auto slant = slant_of(asked, rule, normal, facing);
+    const auto at =
+        texel_of<false>(asked, rule, slant, project(position, frame.u), project(position, frame.v));
+    const auto own = along(q.forward, project(position, frame.depth));
+    q.tolerance = slant.tolerance;
+    q.plane = hn::Add(own, at.gain);
+    q.start = start_of(own, at, slant);
+    set_texel(q, asked, at.column, at.row);
 }
 
 /// ldm_question_offset
@@ -144,7 +171,8 @@ void ask_offset(Question& q, const Asked& asked, const SelfHitRule& rule, const 
     set_texel(q, asked, hn::Floor(project(moved, frame.u)), hn::Floor(project(moved, frame.v)));
 }
 
-HWY_INLINE Question question(const PixelTiles& tiles, std::size_t place, const Asked& asked, const SelfHitRule& rule) {
+HWY_INLINE Question question(const PixelTiles& tiles, std::size_t place, const Asked& asked,
+                             const SelfHitRule& rule) {
     Question q;
     const auto zero = hn::Zero(f);
     const auto geometric_normal = load(tiles.geometric_normal, place);

@@ -3,7 +3,7 @@
 // subtexels and what follows is exact, so that neighbours neither overlap nor gape. Read once for each
 // instruction set, within a source that includes <hwy/foreach_target.h>.
 #include "renderers/passes/ldm/host/culling.inl"
-#include "renderers/passes/ldm/host/spans.h"
+#include "renderers/passes/ldm/host/spans.inl"
 #include "renderers/passes/raytracing/alpha_masks.h"
 
 #if defined(IR_LDM_HOST_RASTERISE) == defined(HWY_TARGET_TOGGLE)
@@ -21,6 +21,8 @@ namespace {
 constexpr int least_depth = 1, most_depth = 65534;
 /// Boxes of so many texels a side have edge functions below 2^30, and below 2^24, which float holds exactly.
 constexpr int medium_side = 64, float_side = 8;
+/// Boxes of so many are asked at each of their texels for many triangles at once.
+constexpr int small_side = 2;
 /// The maps of outermost depths take fragments while these are still in the first-level cache.
 constexpr std::size_t flushed_at = 4096;
 
@@ -50,6 +52,10 @@ class Rasteriser {
           map_(map),
           scratch_(scratch),
           queue_(scratch.queue),
+          others_(scratch.others),
+          top_(hn::Set(f, static_cast<float>(map.first_row))),
+          bottom_(hn::Set(f, static_cast<float>(map.first_row + map.rows))),
+          resolution_(hn::Set(f, static_cast<float>(map.resolution))),
           keeps_outermost_(map.holds == Holds::outermost),
           culling_(meshlets, map, scratch) {}
 
@@ -57,14 +63,27 @@ class Rasteriser {
         scratch_.fragment_count = 0;
         scratch_.fragments.resize(std::max<std::size_t>(scratch_.fragments.size(), 4 * flushed_at));
         queue_.size = 0;
-        if (keeps_outermost_) map_.outermost.assign(texels() + lanes, 0);
+        if (!keeps_outermost_) return;
+        map_.levels = StreamedMap::levels_of(map_.resolution, map_.rows);
+        map_.outermost.assign(map_.levels.back().end(), 0);
+    }
+    /// Once all is rasterised.
+    void finish() {
+        if (!keeps_outermost_) return sort_into_lists();
+        flush();
+        find_blocks(map_, scratch_.line);
     }
     /// Finds meshlets first … end - 1 that need not be rasterised, from what the map holds already.
-    void find_hidden(std::size_t first, std::size_t end) { culling_.find_hidden(first, end); }
+    void find_hidden(std::size_t first, std::size_t end) {
+        flush();
+        culling_.find_hidden(first, end);
+    }
 
     void rasterise_queue() {
-        for (int at = 0; at < queue_.size; at += lanes)
-            rasterise_group(at, std::min(lanes, queue_.size - at));
+        const int small = take_queue_apart();
+        for (int at = 0; at < small; at += lanes) rasterise_small(at, std::min(lanes, small - at));
+        for (int at = 0; at < others_.size; at += lanes)
+            rasterise_others(at, std::min(lanes, others_.size - at));
         queue_.size = 0;
     }
 
@@ -142,63 +161,112 @@ class Rasteriser {
         scratch_.fragment_count += static_cast<std::size_t>(packing.count());
     }
 
-    /// Triangles with small boxes at once, the others one by one.
-    void rasterise_group(int at, int count) {
-        Floats x[3], y[3], z[3], dx[3], dy[3], edge[3];
-        Ints inside[3], per_row_int[3],
-            per_column_int[3];  // edges, 0 or more inside; gained a row, lost a column
-        for (int k = 0; k < 3; ++k) {
-            x[k] = hn::Load(f, queue_.x[k] + at);
-            y[k] = hn::Load(f, queue_.y[k] + at);
-            z[k] = hn::Load(f, queue_.z[k] + at);
+    /// Rasterises large triangles and drops hidden ones. Of the others, those with small boxes come to the
+    /// front of the queue, which number is returned, the rest into another queue.
+    int take_queue_apart() {
+        int small = 0;
+        others_.size = 0;
+        for (int at = 0; at < queue_.size; at += lanes) {
+            const auto t = triangles_at(queue_, at);
+            const auto box = box_of(t);
+            const auto zero = hn::Zero(f);
+            const auto fits = hn::And(
+                hn::And(hn::Ge(box.column, zero), hn::Le(hn::Add(box.column, box.width), resolution_)),
+                hn::And(hn::Ge(box.row, top_), hn::Le(hn::Add(box.row, box.height), bottom_)));
+            const auto is_there = hn::FirstN(f, static_cast<std::size_t>(queue_.size - at));
+            const auto most = hn::Max(box.width, box.height);
+            auto left = hn::And(hn::And(is_there, fits), hn::Le(most, hn::Set(f, medium_side)));
+            rasterise_large(at, hn::AndNot(left, is_there));
+            if (culling_.knows_blocks()) {
+                const auto first = hn::Sub(box.row, top_), one = hn::Set(f, 1);
+                const Window window{box.column, hn::Sub(hn::Add(box.column, box.width), one), first,
+                                    hn::Sub(hn::Add(first, box.height), one)};
+                left = hn::AndNot(culling_.hidden<2>(window, min3(t.z), max3(t.z), left), left);
+            }
+            const auto is_small = hn::Le(most, hn::Set(f, small_side));
+            small += pack(t, hn::And(left, is_small), queue_, small);
+            others_.size += pack(t, hn::AndNot(is_small, left), others_, others_.size);
         }
-        const auto column = first_centre(min3(x)), row = first_centre(min3(y));
-        const auto width = hn::Sub(first_centre(max3(x)), column),
-                   height = hn::Sub(first_centre(max3(y)), row);
-        const auto zero = hn::Zero(f), side = hn::Set(f, subtexels);
-        const auto top = hn::Set(f, static_cast<float>(map_.first_row)),
-                   bottom = hn::Set(f, static_cast<float>(map_.first_row + map_.rows));
-        const auto fits =
-            hn::And(hn::And(hn::Ge(column, zero),
-                            hn::Le(hn::Add(column, width), hn::Set(f, static_cast<float>(map_.resolution)))),
-                    hn::And(hn::Ge(row, top), hn::Le(hn::Add(row, height), bottom)));
-        const auto is_there = hn::FirstN(f, static_cast<std::size_t>(count));
-        const auto most = hn::Max(width, height);
-        auto is_medium = hn::And(hn::And(is_there, fits), hn::Le(most, hn::Set(f, medium_side)));
-        rasterise_large(at, hn::AndNot(is_medium, is_there));
-        if (culling_.knows_blocks()) {
-            const auto first = hn::Sub(row, top), one = hn::Set(f, 1);
-            is_medium = hn::AndNot(
-                culling_.hidden(column, hn::Sub(hn::Add(column, width), one), first,
-                                hn::Sub(hn::Add(first, height), one), min3(z), max3(z), is_medium, 2),
-                is_medium);
-        }
-        if (hn::AllFalse(f, is_medium)) return;
+        return small;
+    }
 
-        // cross(b - a, p - a) at the box's first centre, for the edges from corner k to the next.
-        const auto centre_x = hn::MulAdd(column, side, hn::Set(f, 0.5f * subtexels)),
-                   centre_y = hn::MulAdd(row, side, hn::Set(f, 0.5f * subtexels));
+    struct Triangles {
+        Floats x[3], y[3], z[3];
+    };
+    static Triangles triangles_at(const BuildScratch::Queue& queue, int at) {
+        Triangles t;
+        for (int k = 0; k < 3; ++k) {
+            t.x[k] = hn::LoadU(f, queue.x[k] + at);
+            t.y[k] = hn::LoadU(f, queue.y[k] + at);
+            t.z[k] = hn::LoadU(f, queue.z[k] + at);
+        }
+        return t;
+    }
+    /// Returns how many.
+    static int pack(const Triangles& t, Mask which, BuildScratch::Queue& queue, int to) {
+        const Packing packing(which);
+        for (int k = 0; k < 3; ++k) {
+            packing.store(t.x[k], queue.x[k] + to);
+            packing.store(t.y[k], queue.y[k] + to);
+            packing.store(t.z[k], queue.z[k] + to);
+        }
+        return packing.count();
+    }
+
+    /// Texels whose centres lie in a triangle's box.
+    struct Box {
+        Floats column, row, width, height;
+    };
+    static Box box_of(const Triangles& t) {
+        const auto column = first_centre(min3(t.x)), row = first_centre(min3(t.y));
+        return {column, row, hn::Sub(first_centre(max3(t.x)), column), hn::Sub(first_centre(max3(t.y)), row)};
+    }
+
+    /// Of triangles, at the first centre of their boxes: edge functions, 0 or more inside, with what they
+    /// gain a row and lose a column, and depth likewise. Edge functions are whole numbers, in Floats where
+    /// these hold them.
+    template <class Whole>
+    struct Prepared {
+        Mask live;
+        Whole inside[3], per_row[3], per_column[3];
+        Floats depth, depth_per_row, depth_per_column;
+        Ints texel;
+    };
+    template <class Whole>
+    Prepared<Whole> prepare(Triangles t, const Box& box, Mask live, bool floats_hold) const {
+        constexpr bool in_floats = std::is_same_v<Whole, Floats>;
+        const auto zero = hn::Zero(f), side = hn::Set(f, subtexels);
+        const auto centre_x = hn::MulAdd(box.column, side, hn::Set(f, 0.5f * subtexels)),
+                   centre_y = hn::MulAdd(box.row, side, hn::Set(f, 0.5f * subtexels));
+        for (int k = 0; k < 3; ++k) {
+            t.x[k] = hn::Sub(t.x[k], centre_x);
+            t.y[k] = hn::Sub(t.y[k], centre_y);
+        }
+        // cross(b - a, p - a) for the edges from corner k to the next.
+        Floats dx[3], dy[3], edge[3];
         Ints edge_int[3];
         for (int k = 0; k < 3; ++k) {
-            x[k] = hn::Sub(x[k], centre_x);
-            y[k] = hn::Sub(y[k], centre_y);
-        }
-        const bool float_holds =
-            hn::AllTrue(f, hn::Or(hn::Le(most, hn::Set(f, float_side)), hn::Not(is_medium)));
-        for (int k = 0; k < 3; ++k) {
             const int next = k == 2 ? 0 : k + 1;
-            dx[k] = hn::Sub(x[next], x[k]);
-            dy[k] = hn::Sub(y[next], y[k]);
-            if (float_holds)
-                edge_int[k] = hn::ConvertTo(n, hn::Sub(hn::Mul(dy[k], x[k]), hn::Mul(dx[k], y[k])));
+            dx[k] = hn::Sub(t.x[next], t.x[k]);
+            dy[k] = hn::Sub(t.y[next], t.y[k]);
+            if (in_floats || floats_hold)
+                edge[k] = hn::Sub(hn::Mul(dy[k], t.x[k]), hn::Mul(dx[k], t.y[k]));
             else
-                edge_int[k] = hn::Sub(hn::Mul(hn::ConvertTo(n, dy[k]), hn::ConvertTo(n, x[k])),
-                                      hn::Mul(hn::ConvertTo(n, dx[k]), hn::ConvertTo(n, y[k])));
-            edge[k] = hn::ConvertTo(f, edge_int[k]);
+                edge_int[k] = hn::Sub(hn::Mul(hn::ConvertTo(n, dy[k]), hn::ConvertTo(n, t.x[k])),
+                                      hn::Mul(hn::ConvertTo(n, dx[k]), hn::ConvertTo(n, t.y[k])));
+            if constexpr (in_floats) continue;
+            if (floats_hold)
+                edge_int[k] = hn::ConvertTo(n, edge[k]);
+            else
+                edge[k] = hn::ConvertTo(f, edge_int[k]);
         }
-        auto area = hn::ConvertTo(f, hn::Add(edge_int[0], hn::Add(edge_int[1], edge_int[2])));
-        const auto has_area = hn::And(is_medium, hn::Ne(area, zero));
-        if (hn::AllFalse(f, has_area)) return;
+        Floats area;
+        if constexpr (in_floats)
+            area = hn::Add(edge[0], hn::Add(edge[1], edge[2]));
+        else
+            area = hn::ConvertTo(f, hn::Add(edge_int[0], hn::Add(edge_int[1], edge_int[2])));
+        Prepared<Whole> result;
+        result.live = hn::And(live, hn::Ne(area, zero));
         const auto sign = hn::And(area, hn::Set(f, -0.0f));
         const auto is_negative = hn::Lt(area, zero);
         for (int k = 0; k < 3; ++k) {
@@ -207,52 +275,71 @@ class Rasteriser {
             dy[k] = hn::Xor(dy[k], sign);
             const auto owns_ties =
                 hn::Or(hn::Lt(dy[k], zero), hn::And(hn::Eq(dy[k], zero), hn::Gt(dx[k], zero)));
-            edge_int[k] = hn::IfThenElse(hn::RebindMask(n, is_negative), hn::Neg(edge_int[k]), edge_int[k]);
-            inside[k] = hn::Sub(edge_int[k], hn::IfThenZeroElse(hn::RebindMask(n, owns_ties), hn::Set(n, 1)));
             dx[k] = hn::Mul(dx[k], side);
             dy[k] = hn::Mul(dy[k], side);
-            per_row_int[k] = hn::ConvertTo(n, dx[k]);
-            per_column_int[k] = hn::ConvertTo(n, dy[k]);
-        }
-        area = hn::Xor(area, sign);
-        // Weights of corners are the edges opposite: 1 (b to c), 2 (c to a) and 0 (a to b).
-        const auto per_area = hn::Div(hn::Set(f, 1), area);
-        const auto b = hn::Mul(hn::Sub(z[1], z[0]), per_area), c = hn::Mul(hn::Sub(z[2], z[0]), per_area);
-        const auto depth = hn::MulAdd(edge[2], b, hn::MulAdd(edge[0], c, z[0]));
-        const auto per_column = hn::Neg(hn::MulAdd(dy[2], b, hn::Mul(dy[0], c))),
-                   per_row = hn::MulAdd(dx[2], b, hn::Mul(dx[0], c));
-        const auto texel = hn::ConvertTo(
-            n, hn::MulAdd(hn::Sub(row, top), hn::Set(f, static_cast<float>(map_.resolution)), column));
-        const auto is_small = hn::And(has_area, hn::Le(most, hn::Set(f, 2)));
-        if (!hn::AllFalse(f, is_small)) {
-            reserve(4 * lanes);
-            for (int j = 0; j < 2; ++j) {
-                for (int i = 0; i < 2; ++i) {
-                    auto any = hn::Zero(n);
-                    for (int k = 0; k < 3; ++k)
-                        any = hn::Or(any, at_offset(inside[k], per_row_int[k], per_column_int[k], i, j));
-                    const auto hit = hn::And(is_small, hn::RebindMask(f, hn::Gt(any, hn::Set(n, -1))));
-                    if (hn::AllFalse(f, hit)) continue;
-                    auto z_here = depth;
-                    if (i > 0) z_here = hn::Add(z_here, per_column);
-                    if (j > 0) z_here = hn::Add(z_here, per_row);
-                    put(hn::Add(texel, hn::Set(n, i + j * map_.resolution)), z_here, hit);
-                }
+            if constexpr (in_floats) {
+                result.inside[k] = hn::Sub(edge[k], hn::IfThenZeroElse(owns_ties, hn::Set(f, 1)));
+                result.per_row[k] = dx[k];
+                result.per_column[k] = dy[k];
+            } else {
+                edge_int[k] =
+                    hn::IfThenElse(hn::RebindMask(n, is_negative), hn::Neg(edge_int[k]), edge_int[k]);
+                result.inside[k] =
+                    hn::Sub(edge_int[k], hn::IfThenZeroElse(hn::RebindMask(n, owns_ties), hn::Set(n, 1)));
+                result.per_row[k] = hn::ConvertTo(n, dx[k]);
+                result.per_column[k] = hn::ConvertTo(n, dy[k]);
             }
         }
-        const auto others = hn::AndNot(is_small, has_area);
-        if (hn::AllFalse(f, others)) return;
+        // Weights of corners are the edges opposite: 1 (b to c), 2 (c to a) and 0 (a to b).
+        const auto per_area = hn::Div(hn::Set(f, 1), hn::Xor(area, sign));
+        const auto b = hn::Mul(hn::Sub(t.z[1], t.z[0]), per_area),
+                   c = hn::Mul(hn::Sub(t.z[2], t.z[0]), per_area);
+        result.depth = hn::MulAdd(edge[2], b, hn::MulAdd(edge[0], c, t.z[0]));
+        result.depth_per_column = hn::Neg(hn::MulAdd(dy[2], b, hn::Mul(dy[0], c)));
+        result.depth_per_row = hn::MulAdd(dx[2], b, hn::Mul(dx[0], c));
+        result.texel = hn::ConvertTo(n, hn::MulAdd(hn::Sub(box.row, top_), resolution_, box.column));
+        return result;
+    }
+
+    /// Triangles with small boxes at once.
+    void rasterise_small(int at, int count) {
+        const auto t = triangles_at(queue_, at);
+        const auto p = prepare<Floats>(t, box_of(t), hn::FirstN(f, static_cast<std::size_t>(count)), true);
+        reserve(small_side * small_side * lanes);
+        for (int j = 0; j < small_side; ++j) {
+            for (int i = 0; i < small_side; ++i) {
+                Floats inside[3];
+                for (int k = 0; k < 3; ++k)
+                    inside[k] = at_offset(p.inside[k], p.per_row[k], p.per_column[k], i, j);
+                const auto hit = hn::And(p.live, hn::Ge(min3(inside), hn::Zero(f)));
+                auto depth = p.depth;
+                if (i > 0) depth = hn::Add(depth, p.depth_per_column);
+                if (j > 0) depth = hn::Add(depth, p.depth_per_row);
+                put(hn::Add(p.texel, hn::Set(n, i + j * map_.resolution)), depth, hit);
+            }
+        }
+    }
+
+    /// Triangles whose boxes are neither small nor large, one by one.
+    void rasterise_others(int at, int count) {
+        const auto t = triangles_at(others_, at);
+        const auto box = box_of(t);
+        const auto is_there = hn::FirstN(f, static_cast<std::size_t>(count));
+        const auto most = hn::Max(box.width, box.height);
+        const bool floats_hold =
+            hn::AllTrue(f, hn::Or(hn::Le(most, hn::Set(f, float_side)), hn::Not(is_there)));
+        const auto p = prepare<Ints>(t, box, is_there, floats_hold);
         alignas(64) std::int32_t ints[10][lanes];
         alignas(64) float floats[5][lanes];
         for (int k = 0; k < 3; ++k) {
-            hn::Store(inside[k], n, ints[k]);
-            hn::Store(per_row_int[k], n, ints[3 + k]);
-            hn::Store(per_column_int[k], n, ints[6 + k]);
+            hn::Store(p.inside[k], n, ints[k]);
+            hn::Store(p.per_row[k], n, ints[3 + k]);
+            hn::Store(p.per_column[k], n, ints[6 + k]);
         }
-        hn::Store(texel, n, ints[9]);
-        const Floats others_floats[5] = {depth, per_row, per_column, width, height};
+        hn::Store(p.texel, n, ints[9]);
+        const Floats others_floats[5] = {p.depth, p.depth_per_row, p.depth_per_column, box.width, box.height};
         for (int k = 0; k < 5; ++k) hn::Store(others_floats[k], f, floats[k]);
-        for (auto bits = bits_of(others); bits != 0; bits &= bits - 1) {
+        for (auto bits = bits_of(p.live); bits != 0; bits &= bits - 1) {
             const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
             MediumTriangle triangle;
             for (int k = 0; k < 3; ++k) {
@@ -269,7 +356,8 @@ class Rasteriser {
         }
     }
 
-    static Ints at_offset(Ints edge, Ints gained_per_row, Ints lost_per_column, int columns, int rows) {
+    static Floats at_offset(Floats edge, Floats gained_per_row, Floats lost_per_column, int columns,
+                            int rows) {
         if (rows > 0) edge = hn::Add(edge, gained_per_row);
         if (columns > 0) edge = hn::Sub(edge, lost_per_column);
         return edge;
@@ -290,8 +378,8 @@ class Rasteriser {
         int texel = t.texel;
         if (keeps_outermost_ && t.width <= lanes) {
             for (int y = 0; y < t.height; ++y, texel += map_.resolution) {
-                raise(texel, hn::NearestInt(line_depth),
-                      hn::Gt(hn::Or(line[0], hn::Or(line[1], line[2])), hn::Set(n, -1)));
+                raise_some(texel, hn::NearestInt(line_depth),
+                           hn::Gt(hn::Or(line[0], hn::Or(line[1], line[2])), hn::Set(n, -1)));
                 for (int k = 0; k < 3; ++k) line[k] = hn::Add(line[k], hn::Set(n, t.per_row[k]));
                 line_depth = hn::Add(line_depth, depth_down);
             }
@@ -305,7 +393,7 @@ class Rasteriser {
                 const auto hit = hn::Gt(hn::Or(a, hn::Or(b, c)), hn::Set(n, -1));
                 if (!hn::AllFalse(n, hit)) {
                     if (keeps_outermost_)
-                        raise(texel + x, hn::NearestInt(depth), hit);
+                        raise_some(texel + x, hn::NearestInt(depth), hit);
                     else
                         put(hn::Iota(n, texel + x), depth, hn::RebindMask(f, hit));
                 }
@@ -354,17 +442,26 @@ class Rasteriser {
         if (!keeps_outermost_) reserve(static_cast<std::size_t>(count));
         const auto low = hn::Set(f, std::max(least, float{least_depth})),
                    high = hn::Set(f, std::min(most, float{most_depth}));
-        const auto iota = hn::Iota(f, 0);
-        for (int x = 0; x < count; x += lanes) {
-            const auto z = hn::MulAdd(hn::Add(iota, hn::Set(f, static_cast<float>(x))),
-                                      hn::Set(f, per_column), hn::Set(f, depth));
-            const auto quanta = hn::NearestInt(hn::Min(hn::Max(z, low), high));
-            const int left = std::min(lanes, count - x);
+        const auto quanta_at = [&](int x) {
+            const auto z =
+                hn::MulAdd(hn::Iota(f, static_cast<float>(x)), hn::Set(f, per_column), hn::Set(f, depth));
+            return hn::NearestInt(hn::Min(hn::Max(z, low), high));
+        };
+        int x = 0;
+        for (; x + lanes <= count; x += lanes) {
             if (keeps_outermost_)
-                raise(texel + x, quanta, hn::FirstN(n, static_cast<std::size_t>(left)));
+                raise(texel + x, both_depths(quanta_at(x)));
             else
-                append(texel + x, quanta, left);
+                append(texel + x, quanta_at(x), lanes);
         }
+        if (keeps_outermost_) scratch_.fragments_made += static_cast<std::uint64_t>(count);
+        if (x == count) return;
+        const int left = count - x;
+        if (keeps_outermost_)
+            raise(texel + x, hn::IfThenElseZero(hn::FirstN(n, static_cast<std::size_t>(left)),
+                                                both_depths(quanta_at(x))));
+        else
+            append(texel + x, quanta_at(x), left);
     }
 
     void append(int texel, Ints quanta, int count) {
@@ -374,18 +471,21 @@ class Rasteriser {
         scratch_.fragment_count += static_cast<std::size_t>(count);
     }
 
-    /// Consecutive texels at once, from `texel` on.
-    void raise(int texel, Ints quanta, hn::Mask<IntTag> which) {
+    /// Consecutive texels at once, from `texel` on: with both depths of each; 0 where there is none.
+    void raise(int texel, Ints both) {
         auto* to = reinterpret_cast<std::int32_t*>(map_.outermost.data()) + texel;
-        const auto both = hn::Or(hn::ShiftLeft<16>(quanta), hn::Sub(hn::Set(n, 0xffff), quanta));
-        hn::StoreU(max_of_halves(hn::LoadU(n, to), hn::IfThenElseZero(which, both)), n, to);
+        hn::StoreU(max_of_halves(hn::LoadU(n, to), both), n, to);
+    }
+    void raise_some(int texel, Ints depth, hn::Mask<IntTag> which) {
+        raise(texel, hn::IfThenElseZero(which, both_depths(depth)));
         scratch_.fragments_made += hn::CountTrue(n, which);
     }
 
     const AlphaMasks& masks_;
     StreamedMap& map_;
     BuildScratch& scratch_;
-    BuildScratch::Queue& queue_;
+    BuildScratch::Queue &queue_, &others_;
+    const Floats top_, bottom_, resolution_;
     const bool keeps_outermost_;
     Culling culling_;
 };

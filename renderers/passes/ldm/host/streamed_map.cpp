@@ -9,6 +9,14 @@
 
 namespace ir::passes::ldm {
 
+std::array<StreamedMap::Level, StreamedMap::level_count> StreamedMap::levels_of(int resolution, int rows) {
+    std::array<Level, level_count> levels{{{0, resolution, rows}}};
+    const auto blocks = [](int cells) { return (cells + block_side - 1) / block_side; };
+    for (std::size_t i = 1; i < levels.size(); ++i)
+        levels[i] = {levels[i - 1].end(), blocks(levels[i - 1].columns), blocks(levels[i - 1].rows)};
+    return levels;
+}
+
 float sum_scale(int maps) {
     // One part in 2^23 is what a float resolves near 1; sums have 32 bits, of which one is spare.
     const auto bits = std::bit_width(static_cast<unsigned>(std::max(1, maps - 1)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -45,19 +46,32 @@ class StreamedMap {
 
     StreamedMap(int resolution, Holds holds) : resolution(resolution), holds(holds) {}
 
+    /// Cells of the outermost depths: level 0 are the texels, those of each other one are blocks of cells of
+    /// the level before.
+    static constexpr int level_count = 4, block_side = 4;
+    struct Level {
+        std::size_t begin = 0;
+        int columns = 0, rows = 0;
+        /// One vector more than there are cells.
+        std::size_t end() const { return begin + static_cast<std::size_t>(columns) * rows + 16; }
+    };
+    static std::array<Level, level_count> levels_of(int resolution, int rows);
+
     const int resolution;
     const Holds holds;
     MapFrame frame{};
     int first_row = 0, rows = 0;
-    /// Largest depth << 16 | largest of 65535 - depth; 0: no surface. One vector more than there are texels.
+    std::array<Level, level_count> levels{};
+    /// Of each texel the largest depth << 16 | largest of 65535 - depth; 0: no surface. Of a block the least
+    /// of both.
     std::vector<std::uint32_t> outermost;
     /// Where the depths of each texel begin, and where the last one's end.
     std::vector<std::uint32_t> begins;
     std::vector<std::uint16_t> depths;
 
     /// Of a band's outermost depths.
-    std::uint64_t texel_bytes() const {
-        return 4 * static_cast<std::uint64_t>(band_rows(resolution)) * static_cast<std::uint64_t>(resolution);
+    static std::uint64_t outermost_bytes(int resolution) {
+        return 4 * std::uint64_t{levels_of(resolution, band_rows(resolution)).back().end()};
     }
     std::uint64_t bytes() const {
         return 4 * (outermost.capacity() + begins.capacity()) + 2 * depths.capacity();
@@ -73,11 +87,9 @@ struct BuildScratch {
         alignas(64) float x[3][queue_size + lanes], y[3][queue_size + lanes], z[3][queue_size + lanes];
         alignas(64) std::uint32_t number[queue_size + lanes];
         int size = 0;
-    } queue;
-    std::vector<std::uint8_t> hidden;  ///< meshlets that change no outermost depth
-    /// Of each block of texels the least of its outermost depths on either side, and of columns of four
-    /// texels.
-    std::vector<std::int32_t> blocks, row_far, row_near;
+    } queue, others;
+    std::vector<std::uint8_t> hidden;      ///< meshlets that change no outermost depth
+    std::vector<std::uint32_t> line;       ///< of cells
     std::vector<std::uint32_t> fragments;  ///< texel of the band << 16 | depth
     std::size_t fragment_count = 0;
     std::uint64_t fragments_made = 0;  ///< since this was made
