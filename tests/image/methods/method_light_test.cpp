@@ -8,6 +8,7 @@
 #include "renderers/core/light_use.h"
 #include "tests/image/methods/every_method.h"
 #include "tests/image/methods/machine.h"
+#include "tests/light_variants.h"
 
 namespace ir::engine {
 namespace {
@@ -69,12 +70,8 @@ Settings quick(const MethodDescription& method, const std::string& paths) {
 
 /// Of these paths: the defaults, and what changes which light the method has.
 std::vector<Settings> variants_of(const MethodDescription& method, const std::string& paths) {
-    std::vector<Settings> result{quick(method, paths)};
-    for (const auto& missing : method.missing_light) {
-        if (missing.active_when.key.empty()) continue;
-        result.push_back(result.front());
-        result.back()[missing.active_when.key] = missing.active_when.values.front();
-    }
+    auto result = test::light_variants(method);
+    for (auto& settings : result) settings = test::with(quick(method, paths), settings);
     return result;
 }
 
