@@ -249,8 +249,10 @@ class Weights {
 
 /// Sums over neighbours and samples.
 struct Sums {
-    Vector3 value{hn::Zero(f), hn::Zero(f), hn::Zero(f)};
-    Floats share = hn::Zero(f);
+    Vector3 value;
+    Floats share;
+    // Written out: GCC makes implicit constructors without the instruction set of this namespace.
+    HWY_INLINE Sums() : value{hn::Zero(f), hn::Zero(f), hn::Zero(f)}, share(hn::Zero(f)) {}
     /// Not finite values count for nothing.
     HWY_INLINE void add(Floats weight, const Vector3& part, Floats part_share) {
         const auto finite = is_finite(part);
