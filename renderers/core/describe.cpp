@@ -111,13 +111,16 @@ std::string allowed_text(const ParameterDescription& p) {
 
 constexpr const char* explains_text = " Explains the pixel or items that are picked.";
 
-/// " Where `key` is a, b."; empty without a condition.
-std::string condition_text(const Condition& condition) {
-    if (condition.key.empty()) return {};
-    std::string text = " Only where `" + condition.key + "` is";
-    for (const auto& value : condition.values)
-        text += (&value == &condition.values.front() ? " " : ", ") + to_string(value);
-    return text + ".";
+/// " Only where `key` is a, b and `other` is c."; empty without a condition.
+std::string condition_text(const std::vector<Condition>& conditions) {
+    std::string text;
+    for (const auto& condition : conditions) {
+        if (condition.key.empty()) continue;
+        text += (text.empty() ? " Only where `" : " and `") + condition.key + "` is";
+        for (const auto& value : condition.values)
+            text += (&value == &condition.values.front() ? " " : ", ") + to_string(value);
+    }
+    return text.empty() ? text : text + ".";
 }
 
 template <class Item>
@@ -160,7 +163,7 @@ std::string describe_json(const MethodDescription& method) {
         Json row;
         for (const auto part : missing.parts) row["parts"].push_back(to_string(part));
         for (const auto kind : missing.kinds) row["kinds"].push_back(to_string(kind));
-        if (!missing.active_when.key.empty()) row["active_when"] = json_of(missing.active_when);
+        for (const auto& condition : missing.active_when) row["active_when"].push_back(json_of(condition));
         json["missing_light"].push_back(std::move(row));
     }
     if (method.is_reference) json["is_reference"] = true;
@@ -190,7 +193,7 @@ std::string describe_markdown(const MethodDescription& method) {
         for (const auto& choice : p.choices)
             if (!choice.doc.empty() && (p.supported.empty() || p.supported.size() > 1))
                 text += " `" + choice.key + "`: " + choice.doc;
-        text += condition_text(p.active_when);
+        text += condition_text({p.active_when});
         if (p.coarse) text += " In coarse pictures " + coarse_text(p) + ".";
         if (!p.citation.empty()) text += " [" + p.citation + "]";
         text += " |\n";
@@ -198,7 +201,7 @@ std::string describe_markdown(const MethodDescription& method) {
     text += "\n## Outputs\n\n| key | kind | semantic | unit | what it shows |\n|---|---|---|---|---|\n";
     for (const auto& o : method.outputs)
         text += "| `" + o.key + "` | " + to_string(o.kind) + " | " + to_string(o.semantic) + " | " + o.unit +
-                " | **" + o.label + ".** " + full_doc(o) + condition_text(o.active_when) +
+                " | **" + o.label + ".** " + full_doc(o) + condition_text({o.active_when}) +
                 (o.explains ? explains_text : "") + " |\n";
     if (method.selectors.empty()) return text;
     text +=

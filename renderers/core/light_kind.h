@@ -36,7 +36,7 @@ std::string text_of(LightPart part);
 struct MissingLight {
     std::vector<LightPart> parts;
     std::vector<LightKind> kinds;
-    Condition active_when = {};  ///< under other settings it is there
+    std::vector<Condition> active_when = {};  ///< where any does not hold it is there
 };
 
 /// One source of a scene: "light 'lamp'", "material 'neon'", "the environment".

@@ -114,7 +114,9 @@ LightUse light_use(const MethodDescription& method, const Settings& settings) {
     for (const auto part : light_parts_of(choice(settings, "paths")))
         for (const auto kind : all_kinds) use.set(part, kind, is_wanted(part, kind, settings));
     for (const auto& missing : method.missing_light) {
-        if (!holds(missing.active_when, settings)) continue;
+        if (!std::ranges::all_of(missing.active_when,
+                                 [&](const Condition& each) { return holds(each, settings); }))
+            continue;
         for (const auto part : missing.parts)
             for (const auto kind : missing.kinds) use.set(part, kind, false);
     }

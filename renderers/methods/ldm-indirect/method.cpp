@@ -8,6 +8,14 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
+/// Of sources with an extent all direct light is sampled; that of the environment may be the maps' instead.
+std::vector<MissingLight> missing_light() {
+    auto environment = passes::without_light_samples({LightPart::direct}, {LightKind::environment});
+    environment.active_when.push_back({"environment_by", {std::string("samples")}});
+    return {passes::without_light_samples({LightPart::direct}, {LightKind::lamp, LightKind::surface}),
+            environment};
+}
+
 MethodDescription description() {
     MethodDescription d;
     d.id = "ldm-indirect";
@@ -19,7 +27,7 @@ MethodDescription description() {
         "the footprints' size.";
     d.version = 2;
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
-    d.missing_light = {passes::without_light_samples()};
+    d.missing_light = missing_light();
     d.outputs = joined({splatting_outputs(), tracing_outputs()});
     d.selectors = tracing_selectors();
     return d;

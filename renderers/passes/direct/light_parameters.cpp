@@ -37,7 +37,7 @@ ParameterTable<LightParameters> light_parameters() {
 }
 
 MissingLight without_light_samples(std::vector<LightPart> parts, std::vector<LightKind> kinds) {
-    return {std::move(parts), std::move(kinds), {"light_samples", {std::int64_t{0}}}};
+    return {std::move(parts), std::move(kinds), {{"light_samples", {std::int64_t{0}}}}};
 }
 
 }  // namespace ir::passes

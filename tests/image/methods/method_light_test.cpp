@@ -7,6 +7,7 @@
 #include "app/engine/pictures.h"
 #include "renderers/core/light_use.h"
 #include "tests/image/methods/machine.h"
+#include "tests/light_variants.h"
 
 namespace ir::engine {
 namespace {
@@ -63,11 +64,10 @@ std::vector<std::string> paths_of(const MethodDescription& method) {
 
 /// Of these paths: the defaults, and what changes which light the method has.
 std::vector<Settings> variants_of(const MethodDescription& method, const std::string& paths) {
-    std::vector<Settings> result{completed(method.parameters, {{"paths", paths}})};
-    for (const auto& missing : method.missing_light) {
-        if (missing.active_when.key.empty()) continue;
-        result.push_back(result.front());
-        result.back()[missing.active_when.key] = missing.active_when.values.front();
+    auto result = test::light_variants(method);
+    for (auto& settings : result) {
+        settings["paths"] = paths;
+        settings = completed(method.parameters, settings);
     }
     return result;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderers/core/describe.h"
 #include "renderers/core/transport.h"
 
 namespace ir {
@@ -81,13 +82,29 @@ TEST(LightUse, TheReferenceLeavesOutWhatAMethodLacks) {
 }
 
 TEST(LightUse, WhatIsMissingMayDependOnSettings) {
-    const auto sometimes = method({"falloff"}, {{{direct}, {surface}, {"falloff", {std::string("hard")}}}});
+    const auto sometimes = method({"falloff"}, {{{direct}, {surface}, {{"falloff", {std::string("hard")}}}}});
     const auto misses = [&](const std::string& falloff) {
         return !light_use(sometimes, completed(sometimes.parameters, paths("full", {{"falloff", falloff}})))
                     .has(direct, surface);
     };
     EXPECT_TRUE(misses("hard"));
     EXPECT_FALSE(misses("smooth"));
+}
+
+TEST(LightUse, WhatIsMissingMayDependOnSeveralSettings) {
+    const auto sometimes = method({"falloff", "normal_maps"},
+                                  {{{direct},
+                                    {surface},
+                                    {{"falloff", {std::string("hard")}}, {"normal_maps", {false}}}}});
+    for (const bool has_maps : {true, false})
+        for (const char* falloff : {"hard", "smooth"}) {
+            const auto settings = completed(sometimes.parameters,
+                                            paths("full", {{"falloff", falloff}, {"normal_maps", has_maps}}));
+            EXPECT_EQ(light_use(sometimes, settings).has(direct, surface),
+                      has_maps || falloff == std::string("smooth"));
+        }
+    EXPECT_NE(describe_markdown(sometimes).find("Only where `falloff` is hard and `normal_maps` is false."),
+              std::string::npos);
 }
 
 TEST(LightUse, DifferencesNameTheSource) {

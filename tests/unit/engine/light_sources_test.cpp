@@ -10,6 +10,7 @@
 #include "projects/document.h"
 #include "projects/match.h"
 #include "renderers/core/light_use.h"
+#include "tests/light_variants.h"
 
 namespace ir::engine {
 namespace {
@@ -36,14 +37,11 @@ std::vector<std::string> all_scenes() {
 /// The defaults, and what changes which light a method has.
 std::vector<Settings> variants_of(const MethodDescription& method) {
     std::vector<Settings> result;
-    for (const auto& paths : find(method.parameters, "paths")->supported) {
-        result.push_back({{"paths", paths}});
-        for (const auto& missing : method.missing_light) {
-            if (missing.active_when.key.empty()) continue;
-            result.push_back({{"paths", paths}});
-            result.back()[missing.active_when.key] = missing.active_when.values.front();
+    for (const auto& paths : find(method.parameters, "paths")->supported)
+        for (auto settings : test::light_variants(method)) {
+            settings["paths"] = paths;
+            result.push_back(std::move(settings));
         }
-    }
     return result;
 }
 
