@@ -6,13 +6,13 @@
 #include "renderers/core/constants.h"
 #include "renderers/passes/lights/discrete_distribution.h"
 #include "renderers/passes/lights/emitted_power.h"
+#include "renderers/passes/lights/entry_box.h"
 #include "renderers/passes/lights/environment_light.h"
 #include "renderers/passes/lights/flat_light.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/lights/triangle_lights.h"
 #include "renderers/passes/raytracing/ray_offset.h"
-#include "renderers/passes/sampling/concentric_disk.h"
 #include "renderers/passes/scattering/microfacets.h"
 #include "renderers/scene/frame.h"
 
@@ -65,27 +65,24 @@ struct EmissionSampler::Impl {
     std::optional<EmittedLight> from_light(std::size_t i, glm::vec2 place, glm::vec2 direction) const;
     std::optional<EmittedLight> from_triangle(std::size_t i, glm::vec2 place, glm::vec2 direction) const;
     std::optional<EmittedLight> from_sky(glm::vec2 place, glm::vec2 direction) const;
-    EmittedLight from_far(glm::vec3 direction_ws, glm::vec2 place) const;
-
-    float disk_area() const { return pi * radius * radius; }
+    EmittedLight from_far(glm::vec3 origin_ws, glm::vec3 direction_ws) const;
 
     std::vector<scene::Light> lights;
     std::vector<int> numbers;  ///< of lights in the world
     std::optional<TriangleLights> triangles;
     std::optional<EnvironmentLight> sky;
-    glm::vec3 centre{0};
-    float radius = 0;
+    EntryBox box;
     std::vector<float> powers;  ///< of lights; then of triangles; then of the environment
     DiscreteDistribution choice;
     float power = 0;
 };
 
 EmissionSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
-    : centre(surfaces.world().bounds.centre()), radius(emission_disk_radius(surfaces.world())) {
+    : box(surfaces.world().bounds) {
     for (const int i : options.lights) {
         lights.push_back(surfaces.world().lights.at(static_cast<std::size_t>(i)));
         numbers.push_back(i);
-        powers.push_back(emitted_power(lights.back(), radius));
+        powers.push_back(emitted_power(lights.back(), box));
     }
     if (options.emissive_meshes) {
         triangles.emplace(surfaces);
@@ -99,7 +96,7 @@ EmissionSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& option
     auto weights = powers;
     if (options.environment) {
         sky.emplace(surfaces.scene().environment);
-        powers.push_back(4 * pi * sky->mean_luminance() * disk_area());
+        powers.push_back(pi * sky->mean_luminance() * box.area());
         const float most = sum > 0 ? static_cast<float>(most_environment * sum) : powers.back();
         weights.push_back(std::min(powers.back(), most));
         sum += powers.back();
@@ -112,8 +109,8 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_light(std::size_t i, glm
                                                               glm::vec2 direction) const {
     const auto& light = lights[i];
     if (light.type == scene::LightType::directional) {
-        auto emitted = from_far(light.direction, place);
-        emitted.flux = light.colour * light.intensity * disk_area();
+        auto emitted = from_far(box.entry(light.direction, place), light.direction);
+        emitted.flux = light.colour * light.intensity * box.area_across(light.direction);
         return emitted;
     }
     EmittedLight emitted;
@@ -159,20 +156,31 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_triangle(std::size_t i, 
     return emitted;
 }
 
-EmittedLight EmissionSampler::Impl::from_far(glm::vec3 direction_ws, glm::vec2 place) const {
-    const auto on_disk = radius * concentric_disk(place);
+EmittedLight EmissionSampler::Impl::from_far(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
     EmittedLight emitted;
     emitted.direction_ws = emitted.normal_ws = direction_ws;
-    emitted.origin_ws = centre + scene::frame_around(direction_ws) * glm::vec3(on_disk.x, on_disk.y, -radius);
-    emitted.area_pdf = 1 / disk_area();
+    emitted.origin_ws = origin_ws;
+    emitted.area_pdf = 1 / box.area_across(direction_ws);
     return emitted;
 }
 
+/// A constant shines through each point of the box by the cosine, so that all rays have the same flux. A map
+/// chooses the direction first.
 std::optional<EmittedLight> EmissionSampler::Impl::from_sky(glm::vec2 place, glm::vec2 direction) const {
+    if (sky->is_constant()) {
+        const auto point = box.point(place);
+        const auto sample = sky->sample(point.normal_ws, direction);
+        if (!(sample.pdf > 0) || sample.radiance == glm::vec3(0)) return std::nullopt;
+        auto emitted = from_far(point.position_ws, -sample.direction_ws);
+        emitted.flux = pi * box.area() * sample.radiance;
+        emitted.emitter = environment;
+        emitted.direction_pdf = 1 / (pi * box.area() * emitted.area_pdf);
+        return emitted;
+    }
     const auto sample = sky->sample(glm::vec3(0), direction);
     if (!(sample.pdf > 0) || sample.radiance == glm::vec3(0)) return std::nullopt;
-    auto emitted = from_far(-sample.direction_ws, place);
-    emitted.flux = sample.radiance * (disk_area() / sample.pdf);
+    auto emitted = from_far(box.entry(-sample.direction_ws, place), -sample.direction_ws);
+    emitted.flux = sample.radiance / (emitted.area_pdf * sample.pdf);
     emitted.emitter = environment;
     emitted.direction_pdf = sample.pdf;
     return emitted;

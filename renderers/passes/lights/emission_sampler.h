@@ -11,7 +11,8 @@ namespace ir::passes {
 
 /// Light that leaves a source along one ray.
 struct EmittedLight {
-    /// On the source; of directional lights and the environment on a disk before the scene's bounds.
+    /// On the source; of directional lights and the environment where they enter the scene's bounds
+    /// (EntryBox).
     glm::vec3 origin_ws{0};
     glm::vec3 direction_ws{0};  ///< of travel, unit length
     glm::vec3 normal_ws{0};     ///< unit, of the surface that it leaves, on that side; of lights without a
@@ -19,7 +20,8 @@ struct EmittedLight {
     glm::vec3 flux{0};        ///< W that a ray stands for if it is the only one; each of n rays has 1/n of it
     float range = 0;          ///< m, after which a point or spot light ends (range_window()); 0: nowhere
     int emitter = 0;          ///< index of the world's light, or one of EmissionSampler's constants
-    float area_pdf = 0;       ///< of the origin, 1/m², choice of the emitter left out; 0: a point
+    float area_pdf = 0;       ///< of the origin, 1/m², choice of the emitter left out, of what is infinitely
+                              ///< far across the direction; 0: a point
     float direction_pdf = 0;  ///< of the direction from there, 1/sr; 0: the only one
     float probability = 0;    ///< with which this emitter was chosen
 };
@@ -31,9 +33,9 @@ struct EmissionOptions {
 
 /// Where light starts, what for and how much: the counterpart of LightSampler, for photons. Emitters are
 /// chosen by their power, points on them uniformly in area and directions by the cosine, so that all rays of
-/// untextured emitters have the same flux. The environment shines through a disk about the scene's bounds
-/// that faces the direction [Pharr16 §16.1.2]; much of it misses what the bounds hold, so that it is chosen
-/// at most three times as often as all others together. Keeps a pointer to the surfaces. Thread-safe.
+/// untextured emitters have the same flux. The environment shines through the scene's bounds; much of it
+/// misses what they hold, so that it is chosen at most three times as often as all others together. Keeps a
+/// pointer to the surfaces. Thread-safe.
 class EmissionSampler {
   public:
     using Options = EmissionOptions;
@@ -45,7 +47,7 @@ class EmissionSampler {
 
     bool empty() const;  ///< nothing emits
     /// W of all emitters, mean of the channels: exact but for textures, which are averaged as TriangleLights
-    /// does, and for emission maps' colours.
+    /// does, for emission maps' colours, and for environment maps, which count as if they shone evenly.
     float power() const;
     float power(int emitter) const;  ///< of one light, of all emissive triangles, of the environment
 

@@ -32,19 +32,14 @@ float mean_radiance(const Image& map) {
 
 }  // namespace
 
-float emission_disk_radius(const scene::World& world) {
-    constexpr float least = 1e-3f, wider = 1.001f;  // a scene of one point, and rounding
-    return wider * std::max(world.bounds.radius(), least);
-}
-
-float emitted_power(const scene::Light& light, float disk_radius) {
+float emitted_power(const scene::Light& light, const EntryBox& box) {
     const float strength = channel_mean(light.colour * light.intensity);
     switch (light.type) {
         case scene::LightType::rectangle:
         case scene::LightType::disk:
             return pi * FlatLight(light).area() * strength;
         case scene::LightType::directional:
-            return pi * disk_radius * disk_radius * strength;
+            return box.area_across(light.direction) * strength;
         default:
             return punctual_solid_angle(light) * strength;
     }
@@ -68,11 +63,11 @@ float emitted_power_of_meshes(const scene::Scene& scene, const scene::World& wor
     return static_cast<float>(sum);
 }
 
-float emitted_power(const scene::Environment& environment, float disk_radius) {
+float emitted_power(const scene::Environment& environment, const EntryBox& box) {
     const float radiance = environment.map && !environment.map->empty()
                                ? mean_radiance(*environment.map)
                                : channel_mean(glm::max(environment.constant, glm::vec3(0)));
-    return 4 * pi * radiance * pi * disk_radius * disk_radius;
+    return pi * radiance * box.area();
 }
 
 }  // namespace ir::passes

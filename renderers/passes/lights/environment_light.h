@@ -21,6 +21,7 @@ class EnvironmentLight {
 
     explicit EnvironmentLight(const scene::Environment& environment);
 
+    bool is_constant() const { return !map_; }
     bool empty() const { return !(mean_luminance_ > 0); }  ///< black everywhere
     /// Averaged over the sphere, W/(m² sr).
     float mean_luminance() const { return mean_luminance_; }

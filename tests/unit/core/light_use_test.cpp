@@ -92,10 +92,9 @@ TEST(LightUse, WhatIsMissingMayDependOnSettings) {
 }
 
 TEST(LightUse, WhatIsMissingMayDependOnSeveralSettings) {
-    const auto sometimes = method({"falloff", "normal_maps"},
-                                  {{{direct},
-                                    {surface},
-                                    {{"falloff", {std::string("hard")}}, {"normal_maps", {false}}}}});
+    const auto sometimes =
+        method({"falloff", "normal_maps"},
+               {{{direct}, {surface}, {{"falloff", {std::string("hard")}}, {"normal_maps", {false}}}}});
     for (const bool has_maps : {true, false})
         for (const char* falloff : {"hard", "smooth"}) {
             const auto settings = completed(sometimes.parameters,

@@ -41,15 +41,14 @@ std::vector<Source> sources() {
     auto spot = make_light(LightType::spot, {0.2f, 1.5f, 0}, {0.1f, -1, 0}, {}, 3);
     spot.inner_angle = 0.2f, spot.outer_angle = 0.7f;
     const double inner = std::cos(0.2), outer = std::cos(0.7);
-    // half of the diagonal of the floor and of what hangs above it
-    const auto disk = [](double height) { return pi * (8 + height * height) / 4; };
     return {{"point", light(make_light(LightType::point, {0.1f, 1, 0.2f}, -up, {}, 2)), 8 * pi},
             {"spot", light(spot), 3 * 2 * pi * (1 - inner + (inner - outer) / 3)},
             {"rectangle", light(make_light(LightType::rectangle, {0, 1, 0}, -up, {0.6f, 0.4f}, 5)),
              pi * 5 * 0.24},
             {"disk", light(make_light(LightType::disk, {0, 1, 0}, {0.3f, -1, 0}, {0.6f, 0.4f}, 5)),
              pi * 5 * pi * 0.06},
-            {"sun", light(make_light(LightType::directional, {}, {0.2f, -1, 0}, {}, 2)), 2 * disk(0)},
+            {"sun", light(make_light(LightType::directional, {}, {0.2f, -1, 0}, {}, 2)),
+             2 * floor_area / std::sqrt(1.04)},
             {"mesh",
              [](LightScene& scene) {
                  scene.triangle({-0.3f, 1, 0}, {0.4f, 1.2f, 0}, {0, 1, 0.7f}, scene.emitter({4, 2, 1}));
@@ -59,7 +58,7 @@ std::vector<Source> sources() {
              [](LightScene& scene) {
                  scene.scene().environment.constant = {0.5f, 0.7f, 1};
              },
-             4 * pi * 0.5 * disk(0)}};
+             pi * 0.5 * 2 * floor_area}};
 }
 
 /// The whole power leaves, in rays that differ by nothing else.
@@ -76,9 +75,56 @@ TEST(EmissionSampler, RaysCarryThePowerOfTheirSource) {
         const auto rays = rays_of(sampler, n);
         ASSERT_EQ(rays.size(), static_cast<std::size_t>(n)) << name;
         for (const auto& ray : rays) {
-            ASSERT_NEAR(ray.flux.r / power, 1, 3e-3) << name;  // disks are 0.1 % wider than the bounds
+            ASSERT_NEAR(ray.flux.r / power, 1, 3e-3)
+                << name;  // light comes in a little beside the floor, too
             ASSERT_NEAR(glm::length(ray.direction_ws), 1, 1e-5) << name;
             ASSERT_GE(glm::dot(ray.normal_ws, ray.direction_ws), 0) << name;
+        }
+    }
+}
+
+/// No light of what is infinitely far misses a scene that fills its bounds, and all that travels in one
+/// direction is as dense.
+TEST(EmissionSampler, LightFromFarComesInThroughTheBounds) {
+    Image map(8, 4, 1);
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = static_cast<float>(i % 3);
+    const auto even = scene::Environment{glm::vec3(1), nullptr},
+               uneven = scene::map_environment(std::make_shared<Image>(std::move(map)));
+    for (const auto& environment : {even, uneven, scene::Environment{}}) {
+        LightScene scene;
+        const glm::vec3 low(1, -2, 0), high(2, 1, 5);
+        const auto corner = [&](int x, int y, int z) {
+            return glm::vec3(x ? high.x : low.x, y ? high.y : low.y, z ? high.z : low.z);
+        };
+        for (const int side : {0, 1}) {
+            scene.quad(corner(side, 0, 0), corner(side, 1, 0), corner(side, 1, 1), corner(side, 0, 1), 0);
+            scene.quad(corner(0, side, 0), corner(1, side, 0), corner(1, side, 1), corner(0, side, 1), 0);
+            scene.quad(corner(0, 0, side), corner(1, 0, side), corner(1, 1, side), corner(0, 1, side), 0);
+        }
+        const auto travel = glm::normalize(glm::vec3(1, -2, 0.5f));
+        scene.light(make_light(LightType::directional, {}, travel, {}, 1));
+        scene.scene().environment = environment;
+        const bool is_sky = environment.map || environment.constant != glm::vec3(0);
+        const auto& surfaces = scene.surfaces();
+        const EmissionSampler sampler(surfaces, {.lights = is_sky ? std::vector<int>{} : std::vector{0}});
+        const passes::Bvh bvh(surfaces.scene(), surfaces.world());
+        const auto rays = rays_of(sampler, 4000);
+        ASSERT_GT(rays.size(), 3000u);
+        int missed = 0;
+        std::array<int, 3> faces{};
+        for (const auto& ray : rays) {
+            missed += !bvh.closest_hit(ray.origin_ws, ray.direction_ws, 0, infinity).is_hit();
+            for (int i = 0; i < 3; ++i)
+                faces.at(i) += std::min(std::abs(ray.origin_ws[i] - low[i]),
+                                        std::abs(ray.origin_ws[i] - high[i])) < 1e-2f;
+            const glm::vec3 areas(15, 5, 3);
+            ASSERT_NEAR(1 / ray.area_pdf / glm::dot(areas, glm::abs(ray.direction_ws)), 1, 0.01);
+        }
+        EXPECT_LT(missed, 20) << "beside the edges";
+        if (!is_sky) {
+            const glm::vec3 shares = glm::vec3(15, 5, 3) * glm::abs(travel);
+            for (int i = 0; i < 3; ++i)
+                EXPECT_NEAR(faces.at(i) / 4000.0, shares[i] / (shares.x + shares.y + shares.z), 0.03) << i;
         }
     }
 }

@@ -75,7 +75,7 @@ void add_emission(ParameterTable<Parameters>& table) {
               .label = "Photon near plane",
               .doc = "Surfaces closer to the light than this start no photons; their light is missing. For "
                      "directional lights from the near plane of the map, for those and the environment where "
-                     "rays are traced from the sphere about the scene.",
+                     "rays are traced from the box about the scene.",
               .unit = "m",
               .citation = "Smal19 §5.2",
               .hard = {0, 1e9},

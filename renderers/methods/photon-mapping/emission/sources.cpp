@@ -86,11 +86,11 @@ void add_traced(Sources& sources, SourceData row, float power) {
     sources.traced_rows.push_back(row);
 }
 
-void add_traced_lights(Sources& sources, const scene::World& world, float disk_radius) {
+void add_traced_lights(Sources& sources, const scene::World& world, const passes::EntryBox& box) {
     for (int i = 0; i < static_cast<int>(world.lights.size()); ++i) {
         if (std::ranges::any_of(sources.views, [&](const auto& view) { return view.light == i; })) continue;
         const auto& light = world.lights[static_cast<std::size_t>(i)];
-        const float power = passes::emitted_power(light, disk_radius);
+        const float power = passes::emitted_power(light, box);
         if (!(power > 0)) continue;
         sources.traced.lights.push_back(i);
         sources.traced_flux += power;
@@ -108,8 +108,8 @@ SourceData unplaced(std::uint32_t light, const scene::World& world, float perspe
 }
 
 void add_environment(Sources& sources, const scene::Scene& scene, const scene::World& world,
-                     float disk_radius) {
-    const float power = passes::emitted_power(scene.environment, disk_radius), others = sources.flux();
+                     const passes::EntryBox& box) {
+    const float power = passes::emitted_power(scene.environment, box), others = sources.flux();
     // of a map what shines may lie between the texels that were looked at
     if (!(power > 0) && !scene.environment.map) return;
     sources.traced.environment = true;
@@ -129,17 +129,17 @@ std::uint32_t light_name(int emitter) {
 Sources find_sources(const graph::FrameInputs& inputs, const Parameters& parameters, int resolution) {
     const auto& scene = *inputs.scene;
     const auto& world = *inputs.world;
-    const float disk_radius = passes::emission_disk_radius(world);
+    const passes::EntryBox box(world.bounds);
     Sources sources;
     sources.traced = {.environment = false, .emissive_meshes = false};
     if (parameters.first_hit == FirstHit::rsm) add_layers(sources, world, resolution);
-    add_traced_lights(sources, world, disk_radius);
+    add_traced_lights(sources, world, box);
     if (const float power = passes::emitted_power_of_meshes(scene, world); power > 0) {
         sources.traced.emissive_meshes = true;
         sources.traced_flux += power;
         add_traced(sources, unplaced(light_mesh, world, 1), power);
     }
-    if (parameters.transport.environment_light) add_environment(sources, scene, world, disk_radius);
+    if (parameters.transport.environment_light) add_environment(sources, scene, world, box);
     sources.largest_flux = std::max(sources.largest_flux, sources.flux());
     return sources;
 }
