@@ -11,8 +11,6 @@
 namespace ir::cli {
 namespace {
 
-/// Seconds of work that an estimate of the rest is made from.
-constexpr double enough_seconds = 2;
 constexpr std::size_t longest_text = 120;
 
 /// "45 s", "3 min 5 s", "2 h 10 min", "3 d 4 h".
@@ -73,19 +71,19 @@ void ProgressLine::clear() const {
 
 std::string ProgressLine::text(const std::string& what) const {
     const double now = done_ + fraction_ * part_, own = now - given_;
-    const double seconds = std::chrono::duration<double>(now_() - start_).count();
+    const std::chrono::duration<double> spent = now_() - start_;
     char percent[16];
     std::snprintf(percent, sizeof percent, "%3.0f %% ", std::floor(100 * std::min(1.0, now / work_)));
     auto line = name_ + (name_.empty() || what.empty() ? "" : ": ") + what;
     line = percent + projects::printable(line, longest_text);
-    if (seconds >= enough_seconds && own > 0 && now < work_)
-        line += ", " + duration_text(seconds * (work_ - now) / own) + " left";
+    if (spent >= enough && own > 0 && now < work_)
+        line += ", " + duration_text(spent.count() * (work_ - now) / own) + " left";
     return line;
 }
 
 /// Off a terminal.
 bool ProgressLine::is_due() {
-    if (now_() - last_line_ < pause) return false;
+    if (now_() - last_line_ < (last_line_ == start_ ? enough : pause)) return false;
     last_line_ = now_();
     return true;
 }

@@ -9,11 +9,12 @@
 namespace ir::cli {
 
 /// How far a command has come with all that it was asked for, and how long the rest will take, on standard
-/// error. On a terminal one line that follows the work; elsewhere a plain line every ten seconds, as far as
-/// the work tells of itself.
+/// error. On a terminal one line that follows the work; elsewhere a plain line once the rest can be told, and
+/// then every ten seconds, as far as the work tells of itself.
 class ProgressLine {
   public:
     using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds enough{2};  ///< of work, to estimate the rest from
     static constexpr std::chrono::seconds pause{10};  ///< off a terminal
     /// `work`: of all parts, in any unit. Tests have a time of their own.
     ProgressLine(bool is_shown, double work, std::function<Clock::time_point()> now = Clock::now);

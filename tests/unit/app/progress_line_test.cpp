@@ -27,7 +27,7 @@ class ProgressLineTest : public testing::Test {
     bool is_read_ = false;
 };
 
-TEST_F(ProgressLineTest, OneLineEveryTenSeconds) {
+TEST_F(ProgressLineTest, ALineAfterTwoSecondsAndThenEveryTen) {
     auto line = line_of(1);
     line.begin("scene", 1);
     line.tell("", 0);
@@ -36,20 +36,21 @@ TEST_F(ProgressLineTest, OneLineEveryTenSeconds) {
         line.tell("frame " + std::to_string(second), second / 100.0);
     }
     EXPECT_EQ(written(),
-              " 10 % scene: frame 10, 1 min 30 s left\n"
-              " 20 % scene: frame 20, 1 min 20 s left\n"
-              " 30 % scene: frame 30, 1 min 10 s left\n");
+              "  2 % scene: frame 2, 1 min 38 s left\n"
+              " 12 % scene: frame 12, 1 min 28 s left\n"
+              " 22 % scene: frame 22, 1 min 18 s left\n"
+              " 32 % scene: frame 32, 1 min 8 s left\n");
 }
 
 TEST_F(ProgressLineTest, PercentAndTimeAreOfAllParts) {
     auto line = line_of(4);
     line.begin("a", 1);
     line.tell("", 0);
-    now_ += 5s;
+    now_ += 1s;
     line.tell("", 1);
     line.begin("b", 3);
     line.tell("", 0);
-    now_ += 5s;
+    now_ += 9s;
     line.tell("frame 2 of 6", 1.0 / 3);
     EXPECT_EQ(written(), " 50 % b: frame 2 of 6, 10 s left\n");
 }
@@ -66,7 +67,7 @@ TEST_F(ProgressLineTest, WhatWasThereBeforeSaysNothingOfTheTime) {
 TEST_F(ProgressLineTest, WhatIsShortOrQuietSaysNothing) {
     auto line = line_of(1);
     line.begin("a", 1);
-    now_ += 9s;
+    now_ += 1900ms;
     line.tell("", 0.9);
     ProgressLine quiet(false, 1, [this] { return now_; });
     now_ += 60s;
