@@ -13,30 +13,43 @@
 
 namespace ir::test {
 
-/// A graph on the best device, with the product's shaders; any error that OpenGL reports fails the test.
+/// The best device with the product's shaders, one for all tests of a process: making contexts and linking
+/// programs takes longer than most tests.
+struct TestDevice {
+    static TestDevice& shared() {
+        static TestDevice instance;
+        return instance;
+    }
+    std::unique_ptr<gl::Context> context = gl::Context::create_best({.debug = true, .device = {}});
+    std::unique_ptr<gl::Device> device = gl::make_gl_device(*context);
+    gl::ProgramLibrary programs{*context, shader_directory()};
+};
+
+/// A graph of its own on that device; any error that OpenGL reports fails the test.
 class DeviceTest : public testing::Test {
   protected:
     void SetUp() override {
-        gl::ContextOptions options;
-        options.debug = true;
-        context_ = gl::Context::create_best(options);
-        device_ = gl::make_gl_device(*context_);
-        use_shaders(shader_directory());
+        context().make_current();
+        reset();
     }
     void TearDown() override {
-        if (!context_) return;
         graph_.reset();
-        for (const auto& message : context_->take_messages())
+        for (const auto& message : context().take_messages())
             EXPECT_NE(message.severity, Severity::error) << message.text;
-        programs_.reset();
-        device_.reset();
-        context_->release();
+        own_programs_.reset();
+        context().release();
     }
     /// Forgets all contents, and how large buffers have grown.
-    void reset() { graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get()); }
+    void reset() { graph_ = std::make_unique<graph::Graph>(device(), &context(), &programs()); }
+    /// In place of the product's.
     void use_shaders(const std::filesystem::path& folder) {
+        use_product_shaders();
+        own_programs_ = std::make_unique<gl::ProgramLibrary>(context(), folder);
+        reset();
+    }
+    void use_product_shaders() {
         graph_.reset();
-        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, folder);
+        own_programs_.reset();
         reset();
     }
 
@@ -69,15 +82,15 @@ class DeviceTest : public testing::Test {
     }
 
     graph::Graph& graph() const { return *graph_; }
-    const gl::Api& api() const { return context_->api(); }
-    gl::Context& context() const { return *context_; }
-    gl::Device& device() const { return *device_; }
-    gl::ProgramLibrary& programs() const { return *programs_; }
+    const gl::Api& api() const { return context().api(); }
+    gl::Context& context() const { return *TestDevice::shared().context; }
+    gl::Device& device() const { return *TestDevice::shared().device; }
+    gl::ProgramLibrary& programs() const {
+        return own_programs_ ? *own_programs_ : TestDevice::shared().programs;
+    }
 
   private:
-    std::unique_ptr<gl::Context> context_;
-    std::unique_ptr<gl::Device> device_;
-    std::unique_ptr<gl::ProgramLibrary> programs_;
+    std::unique_ptr<gl::ProgramLibrary> own_programs_;
     std::unique_ptr<graph::Graph> graph_;
 };
 

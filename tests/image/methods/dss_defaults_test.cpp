@@ -46,7 +46,6 @@ TEST(DssDefaults, KeepTheLightOfTheStillLife) {
         scene, "reference", with(light, {{"samples", std::int64_t{512}}, {"max_bounces", std::int64_t{1}}})));
     ASSERT_GT(truth, 0);
     EXPECT_NEAR(mean_of(scene, light) / truth, 1, 0.15);
-    machines().clear();
 }
 
 /// Lit by an emissive panel alone, with walls that face outward.
@@ -61,7 +60,6 @@ TEST(DssDefaults, KeepTheLightOfAShippedRoom) {
     const double found = mean_of(scene, light);
     EXPECT_GT(found, 0.85 * truth);
     EXPECT_LT(found, 1.1 * truth);
-    machines().clear();
 }
 
 TEST(DssDefaults, KeepTheOcclusionOfTheAtrium) {
@@ -70,7 +68,6 @@ TEST(DssDefaults, KeepTheOcclusionOfTheAtrium) {
     const double truth = mean_of(picture_of(
         scene, "reference", with(within, {{"paths", std::string("ao")}, {"samples", std::int64_t{256}}})));
     EXPECT_NEAR(mean_of(scene, within), truth, 0.03);
-    machines().clear();
 }
 
 }  // namespace

@@ -158,7 +158,6 @@ TEST(DssLight, AHighlightArrivesAsTheReferenceSays) {
     const auto mutant =
         means(wall(Floor::metal, "deep-screen-space", with(surfels(), {{"glossy_senders", false}})));
     EXPECT_LT(mutant.back(), 0.01 * truth.back());
-    machines().clear();
 }
 
 /// Additive, and with visibility where discs leave nothing open. Where they have the floor's own area, 1/e of
@@ -179,7 +178,6 @@ TEST(DssLight, WhatAFloorScattersArrivesInBothForms) {
     expect(with(diffuse, {{"coverage", 1.0}}), 1 - std::exp(-1.0));
     expect(with(diffuse, {{"coverage", 1.0}, {"level0", std::string("triangles")}}), 1);
     expect(with(diffuse, {{"visibility", false}}), 1);
-    machines().clear();
 }
 
 /// Lamps with an extent and the sky light surfels, once: the wall's own direct light is no part of it.
@@ -197,7 +195,6 @@ TEST(DssLight, WhatLampsAndTheSkyLightIsSentOn) {
                                       with(diffuse, {{"sender_samples", std::int64_t{0}}}), 1, source));
         EXPECT_EQ(unlit.back(), 0);
     }
-    machines().clear();
 }
 
 }  // namespace

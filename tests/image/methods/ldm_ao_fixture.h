@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "tests/image/methods/ldm_ao_method.h"
 
@@ -11,7 +12,9 @@ namespace ir::ldm_ao_test {
 class LdmAo : public test::LdmAoMethodTest {
   protected:
     void load(const std::string& name) {
-        scene_ = scene::load_scene(name);
+        static std::map<std::string, scene::Scene> loaded;
+        if (!loaded.contains(name)) loaded[name] = scene::load_scene(name);
+        scene_ = loaded.at(name);
         world_ = scene::flatten(scene_, 0, 0);
     }
     scene::Camera camera(const std::string& name) const {

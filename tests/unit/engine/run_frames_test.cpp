@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "projects/samples.h"
+#include "tests/unit/engine/egl_machine.h"
 
 namespace ir::engine {
 namespace {
@@ -24,7 +25,7 @@ class RunFrames : public testing::Test {
         return sum;
     }
 
-    Machine machine{{"egl", {}, false, 0}};
+    Machine& machine = egl_machine();
 };
 
 TEST_F(RunFrames, OnlyWhatAddsUpHasARateOfSamples) {

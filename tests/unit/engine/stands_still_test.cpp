@@ -1,8 +1,8 @@
 // What stands still is kept: another camera builds nothing that does not see it.
 #include <gtest/gtest.h>
 
-#include "app/engine/execution.h"
 #include "app/engine/pictures.h"
+#include "tests/unit/engine/egl_machine.h"
 
 namespace ir::engine {
 namespace {
@@ -66,7 +66,7 @@ class StandsStill : public testing::Test {
         const double number = std::get<double>(value);
         return number == 0 ? std::min(0.5, parameter.hard.max) : std::max(0.5 * number, parameter.hard.min);
     }
-    Machine machine{{"egl", {}, false, 0}};
+    Machine& machine = egl_machine();
 };
 
 TEST_F(StandsStill, ACameraThatMovesBuildsNothingThatDoesNotSeeIt) {

@@ -13,6 +13,7 @@
 #include "app/engine/stored_state.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
+#include "tests/unit/engine/egl_machine.h"
 #include "tests/unit/scarce_disk.h"
 
 namespace ir::engine {
@@ -186,7 +187,7 @@ class ResumeTest : public StateTest {
         return result;
     }
 
-    Machine machine{{"egl", {}, false, 0}};
+    Machine& machine = egl_machine();
 };
 
 TEST_F(ResumeTest, SavedAndContinuedIsAtOnce) {

@@ -4,14 +4,11 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <random>
 
-#include "renderers/gl/context.h"
-#include "renderers/gl/device.h"
 #include "renderers/gl/program.h"
-#include "renderers/graph/graph.h"
 #include "renderers/passes/ldm/parameters.h"
+#include "tests/device_fixture.h"
 
 namespace ir::passes::ldm {
 
@@ -95,12 +92,6 @@ inline Options options(StorageKind storage, BuilderKind builder, int directions 
     return result;
 }
 
-inline gl::ContextOptions debug_options() {
-    gl::ContextOptions options;
-    options.debug = true;
-    return options;
-}
-
 /// All storages that are there.
 inline constexpr StorageKind all_storages[] = {
     StorageKind::linked_lists,    StorageKind::arrays,
@@ -127,17 +118,19 @@ struct LdmLists {
 /// Builds maps on OpenGL and reads them back, asking them in GLSL as methods do.
 class LdmBuild {
   public:
-    LdmBuild()
-        : context_(gl::Context::create_best(debug_options())),
-          device_(gl::make_gl_device(*context_)),
-          programs_(*context_, std::filesystem::path(SOURCE_ROOT) / "shaders"),
-          graph_(std::make_unique<graph::Graph>(*device_, context_.get(), &programs_)) {}
+    LdmBuild() {
+        device_.context->make_current();
+        reset();
+    }
     /// Forgets how large buffers have grown.
-    void reset() { graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), &programs_); }
+    void reset() {
+        graph_ = std::make_unique<graph::Graph>(*device_.device, device_.context.get(), &device_.programs);
+    }
     ~LdmBuild() {
         graph_.reset();
-        for (const auto& message : context_->take_messages())
+        for (const auto& message : device_.context->take_messages())
             EXPECT_NE(message.severity, Severity::error) << message.text;
+        device_.context->release();
     }
 
     Lists run(const TestWorld& world, const Options& options, graph::FrameOptions frame = {}) {
@@ -208,9 +201,7 @@ class LdmBuild {
         return result;
     }
 
-    std::unique_ptr<gl::Context> context_;
-    std::unique_ptr<gl::Device> device_;
-    gl::ProgramLibrary programs_;
+    test::TestDevice& device_ = test::TestDevice::shared();
     std::unique_ptr<graph::Graph> graph_;
 };
 

@@ -139,7 +139,7 @@ class PassTest : public DeviceTest {
         std::ofstream(copy / file) << source.replace(place, right.size(), wrong);
         use_shaders(copy);
     }
-    void mend_shaders() { use_shaders(shader_directory()); }
+    void mend_shaders() { use_product_shaders(); }
     void TearDown() override {
         std::filesystem::remove_all(broken_shaders());
         DeviceTest::TearDown();
