@@ -17,9 +17,26 @@ constexpr glm::ivec2 small{24, 16};
 
 class EveryMethod : public testing::TestWithParam<const graph::Method*> {
   protected:
-    static void TearDownTestSuite() { machines().clear(); }
+    static void TearDownTestSuite() {
+        usual_frames().clear();
+        machines().clear();
+    }
     const graph::Method& method() const { return *GetParam(); }
     const MethodDescription& description() const { return GetParam()->description; }
+
+    /// On one of `scenes` with quick settings: rendered once for all tests of a method.
+    const Frame& usual(const std::string& scene) const {
+        auto& frame = usual_frames()[{description().id, scene}];
+        if (frame.main.empty())
+            frame = render(method(), quick_settings(description()), {.scene = scene, .size = small});
+        return frame;
+    }
+
+  private:
+    static std::map<std::pair<std::string, std::string>, Frame>& usual_frames() {
+        static std::map<std::pair<std::string, std::string>, Frame> frames;
+        return frames;
+    }
 };
 
 std::string method_name(const testing::TestParamInfo<const graph::Method*>& info) {
@@ -82,7 +99,7 @@ TEST_P(EveryMethod, DescribesItself) {
 TEST_P(EveryMethod, OutputsExistAndAreFiniteWhereValid) {
     for (const auto& scene : scenes) {
         const auto settings = quick_settings(description());
-        const auto frame = render(method(), settings, {.scene = scene, .size = small});
+        const auto& frame = usual(scene);
         ASSERT_FALSE(frame.main.empty());
         EXPECT_FALSE(frame.valid.empty()) << "every method writes a valid mask";
         for (const auto& output : description().outputs) {
@@ -132,7 +149,7 @@ TEST_P(EveryMethod, ExplanationsAreFiniteAndLeaveTheResultAlone) {
     std::map<std::string, bool> is_filled;  // a list may be empty where nothing reaches the pixel
     for (const auto& scene : scenes) {
         const auto settings = quick_settings(description());
-        const auto expected = render(method(), settings, {.scene = scene, .size = small});
+        const auto& expected = usual(scene);
         for (const int item : {1, Inspection::all}) {
             Inspection inspection{small.x / 2, small.y * 5 / 8, {}};
             for (const auto& selector : description().selectors) inspection.chosen[selector.key] = item;
@@ -163,11 +180,11 @@ TEST_P(EveryMethod, SameSeedSameBits) {
 }
 
 TEST_P(EveryMethod, BothBackendsAgree) {
+    EXPECT_EQ(machine().context().info().backend, gl::Backend::egl);
     const auto settings = quick_settings(description());
     for (const auto& scene : scenes) {
-        const auto egl = render(method(), settings, {.scene = scene, .backend = "egl", .size = small});
         const auto osmesa = render(method(), settings, {.scene = scene, .backend = "osmesa", .size = small});
-        EXPECT_LT(difference(egl, osmesa), 0.01) << scene;
+        EXPECT_LT(difference(usual(scene), osmesa), 0.01) << scene;
     }
 }
 

@@ -6,6 +6,7 @@
 #include "app/engine/execution.h"
 #include "app/engine/pictures.h"
 #include "renderers/core/light_use.h"
+#include "tests/image/methods/every_method.h"
 #include "tests/image/methods/machine.h"
 #include "tests/light_variants.h"
 
@@ -32,7 +33,7 @@ Experiment lit_by(LightKind kind) {
     if (kind == LightKind::punctual) e.lights = {lamp_of(scene::LightType::point)};
     if (kind == LightKind::lamp) e.lights = {lamp_of(scene::LightType::rectangle)};
     if (kind == LightKind::environment) e.environment = scene::Environment{glm::vec3(1), nullptr};
-    e.width = 36, e.height = 36;
+    e.width = 24, e.height = 24;
     return e;
 }
 
@@ -62,13 +63,15 @@ std::vector<std::string> paths_of(const MethodDescription& method) {
     return result;
 }
 
+/// Whether there is any light does not depend on numbers of samples.
+Settings quick(const MethodDescription& method, const std::string& paths, const Settings& more = {}) {
+    return test::with(test::with(test::quick_settings(method), more), {{"paths", paths}});
+}
+
 /// Of these paths: the defaults, and what changes which light the method has.
 std::vector<Settings> variants_of(const MethodDescription& method, const std::string& paths) {
     auto result = test::light_variants(method);
-    for (auto& settings : result) {
-        settings["paths"] = paths;
-        settings = completed(method.parameters, settings);
-    }
+    for (auto& settings : result) settings = quick(method, paths, settings);
     return result;
 }
 
@@ -103,7 +106,7 @@ TEST(MethodLight, LampsAreSeenWhereTheDescriptionSays) {
         if (paths_of(*method).empty()) continue;
         e.method = method->id;
         for (const char* emitters : {"all", "none"}) {
-            e.settings = completed(method->parameters, {{"paths", "full"}});
+            e.settings = quick(*method, "full");
             if (e.settings.count("emitters")) e.settings["emitters"] = emitters;
             Execution execution(machine(), e);
             execution.run_frame({});
