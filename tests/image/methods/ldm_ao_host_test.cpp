@@ -26,26 +26,26 @@ Settings maps(std::int64_t directions, std::int64_t resolution, double max_dista
     return more;
 }
 
+constexpr const char* atrium = "builtin:atrium?detail=0.3";
+
 const std::vector<Case> cases{
-    {"Unlimited", "builtin:atrium", "nave", maps(64, 200, 0)},
-    {"Hard", "builtin:atrium", "nave", maps(64, 200, 1)},
-    {"Smooth", "builtin:atrium", "gallery", maps(32, 200, 5, set({{"falloff", std::string("smooth")}}))},
-    {"OddResolution", "builtin:atrium", "nave", maps(16, 333, 2)},
-    {"OddResolutionUnlimited", "builtin:atrium", "nave", maps(16, 333, 0)},
+    {"Unlimited", "builtin:atrium", "nave", maps(32, 200, 0)},
+    {"Hard", "builtin:atrium", "nave", maps(32, 200, 1)},
+    {"Smooth", atrium, "gallery", maps(32, 200, 5, set({{"falloff", std::string("smooth")}}))},
+    {"OddResolution", atrium, "nave", maps(16, 333, 2)},
+    {"OddResolutionUnlimited", atrium, "nave", maps(16, 333, 0)},
     {"ManyBands", "builtin:cornell", "", maps(4, 1111, 0.5)},
-    {"OneMap", "builtin:atrium", "nave", maps(1, 200, 0)},
-    {"OneTexel", "builtin:atrium", "nave", maps(8, 1, 1)},
-    {"NormalOffset", "builtin:atrium", "nave",
-     maps(32, 200, 2, set({{"self_hit", std::string("normal-offset")}}))},
-    {"NormalOffsetUnlimited", "builtin:atrium", "nave",
+    {"OneMap", atrium, "nave", maps(1, 200, 0)},
+    {"OneTexel", atrium, "nave", maps(8, 1, 1)},
+    {"NormalOffset", atrium, "nave", maps(32, 200, 2, set({{"self_hit", std::string("normal-offset")}}))},
+    {"NormalOffsetUnlimited", atrium, "nave",
      maps(32, 200, 0, set({{"self_hit", std::string("normal-offset")}}))},
     {"Masks", "builtin:graveyard?detail=0.3", "", maps(32, 200, 0.5)},
     {"MasksUnlimited", "builtin:graveyard?detail=0.3", "", maps(32, 200, 0)},
     {"Leaks", "builtin:crevice", "wall-half", maps(64, 200, 0)},
-    {"WideDip", "builtin:atrium", "nave",
-     maps(32, 100, 2, set({{"max_dip", 4.0}, {"slope_tolerance", 2.0}}))},
+    {"WideDip", atrium, "nave", maps(32, 100, 2, set({{"max_dip", 4.0}, {"slope_tolerance", 2.0}}))},
     {"Hairs", "builtin:hairball?detail=0.1", "", maps(32, 150, 0)},
-    {"Progressive", "builtin:atrium", "nave", maps(16, 200, 1, set({{"progressive", true}}))},
+    {"Progressive", atrium, "nave", maps(16, 200, 1, set({{"progressive", true}}))},
 };
 
 /// Both bodies see the scene through G-buffers of their own, which differ at edges, by rounding, and in how
@@ -135,7 +135,7 @@ TEST_F(LdmAoStream, PictureIsTheSameWhateverTheThreads) {
 }
 
 TEST_F(LdmAoStream, MemoryDoesNotGrowWithTheNumberOfMaps) {
-    load("builtin:atrium");
+    load(atrium);
     threads = 2;
     for (const double reach : {0.0, 1.0}) {
         std::map<int, double> bytes;

@@ -79,8 +79,8 @@ class ParallelKeeping : public testing::Test {
     fs::path root_, project;
 };
 
-TEST_F(ParallelKeeping, EightProcessesLoseNoneOfTwentyResultsEach) {
-    constexpr int processes = 8, results = 20;
+TEST_F(ParallelKeeping, EightProcessesLoseNoneOfSixResultsEach) {
+    constexpr int processes = 8, results = 6;
     make(processes * results, "view-normals");
     std::vector<std::string> commands, all;
     for (int p = 0; p < processes; ++p) {
