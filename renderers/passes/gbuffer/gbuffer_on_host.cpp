@@ -26,7 +26,7 @@ std::shared_ptr<std::vector<HostTexture>> with_all_levels(const scene::Scene& sc
     return made;
 }
 
-graph::ObjectRef declare_textures(graph::GraphBuilder& builder) {
+graph::ObjectRef declare_host_textures(graph::GraphBuilder& builder) {
     const auto result = builder.object({.text = {.key = "gbuffer.textures",
                                                  .label = "Textures with all levels",
                                                  .doc = "What the G-buffer's rays look up on the host."},
@@ -43,7 +43,7 @@ graph::ObjectRef declare_textures(graph::GraphBuilder& builder) {
 }
 
 graph::ObjectRef declare_surfaces(graph::GraphBuilder& builder, bool normal_maps) {
-    const auto textures = declare_textures(builder);
+    const auto textures = declare_host_textures(builder);
     graph::ObjectDesc desc{
         .text = {.key = "gbuffer.surfaces", .label = "Surfaces", .doc = "Triangles and materials for rays."},
         .fingerprint = builder.inputs().geometry_fingerprint};

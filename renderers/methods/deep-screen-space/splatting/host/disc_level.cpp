@@ -1,14 +1,13 @@
 #include "renderers/methods/deep-screen-space/splatting/host/disc_level.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "renderers/core/constants.h"
 #include "renderers/core/error.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Embree tests a little more than the discs; what is met is then tested as the device does it.
 constexpr float widened = 1 + 1e-5f;
 

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/core/constants.h"
+
 namespace ir::methods::deep_screen_space {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float rounding = 1e-4f;
 
 }  // namespace
