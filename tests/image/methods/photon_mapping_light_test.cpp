@@ -109,8 +109,7 @@ scene::Light panel(float x, float z) {
     return light;
 }
 
-// What is below 0.95 has its cause in the kernels: pictures of 64 x 64 pixels are full of edges, where thin
-// kernels lose light. Indirect light of staircase2 is 0.84 of the reference's, with normal_axis = 1 0.89.
+// What is below 0.95 has its cause in glass, at which photons and light samples end: docs/accuracy.md.
 INSTANTIATE_TEST_SUITE_P(
     Rooms, PhotonMappingLight,
     testing::Values(
