@@ -64,14 +64,14 @@ std::vector<std::string> paths_of(const MethodDescription& method) {
 }
 
 /// Whether there is any light does not depend on numbers of samples.
-Settings quick(const MethodDescription& method, const std::string& paths) {
-    return test::with(test::quick_settings(method), {{"paths", paths}});
+Settings quick(const MethodDescription& method, const std::string& paths, const Settings& more = {}) {
+    return test::with(test::with(test::quick_settings(method), more), {{"paths", paths}});
 }
 
 /// Of these paths: the defaults, and what changes which light the method has.
 std::vector<Settings> variants_of(const MethodDescription& method, const std::string& paths) {
     auto result = test::light_variants(method);
-    for (auto& settings : result) settings = test::with(quick(method, paths), settings);
+    for (auto& settings : result) settings = quick(method, paths, settings);
     return result;
 }
 
