@@ -119,11 +119,12 @@ class Checker {
 
     void check_light(const Motion& motion, const std::string& at, const std::string& who) {
         const auto* set = find_item(project_.lights, motion.lights);
-        if (!set || set->use_scene_lights) {
-            if (motion.light_name.empty())
-                refuse(at, who, "a light of the scene's file moves by its name; give one");
-        } else if (!motion.light_name.empty()) {
-            refuse(at, who, "the lights of '" + set->id + "' have no names; give a number, counted from 0");
+        if (!motion.light_name.empty()) {
+            if (set && !set->use_scene_lights)
+                refuse(at, who,
+                       "the lights of '" + set->id + "' have no names; give a number, counted from 0");
+        } else if (!set || (set->use_scene_lights && set->lights.empty())) {
+            refuse(at, who, "a light of the scene's file moves by its name; give one");
         } else if (static_cast<std::size_t>(motion.light) >= set->lights.size()) {
             refuse(at, who, no_such("light", motion.light, set->id, set->lights.size()));
         }

@@ -64,10 +64,10 @@ struct Environment {
     bool operator==(const Environment&) const = default;
 };
 
-/// A lighting: lights that replace the scene's, and an environment.
+/// A lighting: lights beside the scene's or in their place, and an environment.
 struct LightSet {
     std::string id, name;
-    bool use_scene_lights = false;  ///< written as "lights": "scene"; then `lights` is empty
+    bool use_scene_lights = false;  ///< they shine, too: "lights": ["scene", …], or "scene" for them alone
     std::vector<LightSpec> lights;
     std::vector<Json> light_extras;  ///< unknown keys of each light; shorter than or as long as `lights`
     Environment environment;

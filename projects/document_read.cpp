@@ -140,6 +140,10 @@ LightSet read_light_set(ObjectReader& reader) {
         set.use_scene_lights = true;
     } else {
         reader.each("lights", [&](const Json& json, const std::string& pointer) {
+            if (json == scene_lights) {
+                set.use_scene_lights = true;
+                return;
+            }
             ObjectReader inner(json, reader.file(), pointer);
             set.lights.push_back(read_light(inner));
             set.light_extras.push_back(inner.rest());

@@ -67,16 +67,15 @@ Json write_environment(const Environment& environment) {
 
 Json write_light_set(const LightSet& set) {
     Json json = Json::object({{"id", set.id}, {"name", set.name}});
-    if (set.use_scene_lights) {
-        json["lights"] = scene_lights;
-    } else {
-        json["lights"] = Json::array();
-        for (std::size_t i = 0; i < set.lights.size(); ++i) {
-            const Json none = Json::object();
-            const auto& extra = i < set.light_extras.size() ? set.light_extras[i] : none;
-            json["lights"].push_back(with_extra(to_json(set.lights[i]), extra));
-        }
+    Json lights = Json::array();
+    if (set.use_scene_lights) lights.push_back(scene_lights);
+    for (std::size_t i = 0; i < set.lights.size(); ++i) {
+        const Json none = Json::object();
+        const auto& extra = i < set.light_extras.size() ? set.light_extras[i] : none;
+        lights.push_back(with_extra(to_json(set.lights[i]), extra));
     }
+    const bool is_scenes = set.use_scene_lights && set.lights.empty();
+    json["lights"] = is_scenes ? Json(scene_lights) : std::move(lights);
     json["environment"] = write_environment(set.environment);
     return with_extra(json, set.extra);
 }

@@ -103,13 +103,16 @@ void put_lighting(Json& inputs, const Project& project, const std::string& id, c
         inputs["environment"] = "scene";
         return;
     }
-    inputs["lights"] = set->use_scene_lights ? Json(scene_lights) : Json::array();
+    Json lights = Json::array();
+    if (set->use_scene_lights) lights.push_back(scene_lights);
     for (std::size_t i = 0; i < set->lights.size(); ++i) {
         const auto* motion = motion_of_light(project, id, static_cast<int>(i));
         auto json = to_json(motion ? light_at(set->lights[i], key_at(*motion, sight.time)) : set->lights[i]);
         put_motion(json, motion, sight);
-        inputs["lights"].push_back(std::move(json));
+        lights.push_back(std::move(json));
     }
+    const bool is_scenes = set->use_scene_lights && set->lights.empty();
+    inputs["lights"] = is_scenes ? Json(scene_lights) : std::move(lights);
     inputs["environment"] = environment_inputs(set->environment);
 }
 

@@ -71,8 +71,6 @@ void validate(const LightSet& lights) {
     check_id(lights.id, "set of lights");
     const std::string where = "set of lights '" + lights.id + "': ";
     refuse_unless(lights.id != scene_lights, where + "this id stands for the scene's own; take another");
-    refuse_unless(!lights.use_scene_lights || lights.lights.empty(),
-                  where + "uses either the scene's lights or its own");
     for (const auto& light : lights.lights) validate(light);
     auto environment = lights.environment;
     const auto problem = problem_with(constant_environment_text(), &environment.constant);

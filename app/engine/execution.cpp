@@ -73,9 +73,9 @@ void Execution::load() {
                          std::to_string(experiment_.height) + " is not allowed; this device takes 1 to " +
                          std::to_string(max_side) + " pixels a side");
     auto loaded = machine_.scenes().load(experiment_.composition());
-    if (experiment_.replace_lights || experiment_.environment) {
+    if (experiment_.replace_lights || !experiment_.lights.empty() || experiment_.environment) {
         auto changed = std::make_shared<scene::Scene>(*loaded);
-        if (experiment_.replace_lights) changed->lights = experiment_.lights;
+        changed->lights = experiment_.lights_with(loaded->lights);
         if (experiment_.environment) changed->environment = *experiment_.environment;
         loaded = changed;
     }

@@ -31,8 +31,14 @@ struct Experiment {
     Settings settings;               ///< may be incomplete; completed from the method's description
     std::string camera_name;         ///< of the scene's; empty: `camera`, or the scene's first
     std::optional<scene::Camera> camera;
-    std::vector<scene::Light> lights;  ///< replace the scene's when `replace_lights`
+    std::vector<scene::Light> lights;  ///< beside the scene's, or in their place when `replace_lights`
     bool replace_lights = false;
+    /// All that shine, its own first.
+    std::vector<scene::Light> lights_with(const std::vector<scene::Light>& of_scene) const {
+        auto all = lights;
+        if (!replace_lights) all.insert(all.end(), of_scene.begin(), of_scene.end());
+        return all;
+    }
     /// How things move from `time` on, where `camera` and `lights` stand then; parts have their own.
     std::optional<projects::Motion> camera_motion;
     std::vector<LightMotion> light_motions;

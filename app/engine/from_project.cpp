@@ -122,16 +122,13 @@ void set_lights(Experiment& result, const projects::Project& project, const std:
     if (id == projects::scene_lights) return move_scene_lights(result, project, id, lasts);
     const auto* set = projects::find_item(project.lights, id);
     if (!set) throw Error("experiment uses lights '" + id + "', which the project does not have");
-    if (!set->use_scene_lights) {
-        result.replace_lights = true;
-        for (const auto& spec : set->lights) {
-            const auto number = result.lights.size();
-            add_light(result, projects::motion_of_light(project, id, static_cast<int>(number)), spec,
-                      set->name + " " + std::to_string(number + 1), lasts);
-        }
-    } else {
-        move_scene_lights(result, project, id, lasts);
+    result.replace_lights = !set->use_scene_lights;
+    for (const auto& spec : set->lights) {
+        const auto number = result.lights.size();
+        add_light(result, projects::motion_of_light(project, id, static_cast<int>(number)), spec,
+                  set->name + " " + std::to_string(number + 1), lasts);
     }
+    if (set->use_scene_lights) move_scene_lights(result, project, id, lasts);
     using Kind = projects::Environment::Kind;
     const auto& environment = set->environment;
     if (environment.kind == Kind::constant) {

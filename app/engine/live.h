@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,23 @@ struct ProbeResult {
         std::vector<std::vector<float>> values;
     };
     std::vector<Row> rows;  ///< in the order of the report
+};
+
+/// What a ray meets first in an execution's scene, as its last frame saw it. Newest of a tag wins.
+struct SurfaceRequest {
+    std::string tag;  ///< of an execution
+    glm::dvec3 origin{0}, direction{0, 0, -1};
+};
+
+struct SurfacePoint {
+    glm::dvec3 position{0}, normal{0, 1, 0};  ///< of the triangle, of length one, on the side that is seen
+    double free_way = 0;  ///< metres along the normal to the next surface; infinite for none
+};
+
+struct SurfaceResult {
+    std::string tag;
+    std::string error;                  ///< not empty: nobody looked
+    std::optional<SurfacePoint> point;  ///< absent: the ray leaves the scene
 };
 
 /// Writes resources that match patterns, and the main result, to one EXR file with all attributes.

@@ -40,6 +40,9 @@ class LiveSession {
     /// Texels as they are now, also between the slices of a frame. No rows where nothing was rendered.
     ProbeResult probe(const ProbeRequest& request) const;
 
+    /// Without the device, and before anything was rendered, too.
+    SurfaceResult find_surface(const SurfaceRequest& request) const;
+
     /// Writes the last frame, which must be whole. Throws Error.
     void export_layers(const ExportRequest& request) const;
 

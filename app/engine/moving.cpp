@@ -41,7 +41,7 @@ projects::SceneFacts scene_facts(SceneCache& cache, const projects::Project& pro
         try {
             const auto run = from_project(project, experiment, folder);
             const auto scene = cache.load(run.composition());
-            return scene::light_sources(*scene, run.replace_lights ? run.lights : scene->lights,
+            return scene::light_sources(*scene, run.lights_with(scene->lights),
                                         run.environment.value_or(scene->environment));
         } catch (const Error&) {
             return std::vector<LightSource>();

@@ -88,6 +88,13 @@ void RenderQueue::probe(ProbeRequest request) {
     wake_.notify_all();
 }
 
+void RenderQueue::find_surface(SurfaceRequest request) {
+    const std::lock_guard lock(mutex_);
+    const auto tag = request.tag;
+    surfaces_[tag] = std::move(request);
+    wake_.notify_all();
+}
+
 void RenderQueue::export_layers(ExportRequest request) {
     const std::lock_guard lock(mutex_);
     files_.push_back(std::move(request));
@@ -114,6 +121,7 @@ void RenderQueue::release(const std::string& tag) {
     const std::lock_guard lock(mutex_);
     jobs_.erase(tag);
     probes_.erase(tag);
+    surfaces_.erase(tag);
     drop_turn(tag);
     released_.push_back(tag);
     if (running_ && running_job_.request.tag == tag) cancel_.cancel();
@@ -171,7 +179,7 @@ std::optional<Request> RenderQueue::take_ready(std::deque<Request>& requests) {
 bool RenderQueue::has_work() const {
     const auto is_ready = [&](const auto& waiting) { return !is_active(waiting.tag); };
     return stop_ || reload_ || settings_ || !turns_.empty() || !scenes_.empty() || !views_.empty() ||
-           !probes_.empty() || !released_.empty() || !cancelled_.empty() ||
+           !probes_.empty() || !surfaces_.empty() || !released_.empty() || !cancelled_.empty() ||
            std::any_of(files_.begin(), files_.end(), is_ready) ||
            std::any_of(keeps_.begin(), keeps_.end(), is_ready);
 }
@@ -250,7 +258,7 @@ bool RenderQueue::finish(const Job& job, Outcome outcome) {
 
 RenderQueue::Looks RenderQueue::take_looks() {
     const std::lock_guard lock(mutex_);
-    return {take_all(probes_), take_all(views_)};
+    return {take_all(probes_), take_all(surfaces_), take_all(views_)};
 }
 
 void RenderQueue::run_all_again() {

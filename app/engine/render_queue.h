@@ -41,6 +41,7 @@ class RenderQueue {
     std::uint64_t request(LiveRequest request);
     std::uint64_t draw(SceneViewRequest request);
     void probe(ProbeRequest request);
+    void find_surface(SurfaceRequest request);
     void export_layers(ExportRequest request);
     void keep(KeepRequest request);
     void load_scene(std::vector<scene::Part> parts);
@@ -59,6 +60,7 @@ class RenderQueue {
     /// What waits to be looked at now; what comes meanwhile waits until the next slice is done.
     struct Looks {
         std::vector<ProbeRequest> probes;
+        std::vector<SurfaceRequest> surfaces;
         std::vector<View> views;
     };
     Looks take_looks();
@@ -97,6 +99,7 @@ class RenderQueue {
     std::deque<std::string> turns_;      ///< tags with frames to render, except the one that runs
     std::map<std::string, View> views_;
     std::map<std::string, ProbeRequest> probes_;
+    std::map<std::string, SurfaceRequest> surfaces_;
     std::deque<ExportRequest> files_;
     std::deque<KeepRequest> keeps_;
     std::deque<std::vector<scene::Part>> scenes_;

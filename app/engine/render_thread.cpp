@@ -59,6 +59,9 @@ std::uint64_t RenderThread::draw(SceneViewRequest request) {
 void RenderThread::probe(ProbeRequest request) {
     state_->queue.probe(std::move(request));
 }
+void RenderThread::find_surface(SurfaceRequest request) {
+    state_->queue.find_surface(std::move(request));
+}
 void RenderThread::export_layers(ExportRequest request) {
     state_->queue.export_layers(std::move(request));
 }
@@ -127,6 +130,7 @@ void RenderThread::State::render_work(const RenderQueue::Work& work) {
 void RenderThread::State::render_views() {
     const auto looks = queue.take_looks();
     for (const auto& probe : looks.probes) tell(callbacks.on_probe, session->probe(probe));
+    for (const auto& surface : looks.surfaces) tell(callbacks.on_surface, session->find_surface(surface));
     for (const auto& view : looks.views)
         tell(callbacks.on_scene_view, session->draw(view.request, view.serial));
 }

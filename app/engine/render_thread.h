@@ -19,6 +19,7 @@ class RenderThread {
         std::function<void(LiveResult)> on_result;
         std::function<void(SceneViewResult)> on_scene_view;
         std::function<void(ProbeResult)> on_probe;
+        std::function<void(SurfaceResult)> on_surface;
         /// `error` is empty when the file was written.
         std::function<void(std::string tag, std::string file, std::string error)> on_exported;
         std::function<void(KeepResult)> on_kept;
@@ -44,6 +45,7 @@ class RenderThread {
     /// Served between the slices of any frame. Return the request's serial.
     std::uint64_t draw(SceneViewRequest request);
     void probe(ProbeRequest request);
+    void find_surface(SurfaceRequest request);
     /// Waits until nothing of the tag is left to render.
     void export_layers(ExportRequest request);
     /// Waits likewise; on_kept answers.

@@ -2,8 +2,7 @@
 
 #include <QObject>
 
-#include "app/gui/scene_shelf.h"
-#include "app/gui/session.h"
+#include "app/gui/light_controller.h"
 #include "widgets/panels/banner.h"
 
 namespace ir::gui {
@@ -13,16 +12,15 @@ namespace ir::gui {
 class LightOffer : public QObject {
     Q_OBJECT
   public:
-    LightOffer(Session& session, SceneShelf& scenes, widgets::BannerStack& banners);
+    LightOffer(Session& session, SceneShelf& scenes, LightController& lights, widgets::BannerStack& banners);
 
   private:
     bool is_dark() const;
     void update();
-    /// For all experiments that see the scene without light, as one step of undo.
-    void add_light();
 
     Session& session_;
     SceneShelf& scenes_;
+    LightController& lights_;
     widgets::BannerStack& banners_;
 };
 

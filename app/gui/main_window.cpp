@@ -78,7 +78,8 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
       preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
       project_banners_(*this, session_, live_, *banners_),
-      light_offer_(session_, scenes_, *banners_) {
+      lights_(session_, renderer_, scenes_, workspace_, inspector_, actions_),
+      light_offer_(session_, scenes_, lights_, *banners_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
     setAcceptDrops(true);
@@ -183,7 +184,8 @@ void MainWindow::make_menus() {
     actions_.fill(file, "| close quit");
     add_menu(tr("&Edit"),
              "undo redo | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
-             "scene-add image-add bookmark comparison-add | preferences");
+             "scene-add image-add bookmark comparison-add | light-here light-camera headlight | preferences")
+        ->setToolTipsVisible(true);
     auto* experiment = new QMenu(this);
     actions_.fill(experiment,
                   "experiment-add experiment-duplicate experiment-rename experiment-remove | "
@@ -197,6 +199,11 @@ void MainWindow::make_menus() {
     add_menu(tr("&Compare"),
              "mode-single mode-side-by-side mode-wipe mode-flip mode-difference mode-stages | swap link | "
              "comparison-add");
+    picture_menu_ = new QMenu(this);
+    actions_.fill(picture_menu_,
+                  "light-here light-camera headlight | explain pin | bookmark | fit actual | "
+                  "export-view export-buffer");
+    picture_menu_->setToolTipsVisible(true);
     add_menu(tr("&Render"), "cancel rerun shaders | play step-forward step-back | match keep")
         ->setToolTipsVisible(true);
     auto* window = add_menu(tr("&Window"),
@@ -258,6 +265,13 @@ void MainWindow::join_pictures() {
 void MainWindow::join_panels() {
     connect(messages_, &widgets::MessagesPanel::go_to, &joins_,
             [this](const Message& message) { go_to(message); });
+    connect(&workspace_, &Workspace::menu_wanted, &joins_,
+            [this](QPoint position) { picture_menu_->popup(position); });
+    connect(&lights_, &LightController::said, &notices_, &Notices::say);
+    connect(&lights_, &LightController::added, &joins_, [this](const widgets::ItemRef& light) {
+        docks_.raise("project");
+        document_->select(light);
+    });
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
     connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
     connect(&document_->tree(), &widgets::ProjectPanel::item_activated, &joins_,
@@ -395,6 +409,7 @@ void MainWindow::show_shortcuts() {
         {tr("Move the picture"), tr("Middle drag, Space+drag")},
         {tr("Mark a pixel (Inspect)"), tr("Click")},
         {tr("Explain a pixel (Inspect)"), tr("Shift+click")},
+        {tr("See what can be done at a pixel"), tr("Right click")},
         {tr("See one of several pictures (Wipe, Flip, Difference)"), tr("Hold 1 … 9")},
         {tr("Choose two of a row to be compared (Stages)"), tr("1 … 9, 0 for none")},
         {tr("Go on to the next picture (Flip)"), tr("Tab")},

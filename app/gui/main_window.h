@@ -8,6 +8,7 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/file_controller.h"
 #include "app/gui/frame_lists.h"
+#include "app/gui/light_controller.h"
 #include "app/gui/light_offer.h"
 #include "app/gui/metrics_dock.h"
 #include "app/gui/parameter_dock.h"
@@ -116,6 +117,7 @@ class MainWindow : public QMainWindow {
     widgets::DisplayPanel* display_;
     StatusLine* status_;
     QLabel* device_label_;
+    QMenu* picture_menu_ = nullptr;
     Notices notices_;
     DocumentDock* document_;
     ResultsDock* results_;
@@ -134,6 +136,7 @@ class MainWindow : public QMainWindow {
     ViewController view_actions_;
     PreferencesController preference_actions_;
     ProjectBanners project_banners_;
+    LightController lights_;
     LightOffer light_offer_;
     QObject joins_;  ///< ends the connections between parts before the first of them goes
 };

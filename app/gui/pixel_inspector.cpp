@@ -168,7 +168,7 @@ void PixelInspector::show_pins() {
 }
 
 void PixelInspector::pin_cursor() {
-    pin(cursor_.x() >= 0 ? cursor_ : marked_);
+    pin(pointed());
 }
 
 void PixelInspector::explain(QPoint pixel) {
@@ -184,7 +184,7 @@ void PixelInspector::explain(QPoint pixel) {
 }
 
 void PixelInspector::explain_cursor() {
-    explain(cursor_.x() >= 0 ? cursor_ : marked_);
+    explain(pointed());
 }
 
 void PixelInspector::explain_nothing() {

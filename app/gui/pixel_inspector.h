@@ -30,9 +30,11 @@ class PixelInspector : public QObject {
     void set_visible(bool inspector, bool explain);
     void set_thumbnails_wanted(bool wanted);
     void pin(QPoint pixel);
+    /// Under the cursor, else the marked one; of the main result, (-1, -1): none.
+    QPoint pointed() const { return cursor_.x() >= 0 ? cursor_ : marked_; }
     void pin_cursor();
     void explain(QPoint pixel);
-    void explain_cursor();  ///< the pixel under the cursor, else the marked one
+    void explain_cursor();
     void explain_nothing();
     const std::vector<QPoint>& pins() const { return pins_; }
     /// The explained pixel of the active experiment.

@@ -21,6 +21,7 @@ class Renderer : public QObject {
     virtual void release(const std::string& tag) = 0;
     virtual std::uint64_t draw(engine::SceneViewRequest request) = 0;
     virtual void probe(engine::ProbeRequest request) = 0;
+    virtual void find_surface(engine::SurfaceRequest request) = 0;
     virtual void export_layers(engine::ExportRequest request) = 0;
     virtual void keep(engine::KeepRequest request) = 0;
     virtual void load_scene(const std::vector<scene::Part>& parts) = 0;
@@ -32,6 +33,7 @@ class Renderer : public QObject {
     void result_arrived(std::shared_ptr<const ir::engine::LiveResult> result);
     void scene_view_arrived(std::shared_ptr<const ir::engine::SceneViewResult> result);
     void probe_arrived(std::shared_ptr<const ir::engine::ProbeResult> result);
+    void surface_arrived(const ir::engine::SurfaceResult& result);
     /// `error` is empty when the file was written.
     void exported(const std::string& tag, const std::string& file, const std::string& error);
     void kept(const ir::engine::KeepResult& result);

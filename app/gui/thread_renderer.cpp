@@ -47,6 +47,7 @@ class ThreadRenderer final : public Renderer {
         return thread_->draw(std::move(request));
     }
     void probe(engine::ProbeRequest request) override { thread_->probe(std::move(request)); }
+    void find_surface(engine::SurfaceRequest request) override { thread_->find_surface(std::move(request)); }
     void export_layers(engine::ExportRequest request) override { thread_->export_layers(std::move(request)); }
     void keep(engine::KeepRequest request) override { thread_->keep(std::move(request)); }
     void load_scene(const std::vector<scene::Part>& parts) override { thread_->load_scene(parts); }
@@ -92,6 +93,9 @@ class ThreadRenderer final : public Renderer {
         };
         c.on_probe = [this](engine::ProbeResult result) {
             render_newest(probes_, std::move(result), &Renderer::probe_arrived);
+        };
+        c.on_surface = [this](engine::SurfaceResult result) {
+            post([this, result = std::move(result)] { emit surface_arrived(result); });
         };
         c.on_exported = [this](std::string tag, std::string file, std::string error) {
             post([this, tag, file, error] { emit exported(tag, file, error); });

@@ -76,6 +76,10 @@ void Workspace::connect_compare(int view, ViewPane& pane) {
         views_.set_state(view, state);
     });
     connect(&compare, &CompareView::activated, this, [this, view] { area_->set_active(view); });
+    connect(&compare, &CompareView::menu_wanted, this, [this, view](QPoint position) {
+        area_->set_active(view);
+        emit menu_wanted(position);
+    });
     connect(&compare, &CompareView::camera_moved, this,
             [this, view](const widgets::CameraPose& pose, int picture) {
                 area_->set_active(view);

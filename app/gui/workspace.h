@@ -46,6 +46,8 @@ class Workspace : public QObject {
     void cursor_moved(QPoint pixel);
     void picked(QPoint pixel);
     void explain_wanted(QPoint pixel);
+    /// Of the picture in the active view.
+    void menu_wanted(QPoint global_position);
     /// Of the active view.
     void export_values_wanted();
 

@@ -80,6 +80,7 @@ class CompareView : public QWidget {
     void camera_moved(const ir::widgets::CameraPose& pose, int picture);
     void camera_gesture_finished(int picture);
     void activated(int picture);
+    void menu_wanted(QPoint global_position);
     void swapped();
     void stage_pair_chosen(ir::widgets::StagePair pair);
     void linked_changed(bool linked);

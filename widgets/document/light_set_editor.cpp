@@ -57,21 +57,12 @@ QMenu* LightSetEditor::make_add_menu() {
 void LightSetEditor::make_list(QGridLayout* grid) {
     scene_lights_ = new QCheckBox(tr("Use the scene's own lights"), this);
     scene_lights_->setObjectName(QStringLiteral("use-scene-lights"));
-    set_tip(
-        scene_lights_,
-        tr("The lights of the scene's file. Ticking this drops the lights below (undo brings them back)."));
+    set_tip(scene_lights_, tr("The lights of the scene's file shine beside those below"));
     add_wide(grid, scene_lights_);
     add_control(scene_lights_);
     connect(scene_lights_, &QCheckBox::clicked, this, [this](bool on) {
         emit edit_wanted(field_edit<LightSet>(
-            id_, "lights",
-            [on](LightSet& set) {
-                set.use_scene_lights = on;
-                if (!on) return;
-                set.lights.clear();
-                set.light_extras.clear();
-            },
-            false));
+            id_, "lights", [on](LightSet& set) { set.use_scene_lights = on; }, false));
     });
     list_ = new OrderedList("lights", tr("light"), 0, this);
     list_->set_add_menu(make_add_menu());
@@ -170,7 +161,7 @@ void LightSetEditor::show_lights(const LightSet& set) {
     list_->show_lines(lines, chosen_);
     form_->setVisible(!lines.empty());
     hint_->setVisible(lines.empty());
-    hint_->setText(set.use_scene_lights ? tr("Adding a light here replaces the scene's.")
+    hint_->setText(set.use_scene_lights ? tr("No lights of its own: the scene's shine.")
                                         : tr("No lights: only emitters and the environment shine."));
     if (!lines.empty()) form_->show_light(set.lights[std::size_t(chosen_)]);
 }

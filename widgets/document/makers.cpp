@@ -104,9 +104,35 @@ EditMaker add_light_set() {
 EditMaker add_light(const std::string& set, LightSpec::Type type) {
     return [=](const Project& project) {
         LightSet changed = edits::item_of<LightSet>(project, set);
-        changed.use_scene_lights = false;
         changed.lights.push_back(fresh_light(type));
         return replaced(project, changed, "Add a " + to_string(type) + " light to");
+    };
+}
+
+EditMaker light_experiment(const std::string& experiment, const LightSpec& light) {
+    return [=](const Project& project) -> EditPtr {
+        const std::string label = "Add a " + to_string(light.type) + " light";
+        const auto& chosen = edits::item_of<projects::Experiment>(project, experiment);
+        if (const auto* present = projects::find_item(project.lights, chosen.lights)) {
+            LightSet set = *present;
+            set.lights.push_back(light);
+            return replaced(project, set, label + " to");
+        }
+        Project after = project;
+        std::vector<EditPtr> steps;
+        const auto add = [&](EditPtr step) {
+            step->apply(after);
+            steps.push_back(std::move(step));
+        };
+        LightSet set;
+        set.use_scene_lights = true;
+        set.lights = {light};
+        add(added(after, set, "", "Lights"));
+        const auto id = after.lights.back().id;
+        for (const auto& each : project.experiments)
+            if (each.scene == chosen.scene && each.lights == chosen.lights)
+                add(edits::set_lights_of(after, each.id, id));
+        return edits::group(label, std::move(steps));
     };
 }
 

@@ -21,6 +21,10 @@ EditMaker add_camera(const CameraPose& pose, const std::string& name = {});
 EditMaker set_pose(const std::string& camera, const CameraPose& pose);
 EditMaker add_light_set();
 EditMaker add_light(const std::string& set, projects::LightSpec::Type type);
+/// Lights an experiment by one more light, which the last of its set becomes. What sees the scene by the
+/// scene's own lights alone gets a set with these and the new one, together with all experiments that see it
+/// so, because they are compared.
+EditMaker light_experiment(const std::string& experiment, const projects::LightSpec& light);
 EditMaker set_environment_map(const std::string& set, const std::string& source);
 /// Compares the first two experiments, or `a` with `b`.
 EditMaker add_comparison(const std::string& a = {}, const std::string& b = {});

@@ -108,8 +108,9 @@ void add_cameras(Node& root, const Project& project) {
 }
 
 QString set_detail(const LightSet& set) {
-    QString text = set.use_scene_lights ? node_text("the scene's lights")
-                                        : counted(set.lights.size(), "1 light", "%1 lights");
+    QString text = counted(set.lights.size(), "1 light", "%1 lights");
+    if (set.use_scene_lights)
+        text = set.lights.empty() ? node_text("the scene's lights") : text + node_text(" and the scene's");
     if (set.environment.kind == Environment::Kind::constant) text += node_text(" · even sky");
     if (set.environment.kind == Environment::Kind::map)
         text += QStringLiteral(" · ") + source_name(set.environment.source);
@@ -122,7 +123,7 @@ void add_lights(Node& root, const Project& project) {
     for (const auto& set : project.lights) {
         Node& node =
             add_child(group, made(ItemKind::light_set, q(set.id), q(set.name), set_detail(set), "lights",
-                                  node_text("Set of lights, used instead of the scene's")));
+                                  node_text("Set of lights. Double click: light with it")));
         for (std::size_t i = 0; i < set.lights.size(); ++i) {
             const auto& light = set.lights[i];
             Node child = made(ItemKind::light, q(set.id), light_name(light.type), light_text(light), "light",

@@ -29,8 +29,8 @@ glm::dvec3 turned_arm(const glm::dvec3& arm, const CameraPose& pose, double yaw,
 CameraAxes camera_axes(const CameraPose& pose) {
     const glm::dvec3 forward = glm::normalize(pose.target - pose.eye);
     glm::dvec3 right = glm::cross(forward, pose.up);
-    if (glm::length(right) < 1e-9) {  // looking along up: any right will do
-        const glm::dvec3 other = std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+    if (glm::length(right) < 1e-5 * glm::length(pose.up)) {  // looking along up: as renderers do
+        const glm::dvec3 other = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
         right = glm::cross(forward, other);
     }
     right = glm::normalize(right);
@@ -42,8 +42,28 @@ double half_angle(const CameraPose& pose) {
 }
 
 double height_at_target(const CameraPose& pose) {
+    return height_at(pose, pose.target);
+}
+
+double height_at(const CameraPose& pose, const glm::dvec3& point) {
     if (pose.orthographic) return pose.height;
-    return 2 * glm::length(pose.target - pose.eye) * std::tan(half_angle(pose));
+    return 2 * glm::dot(point - pose.eye, camera_axes(pose).forward) * std::tan(half_angle(pose));
+}
+
+Sight sight_through(const CameraPose& pose, double aspect, glm::dvec2 place) {
+    const auto axes = camera_axes(pose);
+    const auto off_axis = (place.x - 0.5) * aspect * axes.right + (0.5 - place.y) * axes.up;
+    if (pose.orthographic) return {pose.eye + pose.height * off_axis, axes.forward};
+    return {pose.eye, glm::normalize(axes.forward + 2 * std::tan(half_angle(pose)) * off_axis)};
+}
+
+std::optional<glm::dvec2> place_of(const CameraPose& pose, double aspect, const glm::dvec3& point) {
+    const auto axes = camera_axes(pose);
+    const auto towards = point - pose.eye;
+    const double height = height_at(pose, point);
+    if (!(glm::dot(towards, axes.forward) > 0) || !(height > 0)) return {};
+    return glm::dvec2(0.5 + glm::dot(towards, axes.right) / (height * aspect),
+                      0.5 - glm::dot(towards, axes.up) / height);
 }
 
 CameraPose orbited(const CameraPose& pose, double yaw, double pitch) {

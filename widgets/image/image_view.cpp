@@ -16,6 +16,8 @@ namespace ir::widgets {
 namespace {
 
 constexpr double zoom_step = 1.25;
+/// Logical pixels that a click may wander.
+constexpr double click_slack = 4;
 /// Logical pixels on either side of the divider that take hold of it.
 constexpr double divider_reach = 7;
 
@@ -276,7 +278,7 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF delta = event->position() - last_position_;
     last_position_ = event->position();
     // A press that wanders off is no pick but a pan.
-    if (drag_ == Drag::pick && (event->position() - press_position_).manhattanLength() > 4) drag_ = Drag::pan;
+    if (drag_ == Drag::pick && !is_click(event->position())) drag_ = Drag::pan;
     if (drag_ == Drag::wipe) {
         const QPointF at = state_.transform.image_from_view(device(event->position()));
         move_wipe(at.x() / state_.transform.image_size().width());
@@ -329,14 +331,28 @@ void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
     mousePressEvent(event);
 }
 
+bool ImageView::is_click(QPointF logical) const {
+    return (logical - press_position_).manhattanLength() <= click_slack;
+}
+
+void ImageView::pick(QPointF logical) {
+    set_mark(&Marks::picked, pixel_at(logical));
+    emit picked_changed(state_.marks.picked);
+}
+
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (drag_ == Drag::pick) {
-        set_mark(&Marks::picked, pixel_at(event->position()));
-        emit picked_changed(state_.marks.picked);
-    }
+    if (drag_ == Drag::pick) pick(event->position());
     region_tool_.release();
     if (std::exchange(drag_, Drag::none) == Drag::camera) camera_.finish();
     update_cursor_shape();
+    if (event->button() != Qt::RightButton || !is_click(event->position())) return;
+    pick(event->position());
+    emit menu_wanted(event->globalPosition().toPoint());
+}
+
+void ImageView::contextMenuEvent(QContextMenuEvent* event) {
+    // The mouse asks by a click, because its right button drags, too.
+    if (event->reason() == QContextMenuEvent::Keyboard) emit menu_wanted(mapToGlobal(rect().center()));
 }
 
 void ImageView::wheelEvent(QWheelEvent* event) {

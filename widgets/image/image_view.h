@@ -79,6 +79,8 @@ class ImageView : public QWidget {
     void transform_changed(const ir::widgets::ViewTransform& transform);
     void wipe_moved(double fraction);
     void activated();  ///< got the keyboard
+    /// A right click, which also picks the pixel, or the menu key.
+    void menu_wanted(QPoint global_position);
     void camera_moved(const ir::widgets::CameraPose& pose);
     /// The hand let go: what came since the last one is one step.
     void camera_gesture_finished();
@@ -94,6 +96,7 @@ class ImageView : public QWidget {
     void wheelEvent(QWheelEvent*) override;
     void keyPressEvent(QKeyEvent*) override;
     void keyReleaseEvent(QKeyEvent*) override;
+    void contextMenuEvent(QContextMenuEvent*) override;
     void leaveEvent(QEvent*) override;
     void focusInEvent(QFocusEvent*) override;
     void focusOutEvent(QFocusEvent*) override;
@@ -104,6 +107,8 @@ class ImageView : public QWidget {
     Drag drag_for(const QMouseEvent& event);
     bool moves_camera() const { return tool_ == Tool::orbit || tool_ == Tool::fly; }
     void finish_transform();
+    void pick(QPointF logical);
+    bool is_click(QPointF logical) const;
     bool is_over_divider(QPointF logical) const;
     void move_wipe(double fraction);
     void repaint_all();

@@ -177,6 +177,12 @@ class FakeRenderer final : public Renderer {
         probes.push_back(request);
         QTimer::singleShot(0, this, [this, request] { answer(request); });
     }
+    void find_surface(engine::SurfaceRequest request) override {
+        surfaces.push_back(request);
+        QTimer::singleShot(0, this, [this, request] {
+            emit surface_arrived({request.tag, surface_error, surface});
+        });
+    }
     void export_layers(engine::ExportRequest request) override { exports.push_back(std::move(request)); }
     void keep(engine::KeepRequest request) override {
         keeps.push_back(request);
@@ -330,6 +336,10 @@ class FakeRenderer final : public Renderer {
     std::vector<engine::LiveRequest> requests;
     std::vector<engine::SceneViewRequest> views;
     std::vector<engine::ProbeRequest> probes;
+    std::vector<engine::SurfaceRequest> surfaces;
+    /// What every ray meets; a floor.
+    std::optional<engine::SurfacePoint> surface = engine::SurfacePoint{{0.5, -1, 0.25}, {0, 1, 0}, 2};
+    std::string surface_error;
     std::vector<engine::ExportRequest> exports;
     std::vector<engine::KeepRequest> keeps;
     /// What the render thread does; without it nothing answers.

@@ -98,7 +98,7 @@ TEST_F(WindowTest, OffersALightWhereTheSceneHasNone) {
     EXPECT_EQ(window.session().experiment()->lights, document.lights[0].id) << "applied at once";
     ASSERT_EQ(document.lights[0].lights.size(), 1u);
     EXPECT_GT(document.lights[0].lights[0].intensity(), 0);
-    EXPECT_TRUE(renderer.requests.back().experiment.replace_lights);
+    EXPECT_EQ(renderer.requests.back().experiment.lights.size(), 1u);
     EXPECT_TRUE(window.banners().text("light").isEmpty());
     window.action("undo")->trigger();
     EXPECT_TRUE(window.session().document().lights.empty());

@@ -190,6 +190,32 @@ TEST_F(MotionTest, LightsOfTheScenesFileMoveByName) {
     EXPECT_EQ(run->world().lights.at(0).intensity, 0);
 }
 
+TEST_F(MotionTest, ASetThatKeepsTheScenesLightsMovesItsOwnByNumberAndTheScenesByName) {
+    auto project = plane_from_above();
+    project.scenes = {{"plane", "Box", {{"builtin:cornell", "", {}}}}};
+    project.lights[0].use_scene_lights = true;
+    SceneCache cache;
+    const auto scene = cache.load("builtin:cornell");
+    ASSERT_FALSE(scene->lights.empty());
+    auto own = slide(Motion::Kind::light, frame), files = own;
+    own.light = 1;
+    own.keys[1].intensity = 0.5;
+    files.id = "n";
+    files.light_name = scene->lights.front().name;
+    files.keys[1].intensity = 0;
+    project.motion = {own, files};
+    const auto run = execution(project);
+    run->run_frame({});
+    const auto& lights = run->world().lights;
+    ASSERT_EQ(lights.size(), scene->lights.size() + 2);
+    EXPECT_FLOAT_EQ(lights[1].intensity, 10);
+    EXPECT_FLOAT_EQ(lights[2].intensity, scene->lights.front().intensity);
+    run->run_frame({});
+    EXPECT_FLOAT_EQ(lights[1].intensity, 5);
+    EXPECT_EQ(lights[2].intensity, 0);
+    EXPECT_EQ(used_lights(*run).size(), 2 + scene->lights.size());
+}
+
 /// The reference's frames add up, so its picture is of one moment, whatever moves.
 TEST_F(MotionTest, WhatAddsUpSeesOneMomentWithEverythingInItsPlace) {
     auto project = plane_from_above();

@@ -114,6 +114,13 @@ TEST_F(RenderQueueTest, LooksAreTheNewestOfEachTag) {
     ASSERT_EQ(looks.views.size(), 1u);
     EXPECT_EQ(looks.views[0].serial, newest);
     EXPECT_TRUE(queue.take_looks().probes.empty());
+    queue.find_surface({"a", {}, {1, 0, 0}});
+    queue.find_surface({"a", {}, {0, 1, 0}});
+    queue.find_surface({"b", {}, {0, 1, 0}});
+    queue.release("b");
+    const auto surfaces = queue.take_looks().surfaces;
+    ASSERT_EQ(surfaces.size(), 1u);
+    EXPECT_EQ(surfaces[0].direction.y, 1);
 }
 
 TEST_F(RenderQueueTest, FilesWaitUntilTheirTagIsRendered) {

@@ -34,6 +34,7 @@ class RenderThreadTest : public testing::Test {
         std::vector<LiveResult> results;
         std::vector<SceneViewResult> views;
         std::vector<ProbeResult> probes;
+        std::vector<SurfaceResult> surfaces;
         std::vector<Export> exports;
         std::vector<KeepResult> keeps;
         std::vector<Failure> failures;
@@ -47,6 +48,7 @@ class RenderThreadTest : public testing::Test {
         c.on_result = [this](LiveResult result) { note(&Answers::results, std::move(result)); };
         c.on_scene_view = [this](SceneViewResult view) { note(&Answers::views, std::move(view)); };
         c.on_probe = [this](ProbeResult probe) { note(&Answers::probes, std::move(probe)); };
+        c.on_surface = [this](SurfaceResult found) { note(&Answers::surfaces, std::move(found)); };
         c.on_exported = [this](std::string tag, std::string file, std::string error) {
             note(&Answers::exports, {tag, file, error});
         };
@@ -62,7 +64,8 @@ class RenderThreadTest : public testing::Test {
             const std::lock_guard lock(mutex_);
             answers_.no_device = error;
         };
-        thread = std::make_unique<RenderThread>(MachineOptions{"egl", {}, false, workers, processor}, std::move(c));
+        thread = std::make_unique<RenderThread>(MachineOptions{"egl", {}, false, workers, processor},
+                                                std::move(c));
     }
     void TearDown() override {
         thread.reset();

@@ -112,6 +112,38 @@ TEST_F(RenderThreadTest, ProbesReadWhatTheImagesHold) {
     EXPECT_TRUE(main->values[2].empty()) << "outside the picture";
 }
 
+/// A ray through a pixel's centre meets what the G-buffer has there.
+TEST_F(RenderThreadTest, ASurfaceIsFoundWhereThePictureShowsIt) {
+    auto request = request_of("a", "view-normals");
+    request.kept = {"gbuffer.position"};
+    const auto result = render(request);
+    const ProbeRequest::Pixel pixel{5, 9};
+    thread->probe({"a", {pixel}});
+    const auto view = scene::make_view(result.camera, 24, 16, {{-1, -1, -1}, {1, 1, 1}});
+    const auto ray = scene::pixel_ray(view, {pixel.x + 0.5f, pixel.y + 0.5f});
+    thread->find_surface({"a", ray.origin_ws, 3.0f * ray.direction_ws});
+    thread->find_surface({"nobody", ray.origin_ws, ray.direction_ws});
+    ASSERT_TRUE(wait([](const Answers& a) { return !a.probes.empty() && a.surfaces.size() == 2; }));
+    const auto now = answers();
+    EXPECT_FALSE(now.surfaces[1].error.empty());
+    ASSERT_TRUE(now.surfaces[0].point);
+    const auto& point = *now.surfaces[0].point;
+    EXPECT_NEAR(glm::length(point.normal), 1, 1e-6);
+    EXPECT_LT(glm::dot(point.normal, glm::dvec3(ray.direction_ws)), 0) << "on the side that is seen";
+    EXPECT_GT(point.free_way, 0.1) << "a room";
+    for (const auto& row : now.probes[0].rows) {
+        if (row.key != "gbuffer.position") continue;
+        ASSERT_TRUE(row.available);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(row.values[0][std::size_t(c)], point.position[c], 1e-3);
+        forget();
+        thread->find_surface({"a", ray.origin_ws, glm::dvec3(0, 0, 1)});
+        ASSERT_TRUE(wait([](const Answers& a) { return !a.surfaces.empty(); }));
+        EXPECT_FALSE(answers().surfaces[0].point) << "out of the open side";
+        return;
+    }
+    FAIL() << "no positions";
+}
+
 /// Opacity, of which a picture has none, is left out; what the description tells of the fourth channel is
 /// not.
 TEST_F(RenderThreadTest, PicturesHaveNoAlphaAndKeepTheirFourthNumber) {

@@ -46,6 +46,16 @@ TEST(Document, MatchesTheFrozenFileOfSchema5) {
     EXPECT_EQ(read(text).project, sample_project());
 }
 
+TEST(Document, ASetShinesBesideTheScenesLights) {
+    auto project = sample_project();
+    project.lights[0].use_scene_lights = true;
+    const auto json = to_json(project);
+    EXPECT_EQ(json["lights"][0]["lights"][0], scene_lights);
+    EXPECT_EQ(json["lights"][0]["lights"].size(), project.lights[0].lights.size() + 1);
+    EXPECT_EQ(read(pretty_json(json)).project, project);
+    EXPECT_NO_THROW(validate(project.lights[0]));
+}
+
 /// Every object of the tree, by pointer.
 void collect_objects(const Json& json, const std::string& pointer, std::vector<std::string>& out) {
     if (json.is_object()) out.push_back(pointer);

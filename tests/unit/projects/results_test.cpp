@@ -58,6 +58,7 @@ TEST(ResultKey, ChangesWithEveryDependency) {
         {"light", [](Project& p) { p.lights[0].lights[0].amount = 41; }},
         {"light's colour", [](Project& p) { p.lights[0].lights[1].color.x = 0.9; }},
         {"lights of the scene", [](Project& p) { p.experiments[0].lights = scene_lights; }},
+        {"the scene's lights, too", [](Project& p) { p.lights[0].use_scene_lights = true; }},
         {"fewer lights", [](Project& p) { p.lights[0].lights.pop_back(); }},
         {"environment", [](Project& p) { p.lights[0].environment.constant.x = 1; }},
         {"environment's kind", [](Project& p) { p.lights[0].environment.kind = Environment::Kind::scene; }},

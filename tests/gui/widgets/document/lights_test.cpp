@@ -135,14 +135,15 @@ TEST(LightForm, AnotherQuantityIsTheSameLight) {
     EXPECT_NEAR(with_type(flux, LightSpec::Type::spot).intensity(), 3, 1e-12);
 }
 
-TEST_F(LightsTest, TheScenesLightsReplaceTheSetsAndBack) {
+TEST_F(LightsTest, TheScenesLightsShineBesideTheSets) {
+    const auto own = set().lights;
     QTest::mouseClick(field<QCheckBox>("use-scene-lights"), Qt::LeftButton, {}, {6, 8});
     EXPECT_TRUE(set().use_scene_lights);
-    EXPECT_TRUE(set().lights.empty());
+    EXPECT_EQ(set().lights, own);
     EXPECT_EQ(steps(), 1u);
     add("point");
-    EXPECT_FALSE(set().use_scene_lights);
-    EXPECT_EQ(set().lights.size(), 1u);
+    EXPECT_TRUE(set().use_scene_lights);
+    EXPECT_EQ(set().lights.size(), own.size() + 1);
     undo();
     undo();
     EXPECT_EQ(project, sample_project());

@@ -1,0 +1,247 @@
+#include <QMenu>
+#include <QTemporaryDir>
+#include <random>
+
+#include "app/engine/camera_pose.h"
+#include "app/gui/light_places.h"
+#include "renderers/scene/view.h"
+#include "tests/gui/window/window_fixture.h"
+
+namespace ir::gui {
+namespace {
+
+using projects::LightSpec;
+
+CameraPose room_camera() {
+    CameraPose pose;
+    pose.eye = {0, 1, 6};
+    pose.target = {0, 1, 0};
+    return pose;
+}
+
+TEST(Sight, IsThatOfTheRenderers) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> number(-3, 3);
+    for (int i = 0; i < 60; ++i) {
+        CameraPose pose;
+        pose.eye = {number(random), number(random), number(random)};
+        pose.target = {number(random), number(random), number(random)};
+        if (i % 3 == 0) pose.target = pose.eye + glm::dvec3(0, i % 2 == 0 ? 2 : -2, 0);  // along up
+        pose.orthographic = i % 4 == 0;
+        pose.fov_y_degrees = 20 + i;
+        const auto view = scene::make_view(engine::camera_of(pose), 300, 200, {{-9, -9, -9}, {9, 9, 9}});
+        const glm::dvec2 place(0.5 + number(random) / 6, 0.5 + number(random) / 6);
+        const auto theirs = scene::pixel_ray(view, glm::vec2(place) * glm::vec2(300, 200));
+        const auto ours = widgets::sight_through(pose, 1.5, place);
+        EXPECT_NEAR(glm::dot(ours.direction, glm::normalize(glm::dvec3(theirs.direction_ws))), 1, 1e-5);
+        const auto point = ours.origin + 2.5 * ours.direction;
+        const auto between = point - glm::dvec3(theirs.origin_ws);
+        EXPECT_NEAR(glm::length(glm::cross(between, ours.direction)), 0, 1e-3) << "the same line";
+        const auto back = widgets::place_of(pose, 1.5, point);
+        ASSERT_TRUE(back);
+        EXPECT_NEAR(glm::length(*back - place), 0, 1e-9);
+        EXPECT_FALSE(widgets::place_of(pose, 1.5, ours.origin - 2.0 * ours.direction)) << "behind the eye";
+    }
+}
+
+TEST(LightPlaces, TheSurfaceIsWhiteAtTheExposure) {
+    const scene::Bounds room{{-1, 0, -1}, {1, 2, 1}};
+    engine::SurfacePoint floor{{0.3, 0, 0.2}, {0, 1, 0}, 2};
+    for (const double stops : {0.0, 3.0, -2.0}) {
+        const auto light = light_before(floor, room_camera(), room, stops);
+        EXPECT_EQ(light.type, LightSpec::Type::point);
+        EXPECT_EQ(light.quantity, LightSpec::Quantity::flux);
+        const double distance = light.position.y;
+        EXPECT_NEAR(distance, room.radius() / 10, 1e-6);
+        EXPECT_NEAR(light.intensity() / (distance * distance) / std::numbers::pi, std::exp2(-stops),
+                    0.01 * std::exp2(-stops));
+    }
+    floor.free_way = 0.1;
+    EXPECT_NEAR(light_before(floor, room_camera(), room, 0).position.y, 0.05, 1e-9) << "halfway to a ceiling";
+    floor.free_way = INFINITY;
+    floor.position = {0, 1, 5.9};
+    EXPECT_NEAR(light_before(floor, room_camera(), room, 0).position.y - 1,
+                widgets::height_at(room_camera(), floor.position) / 4, 1e-9)
+        << "near the camera it stays in the picture";
+}
+
+TEST(LightPlaces, LightsOfTheCameraReachWhatItSees) {
+    const auto camera = room_camera();
+    const auto spot = light_from_camera(camera, 1, {0, 1, 0}, 0);
+    EXPECT_EQ(spot.position, camera.eye);
+    EXPECT_GE(glm::radians(spot.outer), std::atan(std::tan(glm::radians(22.5)) * std::sqrt(2.0)) - 0.01);
+    EXPECT_NEAR(spot.intensity() / 36, std::numbers::pi, 0.02) << "6 m away";
+    const auto head = headlight(camera, {0, 1, 0}, 0);
+    EXPECT_EQ(head.type, LightSpec::Type::point);
+    EXPECT_NEAR(head.intensity() / 36, std::numbers::pi, 0.02);
+    for (const auto& light : {spot, head, light_for_view(camera, {{-1, 0, -1}, {1, 2, 1}})})
+        EXPECT_NO_THROW(projects::validate(light));
+}
+
+class LightTest : public WindowTest {
+  protected:
+    const projects::LightSet& set() { return window.session().document().lights.at(0); }
+    std::size_t steps() { return window.session().open_project().undo_stack().position(); }
+    /// With the mouse over the middle of the picture.
+    void place(const char* action) {
+        point_at(window.view().rect().center());
+        trigger(action);
+    }
+    void point_at(QPoint position) {
+        QTest::mouseMove(&window.view(), position + QPoint(3, 2));
+        QTest::mouseMove(&window.view(), position);
+    }
+    std::string selected() { return window.document().tree().selected().key().toStdString(); }
+};
+
+TEST_F(LightTest, OneStandsBeforeTheSurfaceUnderTheCursorAndShinesAtOnce) {
+    open_scene();
+    window.docks().raise("parameters");
+    const auto before = steps();
+    place("light-here");
+    ASSERT_EQ(renderer.surfaces.size(), 1u);
+    EXPECT_NEAR(renderer.surfaces[0].direction.z, -1, 0.02) << "through the middle of the picture";
+    EXPECT_EQ(steps(), before + 1);
+    ASSERT_EQ(set().lights.size(), 1u);
+    const auto& light = set().lights[0];
+    EXPECT_EQ(light.position.x, 0.5);
+    EXPECT_GT(light.position.y, -1);
+    EXPECT_LT(light.position.y, -0.5);
+    EXPECT_TRUE(set().use_scene_lights) << "the scene's go on shining";
+    EXPECT_EQ(renderer.requests.back().experiment.lights.size(), 1u);
+    EXPECT_FALSE(renderer.requests.back().experiment.replace_lights);
+    EXPECT_EQ(selected(), "light:" + set().id + ":0");
+    EXPECT_TRUE(window.findChild<QWidget*>("light-type")->isVisible());
+    place("light-here");
+    EXPECT_EQ(steps(), before + 2);
+    ASSERT_EQ(window.session().document().lights.size(), 1u) << "the set is the experiment's by now";
+    EXPECT_EQ(set().lights.size(), 2u);
+    EXPECT_EQ(selected(), "light:" + set().id + ":1");
+    EXPECT_NE(window.action("undo")->text().indexOf("Add a point light"), -1);
+    window.action("undo")->trigger();
+    window.action("undo")->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(window.session().document().lights.empty());
+    EXPECT_EQ(window.session().experiment()->lights, projects::scene_lights);
+    EXPECT_TRUE(renderer.requests.back().experiment.lights.empty());
+    window.action("redo")->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(set().lights.size(), 1u);
+}
+
+TEST_F(LightTest, ExperimentsThatAreComparedStayComparable) {
+    open_scene();
+    add_second_experiment(0.5);
+    place("light-here");
+    for (const auto& each : window.session().document().experiments) EXPECT_EQ(each.lights, set().id);
+}
+
+TEST_F(LightTest, TheMenuOfAPictureIsAboutThePixelThatWasClicked) {
+    open_scene();
+    auto& view = window.view();
+    const QPoint at(view.width() / 2 + 40, view.height() / 2 - 30);
+    QTest::mouseClick(&view, Qt::RightButton, {}, at);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    ASSERT_NE(menu, nullptr);
+    EXPECT_TRUE(menu->actions().contains(window.action("light-here")));
+    EXPECT_TRUE(menu->actions().contains(window.action("explain")));
+    menu->close();
+    const auto picked = view.state().marks.picked;
+    ASSERT_GE(picked.x(), 0);
+    QTest::mouseMove(window.findChild<QWidget*>("project-tree"), {5, 5});
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&view, &leave);  // as the menu makes it
+    trigger("light-here");
+    ASSERT_EQ(renderer.surfaces.size(), 1u);
+    const auto expected = widgets::sight_through(
+        *window.session().camera().pose(), 1,
+        {(picked.x() + 0.5) / view.image().width, (picked.y() + 0.5) / view.image().height});
+    EXPECT_NEAR(glm::length(renderer.surfaces[0].direction - expected.direction), 0, 1e-9);
+    // A drag with the right button moves the picture, as before.
+    QTest::mousePress(&view, Qt::RightButton, {}, at);
+    for (int x = 5; x < 30; x += 5) QTest::mouseMove(&view, at + QPoint(x, 0));
+    QTest::mouseRelease(&view, Qt::RightButton, {}, at + QPoint(30, 0));
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+    // The keyboard has a key for it.
+    QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
+    QApplication::sendEvent(&view, &key);
+    ASSERT_NE(QApplication::activePopupWidget(), nullptr);
+    QApplication::activePopupWidget()->close();
+}
+
+TEST_F(LightTest, LightsComeFromTheCamera) {
+    open_scene();
+    place("light-camera");
+    ASSERT_EQ(set().lights.size(), 1u);
+    EXPECT_EQ(set().lights[0].type, LightSpec::Type::spot);
+    EXPECT_EQ(set().lights[0].position, window.session().camera().pose()->eye);
+    EXPECT_EQ(set().lights[0].target, renderer.surface->position);
+    renderer.surface.reset();
+    place("headlight");
+    ASSERT_EQ(set().lights.size(), 2u);
+    EXPECT_EQ(set().lights[1].type, LightSpec::Type::point);
+    EXPECT_EQ(set().lights[1].position, window.session().camera().pose()->eye);
+    EXPECT_GT(set().lights[1].amount, 0) << "without a surface it lights the camera's target";
+}
+
+TEST_F(LightTest, WhatCannotBeSaysWhy) {
+    open_scene();
+    auto& status = *window.findChild<StatusLine*>();
+    const auto says = [&](const char* text) {
+        for (const auto* each : status.findChildren<QLabel*>())
+            if (each->text().contains(text)) return true;
+        return false;
+    };
+    const auto before = steps();
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&window.view(), &leave);
+    trigger("light-here");
+    EXPECT_TRUE(says("Point at a surface"));
+    renderer.surface.reset();
+    place("light-here");
+    EXPECT_TRUE(says("no surface under the cursor"));
+    renderer.surface_error = "nothing is rendered yet";
+    place("light-here");
+    EXPECT_TRUE(says("nothing is rendered yet"));
+    EXPECT_EQ(steps(), before);
+    EXPECT_TRUE(window.session().document().lights.empty());
+}
+
+TEST_F(LightTest, NothingIsAddedToAReadOnlyProjectOrToNothing) {
+    EXPECT_FALSE(window.action("light-here")->isEnabled());
+    EXPECT_TRUE(window.action("light-here")->toolTip().contains("no experiment"));
+    open_scene();
+    EXPECT_TRUE(window.action("light-here")->isEnabled());
+    EXPECT_TRUE(window.action("light-here")->toolTip().contains("Shift+L"));
+    QTemporaryDir folder;
+    const auto place = std::filesystem::path(folder.path().toStdString()) / "p";
+    window.session().open_project().save_as(place);
+    window.session().files().close();
+    projects::OpenProject elsewhere(place, fake_registry());
+    ASSERT_TRUE(window.open_path(QString::fromStdString(place.string())));
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(window.session().open_project().is_read_only());
+    for (const char* name : {"light-here", "light-camera", "headlight"}) {
+        EXPECT_FALSE(window.action(name)->isEnabled());
+        EXPECT_TRUE(window.action(name)->toolTip().contains(
+            QString::fromStdString(window.session().open_project().read_only_reason())));
+    }
+    window.session().files().close();
+}
+
+TEST_F(LightTest, ALightIsKeptBesideTheScenes) {
+    open_scene();
+    place("light-here");
+    QTemporaryDir folder;
+    const auto place = std::filesystem::path(folder.path().toStdString()) / "p";
+    window.session().open_project().save_as(place);
+    const auto kept = set();
+    window.session().files().close();
+    ASSERT_TRUE(window.open_path(QString::fromStdString(place.string())));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(set(), kept);
+    EXPECT_EQ(renderer.requests.back().experiment.lights.size(), 1u);
+}
+
+}  // namespace
+}  // namespace ir::gui
