@@ -79,6 +79,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
       project_banners_(*this, session_, live_, *banners_),
       lights_(session_, renderer_, scenes_, workspace_, inspector_, actions_),
+      light_mover_(session_, workspace_, *document_, actions_),
       light_offer_(session_, scenes_, lights_, *banners_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
@@ -192,10 +193,11 @@ void MainWindow::make_menus() {
                   "match keep");
     experiment->setToolTipsVisible(true);
     parameters_->set_menu(experiment);
-    add_menu(tr("&View"),
-             "inspect orbit fly rectangle | fit actual zoom-in zoom-out | grid legend marks zebra | "
-             "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
-             "explain explain-nothing pin");
+    add_menu(
+        tr("&View"),
+        "inspect orbit fly rectangle | fit actual zoom-in zoom-out | grid legend light-handles marks zebra | "
+        "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
+        "explain explain-nothing pin");
     add_menu(tr("&Compare"),
              "mode-single mode-side-by-side mode-wipe mode-flip mode-difference mode-stages | swap link | "
              "comparison-add");
@@ -416,6 +418,8 @@ void MainWindow::show_shortcuts() {
         {tr("Move the divider (Wipe)"), tr("Drag it")},
         {tr("Move, resize the rectangle (Rectangle)"), tr("Drag, arrows; Shift+arrows")},
         {tr("Clear the rectangle (Rectangle)"), tr("Esc, Del")},
+        {tr("Move, turn the chosen light by its handles"), tr("Drag; Esc takes it back")},
+        {tr("Nudge the chosen light; nearer, farther; turn it"), tr("Arrows; Ctrl+↑ ↓; Alt+arrows")},
         {tr("Turn, slide, approach, frame (3D)"), tr("Drag, Shift+drag, wheel, double click")},
         {tr("Choose what an element stands for (3D, sphere)"), tr("Click it")},
         {tr("Turn the camera about its target (Orbit)"), tr("Drag")},

@@ -9,6 +9,7 @@
 #include "app/gui/file_controller.h"
 #include "app/gui/frame_lists.h"
 #include "app/gui/light_controller.h"
+#include "app/gui/light_mover.h"
 #include "app/gui/light_offer.h"
 #include "app/gui/metrics_dock.h"
 #include "app/gui/parameter_dock.h"
@@ -137,6 +138,7 @@ class MainWindow : public QMainWindow {
     PreferencesController preference_actions_;
     ProjectBanners project_banners_;
     LightController lights_;
+    LightMover light_mover_;
     LightOffer light_offer_;
     QObject joins_;  ///< ends the connections between parts before the first of them goes
 };

@@ -16,6 +16,9 @@ void PictureTools::add(widgets::PaneBoard& panes) {
     panes.set_region(region_size_, region_);
     connect(&panes, &widgets::PaneBoard::tool_changed, this, &PictureTools::set_tool);
     connect(&panes, &widgets::PaneBoard::region_changed, this, &PictureTools::set_region);
+    connect(&panes, &widgets::PaneBoard::light_moved, this, &PictureTools::light_moved);
+    connect(&panes, &widgets::PaneBoard::light_turned, this, &PictureTools::light_turned);
+    connect(&panes, &widgets::PaneBoard::light_gesture_finished, this, &PictureTools::light_gesture_finished);
 }
 
 void PictureTools::set_tool(Tool tool) {

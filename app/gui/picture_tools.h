@@ -32,6 +32,10 @@ class PictureTools : public QObject {
   signals:
     void tool_changed(ir::widgets::ImageView::Tool tool);
     void region_changed();
+    // As in widgets::LightTool, of any pane.
+    void light_moved(const glm::dvec3& position);
+    void light_turned(const glm::dvec3& direction);
+    void light_gesture_finished(bool kept);
 
   private:
     std::vector<widgets::PaneBoard*> boards_;

@@ -43,6 +43,8 @@ class PaneBoard : public QScrollArea {
     void set_picked(QPoint pixel, QSize size = {});
     /// A rectangle of all pictures that have this size; empty: none.
     void set_region(QSize size, const QRect& region);
+    /// A light of a pane's scene, with handles; none: no handles.
+    void set_light(int pane, const std::optional<PlacedLight>& light) { this->pane(pane).set_light(light); }
 
     /// What stands in the place of a picture or difference that is not shown; empty: all are.
     QString missing() const;
@@ -62,6 +64,10 @@ class PaneBoard : public QScrollArea {
     /// Drawn, moved, resized or (empty) cleared by hand, in pictures of that size.
     void region_changed(QSize size, QRect region);
     void tool_changed(ir::widgets::ImageView::Tool tool);
+    // As in LightTool, of any pane.
+    void light_moved(const glm::dvec3& position);
+    void light_turned(const glm::dvec3& direction);
+    void light_gesture_finished(bool kept);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

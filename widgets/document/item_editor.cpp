@@ -80,11 +80,13 @@ ItemEditor::ItemEditor(QWidget* parent)
     comparison_ = new ComparisonEditor;
     scene_ = new SceneEditor;
     motion_ = new MotionEditor;
+    lights_ = new LightSetEditor;
+    connect(lights_, &LightSetEditor::light_chosen, this, &ItemEditor::update_light);
     connect(scene_, &SceneEditor::add_wanted, this, &ItemEditor::add_wanted);
     add_form({ItemKind::project}, new ProjectEditor);
     add_form({ItemKind::scene, ItemKind::part}, scene_);
     add_form({ItemKind::camera}, camera_);
-    add_form({ItemKind::light_set, ItemKind::light}, new LightSetEditor);
+    add_form({ItemKind::light_set, ItemKind::light}, lights_);
     add_form({ItemKind::motion}, motion_);
     add_form({ItemKind::experiment}, new ExperimentEditor);
     add_form({ItemKind::comparison}, comparison_);
@@ -165,17 +167,27 @@ void ItemEditor::commit() {
     emit gesture_finished();
 }
 
+/// After every change of what is shown.
+void ItemEditor::update_light() {
+    const bool is_shown = project_ && is_there(*project_, item_) && forms_.at(item_.kind) == lights_;
+    const auto light = is_shown ? lights_->chosen_light() : ItemRef();
+    if (light == light_) return;
+    light_ = light;
+    emit light_chosen(light_);
+}
+
 void ItemEditor::show_again() {
     if (!project_ || !is_there(*project_, item_)) {
         empty_->setText(!project_ ? tr("No project is open.")
                                   : tr("Select an item of the project to edit it."));
         stack_->setCurrentWidget(empty_);
-        return;
+        return update_light();
     }
     auto* form = forms_.at(item_.kind);
     form->show_item({*project_, *registry_, facts_, read_only_, why_read_only_, command_line_}, item_);
     QWidget* page = form->parentWidget()->parentWidget();  // viewport, scroll area
     if (stack_->currentWidget() != page) stack_->setCurrentWidget(page);
+    update_light();
 }
 
 }  // namespace ir::widgets

@@ -17,6 +17,7 @@ namespace ir::widgets {
 
 class CameraEditor;
 class ComparisonEditor;
+class LightSetEditor;
 class MotionEditor;
 class SceneEditor;
 
@@ -47,6 +48,8 @@ class ItemEditor : public QWidget {
   signals:
     void edit_wanted(const ir::widgets::EditMaker& make);
     void gesture_finished();
+    /// Another light's values are shown, alone or in its set; none: an item of another kind.
+    void light_chosen(const ir::widgets::ItemRef& light);
     /// A file is to be chosen for a part, a foreign image or a set of lights' environment map; then
     /// makers::set_part_source and its like put it in.
     void browse_wanted(const ir::widgets::ItemRef& item);
@@ -56,6 +59,7 @@ class ItemEditor : public QWidget {
   private:
     void add_form(std::initializer_list<ItemKind> kinds, ItemForm* form);
     void show_again();
+    void update_light();
 
     std::unique_ptr<projects::Project> project_;  ///< a copy: what is shown, never changed here
     const Registry* registry_ = nullptr;
@@ -63,11 +67,12 @@ class ItemEditor : public QWidget {
     QString why_read_only_;
     SceneFacts facts_;
     CommandLine command_line_;
-    ItemRef item_;
+    ItemRef item_, light_;
     std::map<ItemKind, ItemForm*> forms_;
     QStackedWidget* stack_;
     QLabel* empty_;
     CameraEditor* camera_;
+    LightSetEditor* lights_;
     ComparisonEditor* comparison_;
     SceneEditor* scene_;
     MotionEditor* motion_;

@@ -70,6 +70,7 @@ void LightSetEditor::make_list(QGridLayout* grid) {
     connect(list_, &OrderedList::current_changed, this, [this](int index) {
         chosen_ = index;
         if (index >= 0) form_->show_light(lights_[std::size_t(index)]);
+        emit light_chosen();
     });
     connect(list_, &OrderedList::duplicate_wanted, this, [this](int index) {
         chosen_ = index + 1;

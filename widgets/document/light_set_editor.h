@@ -19,6 +19,11 @@ class LightSetEditor : public ItemForm {
   public:
     explicit LightSetEditor(QWidget* parent = nullptr);
     void show_item(const ShownProject& shown, const ItemRef& item) override;
+    /// Whose values are shown; none: the set has no light.
+    ItemRef chosen_light() const { return lights_.empty() ? ItemRef() : light(chosen_); }
+
+  signals:
+    void light_chosen();
 
   private:
     void make_list(QGridLayout* grid);

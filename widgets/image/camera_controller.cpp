@@ -37,9 +37,15 @@ void CameraController::drag(QPointF delta, double view_height, double picture_he
     }
 }
 
-void CameraController::move_to(const CameraPose& pose) {
+void CameraController::set_pose(const CameraPose& pose) {
     if (pose == pose_) return;
     pose_ = pose;
+    emit posed();
+}
+
+void CameraController::move_to(const CameraPose& pose) {
+    if (pose == pose_) return;
+    set_pose(pose);
     moving_ = true;
     emit moved(pose_);
 }

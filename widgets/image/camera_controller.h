@@ -22,8 +22,8 @@ class CameraController : public QObject {
     explicit CameraController(QObject* parent = nullptr);
 
     const CameraPose& pose() const { return pose_; }
-    /// The camera was moved elsewhere. Emits nothing.
-    void set_pose(const CameraPose& pose) { pose_ = pose; }
+    /// The camera was moved elsewhere. Emits posed() alone.
+    void set_pose(const CameraPose& pose);
     void set_fly_speed(double metres_per_second) { fly_speed_ = metres_per_second; }
     bool is_moving() const { return moving_; }
 
@@ -47,6 +47,8 @@ class CameraController : public QObject {
 
   signals:
     void moved(const ir::widgets::CameraPose& pose);
+    /// The pose is another one, whoever changed it.
+    void posed();
     /// What came since the last one is one step.
     void finished();
 

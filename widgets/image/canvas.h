@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "widgets/image/display.h"
+#include "widgets/image/light_handles.h"
 #include "widgets/image/prepared_picture.h"
 #include "widgets/image/view_transform.h"
 
@@ -42,7 +43,10 @@ struct CanvasState {
     QString hint;                 ///< in the bottom left corner: how the tool is used
     bool stale = false;           ///< a newer picture is being rendered
     Marks marks;
-    bool region_edited = false;  ///< the marked one has handles and shows its size
+    bool region_edited = false;                    ///< the marked one has handles and shows its size
+    CameraPose camera;                             ///< of the picture, for what is drawn in its space
+    std::optional<PlacedLight> light;              ///< has handles
+    LightHandle light_handle = LightHandle::none;  ///< that the cursor is over or holds
 
     bool has_image() const { return !pictures[0].empty(); }
     bool has_divider() const { return has_image() && !pictures[1].empty(); }

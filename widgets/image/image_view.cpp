@@ -26,7 +26,8 @@ constexpr qreal whole_legend = 10000;
 
 }  // namespace
 
-ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent), region_tool_(state_, *this) {
+ImageView::ImageView(QWidget* parent, Surface surface)
+    : QWidget(parent), region_tool_(state_, *this), light_tool_(state_, *this) {
     canvas_ = surface == Surface::raster ? make_raster_canvas(state_, this) : make_canvas(state_, this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -39,6 +40,12 @@ ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent), region
     setAccessibleName(tr("Picture"));
     connect(&camera_, &CameraController::moved, this, &ImageView::camera_moved);
     connect(&camera_, &CameraController::finished, this, &ImageView::camera_gesture_finished);
+    connect(&camera_, &CameraController::posed, this, [this] {
+        state_.camera = camera_.pose();
+        if (!state_.light) return;
+        if (!state_.light->moves()) state_.light->position = state_.camera.target;
+        overlay_->update();
+    });
     connect(&region_tool_, &RegionTool::changed, this, [this](const QRect& region) {
         set_mark(&Marks::region, region);
         emit region_changed(region);
@@ -116,6 +123,17 @@ void ImageView::set_stale(bool stale) {
     repaint_all();
 }
 
+void ImageView::set_light(std::optional<PlacedLight> light) {
+    if (light && !light->moves()) light->position = state_.camera.target;
+    if (light == state_.light) return;
+    state_.light = light;
+    if (!light_tool_.is_dragging()) state_.light_handle = LightHandle::none;
+    setAccessibleDescription(
+        light ? tr("%1 has handles here. Arrows move it, Alt and arrows turn it.").arg(light->name)
+              : QString());
+    overlay_->update();
+}
+
 void ImageView::follow(const ViewTransform& transform) {
     if (transform.is_fitted())
         state_.transform.fit();
@@ -134,6 +152,7 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     drawn.hint.clear();
     drawn.marks.cursor = {-1, -1};
     drawn.region_edited = false;
+    drawn.light.reset();
     drawn.stale = false;
     drawn.legend = legend;
     qreal ratio = devicePixelRatioF();
@@ -179,7 +198,8 @@ void ImageView::set_tool(Tool tool) {
 }
 
 void ImageView::update_hint() {
-    state_.hint = tool_ == Tool::orbit
+    state_.hint = light_tool_.is_over_handle() ? light_tool_.hint()
+                  : tool_ == Tool::orbit
                       ? tr("Orbit: drag to turn  ·  Shift-drag to slide  ·  Ctrl+wheel for distance")
                   : tool_ == Tool::fly
                       ? tr("Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster")
@@ -193,6 +213,8 @@ void ImageView::update_hint() {
 void ImageView::update_cursor_shape() {
     if (drag_ == Drag::wipe || (drag_ == Drag::none && !space_ && over_divider_))
         setCursor(Qt::SplitHCursor);
+    else if (drag_ == Drag::light || (drag_ == Drag::none && !space_ && light_tool_.is_over_handle()))
+        setCursor(Qt::SizeAllCursor);
     else if (drag_ == Drag::pan || space_)
         setCursor(drag_ == Drag::pan ? Qt::ClosedHandCursor : Qt::OpenHandCursor);
     else if (tool_ == Tool::rectangle)
@@ -252,6 +274,7 @@ void ImageView::changeEvent(QEvent* event) {
 
 ImageView::Drag ImageView::drag_for(const QMouseEvent& event) {
     if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) return Drag::pan;
+    if (event.button() == Qt::LeftButton && light_tool_.is_over_handle()) return Drag::light;
     if (event.button() == Qt::LeftButton && is_over_divider(event.position())) return Drag::wipe;
     if (tool_ == Tool::rectangle && event.button() == Qt::LeftButton)
         return state_.has_image() ? Drag::region : Drag::pan;
@@ -268,9 +291,11 @@ ImageView::Drag ImageView::drag_for(const QMouseEvent& event) {
 
 void ImageView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != Drag::none) return;
+    light_tool_.hover(event->position());
     drag_ = drag_for(*event);
     last_position_ = press_position_ = event->position();
     if (drag_ == Drag::region) region_tool_.press(event->position());
+    if (drag_ == Drag::light) light_tool_.press(event->position());
     update_cursor_shape();
 }
 
@@ -287,9 +312,15 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
         finish_transform();
     } else if (drag_ == Drag::region) {
         region_tool_.drag(event->position(), event->modifiers());
+    } else if (drag_ == Drag::light) {
+        light_tool_.drag(event->position());
     } else if (drag_ == Drag::camera) {
         const QSizeF shown = state_.transform.image_size() * state_.transform.zoom() / devicePixelRatioF();
         camera_.drag(delta, height(), shown.height());
+    }
+    if (drag_ == Drag::none && light_tool_.hover(event->position())) {
+        update_hint();
+        update_cursor_shape();
     }
     const bool over = is_over_divider(event->position());
     if (over != over_divider_) {
@@ -304,10 +335,13 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 bool ImageView::event(QEvent* event) {
-    // Escape clears the rectangle before it is the window's key.
-    if (event->type() == QEvent::ShortcutOverride && region_tool_.takes(*static_cast<QKeyEvent*>(event))) {
-        event->accept();
-        return true;
+    // Escape clears the rectangle, or takes a light back, before it is the window's key.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (region_tool_.takes(key) || takes_light_key(key)) {
+            event->accept();
+            return true;
+        }
     }
     return QWidget::event(event);
 }
@@ -343,6 +377,7 @@ void ImageView::pick(QPointF logical) {
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
     if (drag_ == Drag::pick) pick(event->position());
     region_tool_.release();
+    light_tool_.release();
     if (std::exchange(drag_, Drag::none) == Drag::camera) camera_.finish();
     update_cursor_shape();
     if (event->button() != Qt::RightButton || !is_click(event->position())) return;
@@ -370,7 +405,15 @@ void ImageView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
+/// The divider has the arrows before a light, the rectangle before both.
+bool ImageView::takes_light_key(const QKeyEvent& event) const {
+    const bool moves_divider =
+        state_.has_divider() && (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right);
+    return light_tool_.takes(event) && !moves_divider;
+}
+
 void ImageView::keyPressEvent(QKeyEvent* event) {
+    if (light_tool_.is_dragging() && takes_light_key(*event)) return light_tool_.press_key(*event);
     if (event->key() == Qt::Key_Space) {
         space_ = true;
         return update_cursor_shape();
@@ -384,11 +427,13 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
         const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;
         return move_wipe(state_.wipe + (event->key() == Qt::Key_Left ? -step : step));
     }
+    if (takes_light_key(*event)) return light_tool_.press_key(*event);
     QWidget::keyPressEvent(event);
 }
 
 void ImageView::keyReleaseEvent(QKeyEvent* event) {
     if (event->isAutoRepeat()) return;
+    light_tool_.finish_keys();
     if (event->key() == Qt::Key_Space) {
         space_ = false;
         update_cursor_shape();
@@ -398,6 +443,7 @@ void ImageView::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void ImageView::leaveEvent(QEvent*) {
+    if (drag_ == Drag::none && light_tool_.hover({-1e6, -1e6})) update_hint();
     emit cursor_moved({-1, -1});
 }
 
@@ -409,6 +455,7 @@ void ImageView::focusInEvent(QFocusEvent* event) {
 void ImageView::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
     camera_.drop_keys();
+    light_tool_.finish_keys();
     space_ = false;
     update_cursor_shape();
     if (drag_ == Drag::none) camera_.finish();

@@ -5,6 +5,7 @@
 
 #include "widgets/image/camera_controller.h"
 #include "widgets/image/canvas.h"
+#include "widgets/image/light_tool.h"
 #include "widgets/image/region_tool.h"
 
 namespace ir::widgets {
@@ -40,6 +41,9 @@ class ImageView : public QWidget {
     /// Takes zoom and place (or being fitted) over from another view of the same picture size. Emits nothing.
     void follow(const ViewTransform& transform);
     void set_stale(bool stale);
+    /// A light of the picture's scene, with handles that move it by light(); none: there are none.
+    void set_light(std::optional<PlacedLight> light);
+    LightTool& light() { return light_tool_; }
 
     const Image& image() const;  ///< empty without a picture
     const std::shared_ptr<const Picture>& picture() const { return state_.pictures[0].picture; }
@@ -103,11 +107,12 @@ class ImageView : public QWidget {
     void changeEvent(QEvent*) override;
 
   private:
-    enum class Drag { none, pan, camera, pick, wipe, region };
+    enum class Drag { none, pan, camera, pick, wipe, region, light };
     Drag drag_for(const QMouseEvent& event);
     bool moves_camera() const { return tool_ == Tool::orbit || tool_ == Tool::fly; }
     void finish_transform();
     void pick(QPointF logical);
+    bool takes_light_key(const QKeyEvent& event) const;
     bool is_click(QPointF logical) const;
     bool is_over_divider(QPointF logical) const;
     void move_wipe(double fraction);
@@ -124,6 +129,7 @@ class ImageView : public QWidget {
     QWidget* overlay_;
     CameraController camera_;
     RegionTool region_tool_;
+    LightTool light_tool_;
     Tool tool_ = Tool::inspect;
     Drag drag_ = Drag::none;
     QPointF last_position_, press_position_;

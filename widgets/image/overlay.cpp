@@ -6,6 +6,7 @@
 
 #include "widgets/image/canvas.h"
 #include "widgets/image/legend.h"
+#include "widgets/image/light_tool.h"
 
 namespace ir::widgets {
 namespace {
@@ -390,6 +391,7 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
         const QRectF picked = pixel_box(state, state.marks.picked, ratio);
         if (!picked.isNull()) paint_frame(painter, picked, Qt::white, ratio);
         paint_cursor_mark(painter, state, ratio);
+        if (state.light) paint_light(painter, state, ratio);
     }
     if (!state.note.isEmpty()) paint_note(painter, view, state.note, ratio);
     paint_labels(painter, state, view, ratio);

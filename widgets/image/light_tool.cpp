@@ -1,0 +1,170 @@
+#include "widgets/image/light_tool.h"
+
+#include <QKeyEvent>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ir::widgets {
+namespace {
+
+/// Logical pixels.
+constexpr double handle_pixels = 64, handle_reach = 8;
+/// The part of an axis next to the light belongs to the centre.
+constexpr double free_part = 0.25;
+
+constexpr double nudge_step = 0.01;                   // of the picture's height at the light
+constexpr double nudge_turn = std::numbers::pi / 72;  // 2.5°
+constexpr double nudge_large = 10;                    // times, with Shift
+
+double distance_to_line(QPointF at, QPointF from, QPointF to) {
+    const QPointF along = to - from, off = at - from;
+    const double squared = QPointF::dotProduct(along, along);
+    const double part = squared > 0 ? std::clamp(QPointF::dotProduct(off, along) / squared, 0.0, 1.0) : 0;
+    const QPointF between = off - part * along;
+    return std::hypot(between.x(), between.y());
+}
+
+QPoint arrow_of(int key) {
+    switch (key) {
+        case Qt::Key_Left:
+            return {-1, 0};
+        case Qt::Key_Right:
+            return {1, 0};
+        case Qt::Key_Up:
+            return {0, 1};
+        case Qt::Key_Down:
+            return {0, -1};
+        default:
+            return {};
+    }
+}
+
+double aspect_of(const CanvasState& state) {
+    const QSizeF size = state.transform.image_size();
+    return size.width() / std::max(1.0, size.height());
+}
+
+}  // namespace
+
+double handle_length(const CanvasState& state, qreal pixel_ratio) {
+    const double shown = state.transform.image_size().height() * state.transform.zoom();
+    return handle_pixels * pixel_ratio / std::max(1.0, shown) *
+           height_at(state.camera, state.light->position);
+}
+
+std::optional<QPointF> seen_at(const CanvasState& state, const glm::dvec3& point) {
+    const auto place = place_of(state.camera, aspect_of(state), point);
+    if (!place) return {};
+    const QSizeF size = state.transform.image_size();
+    return state.transform.view_from_image({place->x * size.width(), place->y * size.height()});
+}
+
+double LightTool::length() const {
+    return handle_length(state_, view_.devicePixelRatioF());
+}
+
+bool LightTool::hover(QPointF position) {
+    const qreal ratio = view_.devicePixelRatioF();
+    auto found = LightHandle::none;
+    const auto centre = is_active() ? seen_at(state_, state_.light->position) : std::nullopt;
+    if (centre) {
+        double nearest = handle_reach * ratio;
+        for (const auto handle : handles_of(*state_.light)) {
+            const auto end = seen_at(state_, end_of(*state_.light, handle, length()));
+            if (!end) continue;
+            const bool is_line = handle != LightHandle::centre;
+            const QPointF from = is_line ? *centre + free_part * (*end - *centre) : *centre;
+            // An axis that points at the camera is no handle.
+            const QPointF drawn = *end - *centre;
+            const bool is_short = is_line && std::hypot(drawn.x(), drawn.y()) < 2 * handle_reach * ratio;
+            const double off = distance_to_line(position * ratio, from, *end);
+            if (off >= nearest || (is_short && handle != LightHandle::direction)) continue;
+            nearest = off;
+            found = handle;
+        }
+    }
+    return std::exchange(state_.light_handle, found) != found;
+}
+
+void LightTool::press(QPointF position) {
+    hover(position);
+    if (!is_over_handle()) return;
+    finish_keys();
+    drag_ = LightDrag(*state_.light, state_.light_handle, state_.camera, length());
+    offset_ = *seen_at(state_, end_of(*state_.light, state_.light_handle, length())) -
+              position * view_.devicePixelRatioF();
+    dragging_ = true;
+}
+
+void LightTool::drag(QPointF position) {
+    if (!dragging_ || !is_active()) return;
+    const QPointF at = state_.transform.image_from_view(position * view_.devicePixelRatioF() + offset_);
+    const QSizeF size = state_.transform.image_size();
+    const auto sight =
+        sight_through(state_.camera, aspect_of(state_), {at.x() / size.width(), at.y() / size.height()});
+    const auto light = drag_.to(sight);
+    if (drag_.handle() == LightHandle::direction)
+        emit turned(light.direction);
+    else
+        emit moved(light.position);
+}
+
+void LightTool::release() {
+    if (std::exchange(dragging_, false)) emit finished(true);
+}
+
+QString LightTool::hint() const {
+    switch (state_.light_handle) {
+        case LightHandle::centre:
+            return tr(
+                "Drag moves the light parallel to the picture  ·  arrows nudge  ·  Esc takes a drag back");
+        case LightHandle::x:
+            return tr("Drag moves the light along x  ·  Esc takes it back");
+        case LightHandle::y:
+            return tr("Drag moves the light along y  ·  Esc takes it back");
+        case LightHandle::z:
+            return tr("Drag moves the light along z  ·  Esc takes it back");
+        case LightHandle::direction:
+            return tr("Drag turns the light; over the edge and back, to the other side  ·  Alt+arrows nudge");
+        default:
+            return {};
+    }
+}
+
+bool LightTool::takes(const QKeyEvent& event) const {
+    if (!is_active()) return false;
+    if (event.key() == Qt::Key_Escape) return dragging_ && event.modifiers() == Qt::NoModifier;
+    const auto modifiers = event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier | Qt::ShiftModifier);
+    if (dragging_ || arrow_of(event.key()).isNull()) return false;
+    if (modifiers == Qt::AltModifier) return state_.light->turns();
+    const bool is_upright = arrow_of(event.key()).x() == 0;
+    return state_.light->moves() &&
+           (modifiers == Qt::NoModifier || (modifiers == Qt::ControlModifier && is_upright));
+}
+
+void LightTool::press_key(const QKeyEvent& event) {
+    if (event.key() == Qt::Key_Escape) {
+        dragging_ = false;
+        return emit finished(false);
+    }
+    nudging_ = true;
+    const glm::dvec2 arrow(arrow_of(event.key()).x(), arrow_of(event.key()).y());
+    const double times = event.modifiers() & Qt::ShiftModifier ? nudge_large : 1;
+    if (event.modifiers() & Qt::AltModifier) {
+        const auto by = times * nudge_turn * arrow;
+        emit turned(widgets::turned(*state_.light, state_.camera, by.x, by.y).direction);
+        return;
+    }
+    const auto by = times * nudge_step * arrow;
+    const bool is_depth = event.modifiers() & Qt::ControlModifier;
+    const auto along = is_depth ? glm::dvec3(0, 0, by.y) : glm::dvec3(by, 0);
+    emit moved(nudged(*state_.light, state_.camera, along).position);
+}
+
+void LightTool::finish_keys() {
+    if (std::exchange(nudging_, false)) emit finished(true);
+}
+
+}  // namespace ir::widgets
