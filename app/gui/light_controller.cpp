@@ -49,10 +49,15 @@ void LightController::place(Place place) {
     const auto pixel = inspector_.pointed();
     if (place == Place::surface && pixel.x() < 0)
         return emit said(tr("Point at a surface in a picture, or click it: the light stands before it."));
-    const auto size = projects::effective(*chosen).size;
-    const double aspect = double(size.x) / size.y;
-    const auto at =
-        pixel.x() < 0 ? glm::dvec2(0.5) : glm::dvec2((pixel.x() + 0.5) / size.x, (pixel.y() + 0.5) / size.y);
+    QSize size = views.rules().main_size(chosen->id);
+    if (size.isEmpty()) {
+        const auto asked = projects::effective(*chosen).size;
+        size = {asked.x, asked.y};
+    }
+    const double aspect = double(size.width()) / size.height();
+    const auto at = pixel.x() < 0
+                        ? glm::dvec2(0.5)
+                        : glm::dvec2((pixel.x() + 0.5) / size.width(), (pixel.y() + 0.5) / size.height());
     const auto sight = widgets::sight_through(*pose, aspect, at);
     asked_ = Asked{place, chosen->id, *pose, aspect};
     renderer_.find_surface({chosen->id, sight.origin, sight.direction});
