@@ -61,9 +61,9 @@ ImageView& PaneBoard::pane(int index) {
             set_tool(tool);
             emit tool_changed(tool);
         });
-        connect(&view->light(), &LightTool::moved, this, &PaneBoard::light_moved);
-        connect(&view->light(), &LightTool::turned, this, &PaneBoard::light_turned);
-        connect(&view->light(), &LightTool::finished, this, &PaneBoard::light_gesture_finished);
+        connect(view, &ImageView::light_moved, this, &PaneBoard::light_moved);
+        connect(view, &ImageView::light_turned, this, &PaneBoard::light_turned);
+        connect(view, &ImageView::light_gesture_finished, this, &PaneBoard::light_gesture_finished);
         connect(view, &ImageView::activated, this, [this, made] {
             active_ = made;
             sheet_->update();

@@ -46,6 +46,9 @@ ImageView::ImageView(QWidget* parent, Surface surface)
         if (!state_.light->moves()) state_.light->position = state_.camera.target;
         overlay_->update();
     });
+    connect(&light_tool_, &LightTool::moved, this, &ImageView::light_moved);
+    connect(&light_tool_, &LightTool::turned, this, &ImageView::light_turned);
+    connect(&light_tool_, &LightTool::finished, this, &ImageView::light_gesture_finished);
     connect(&region_tool_, &RegionTool::changed, this, [this](const QRect& region) {
         set_mark(&Marks::region, region);
         emit region_changed(region);

@@ -41,9 +41,8 @@ class ImageView : public QWidget {
     /// Takes zoom and place (or being fitted) over from another view of the same picture size. Emits nothing.
     void follow(const ViewTransform& transform);
     void set_stale(bool stale);
-    /// A light of the picture's scene, with handles that move it by light(); none: there are none.
+    /// A light of the picture's scene, with handles; none: there are none.
     void set_light(std::optional<PlacedLight> light);
-    LightTool& light() { return light_tool_; }
 
     const Image& image() const;  ///< empty without a picture
     const std::shared_ptr<const Picture>& picture() const { return state_.pictures[0].picture; }
@@ -89,6 +88,10 @@ class ImageView : public QWidget {
     /// The hand let go: what came since the last one is one step.
     void camera_gesture_finished();
     void tool_changed(ir::widgets::ImageView::Tool tool);
+    // As in LightTool.
+    void light_moved(const glm::dvec3& position);
+    void light_turned(const glm::dvec3& direction);
+    void light_gesture_finished(bool kept);
 
   protected:
     bool event(QEvent*) override;

@@ -154,12 +154,12 @@ class LightToolTest : public testing::Test {
         view.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
         view.set_light(spot());
-        QObject::connect(&view.light(), &LightTool::moved, &view, [this](const glm::dvec3& position) {
+        QObject::connect(&view, &ImageView::light_moved, &view, [this](const glm::dvec3& position) {
             auto light = *view.state().light;
             light.position = position;
             view.set_light(light);
         });
-        QObject::connect(&view.light(), &LightTool::turned, &view, [this](const glm::dvec3& to) {
+        QObject::connect(&view, &ImageView::light_turned, &view, [this](const glm::dvec3& to) {
             auto light = *view.state().light;
             light.direction = to;
             view.set_light(light);
@@ -177,7 +177,7 @@ class LightToolTest : public testing::Test {
 };
 
 TEST_F(LightToolTest, AHandleIsDraggedWhateverTheToolIs) {
-    QSignalSpy finished(&view.light(), &LightTool::finished), picked(&view, &ImageView::picked_changed),
+    QSignalSpy finished(&view, &ImageView::light_gesture_finished), picked(&view, &ImageView::picked_changed),
         posed(&view, &ImageView::camera_moved);
     const auto zoom = view.transform().offset();
     for (const auto tool : {ImageView::Tool::inspect, ImageView::Tool::orbit, ImageView::Tool::rectangle}) {
@@ -203,7 +203,7 @@ TEST_F(LightToolTest, AHandleIsDraggedWhateverTheToolIs) {
 }
 
 TEST_F(LightToolTest, EscapeTakesADragBackAndItsReleaseDoesNothing) {
-    QSignalSpy finished(&view.light(), &LightTool::finished), picked(&view, &ImageView::picked_changed);
+    QSignalSpy finished(&view, &ImageView::light_gesture_finished), picked(&view, &ImageView::picked_changed);
     const auto from = place(direction);
     QTest::mousePress(&view, Qt::LeftButton, {}, from);
     QTest::mouseMove(&view, from + QPoint(20, -30));
@@ -220,7 +220,7 @@ TEST_F(LightToolTest, EscapeTakesADragBackAndItsReleaseDoesNothing) {
 }
 
 TEST_F(LightToolTest, ArrowsNudgeAndTurn) {
-    QSignalSpy finished(&view.light(), &LightTool::finished);
+    QSignalSpy finished(&view, &ImageView::light_gesture_finished);
     view.setFocus();
     const auto axes = camera_axes(camera_in_front());
     const auto gone = [&](Qt::Key key, Qt::KeyboardModifiers modifiers) {
