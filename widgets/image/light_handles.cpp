@@ -125,7 +125,9 @@ PlacedLight LightDrag::to(const Sight& sight) {
 
 PlacedLight nudged(const PlacedLight& light, const CameraPose& camera, const glm::dvec3& right_up_forward) {
     const auto axes = camera_axes(camera);
-    const auto step = height_at(camera, light.position) * right_up_forward;
+    const double height = height_at(camera, light.position);
+    // At the camera and behind it nothing is seen of the light.
+    const auto step = (height > 0 ? height : height_at_target(camera)) * right_up_forward;
     auto moved = light;
     moved.position += step.x * axes.right + step.y * axes.up + step.z * axes.forward;
     return moved;

@@ -58,7 +58,7 @@ class LightDrag {
     bool points_away_ = false, is_outside_ = false;
 };
 
-/// Moved along the camera's axes by parts of the picture's height at the light.
+/// Moved along the camera's axes by parts of the picture's height at the light, else at the target.
 PlacedLight nudged(const PlacedLight& light, const CameraPose& camera, const glm::dvec3& right_up_forward);
 /// Turned about the camera's up and right, radians.
 PlacedLight turned(const PlacedLight& light, const CameraPose& camera, double yaw, double pitch);

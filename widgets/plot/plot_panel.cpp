@@ -20,7 +20,7 @@
 namespace ir::widgets {
 namespace {
 
-constexpr int max_lines = 4;  ///< that are seen at once
+constexpr int max_seen_lines = 4;  ///< that are seen at once
 
 void add_copy(QWidget* widget, std::function<void()> run) {
     auto* copy = new QAction(QObject::tr("Copy"), widget);
@@ -188,7 +188,7 @@ void PlotPanel::show_lines() {
     }
     lines_->setVisible(!lines.isEmpty());
     const int line = std::max(lines_->sizeHintForRow(0), lines_->fontMetrics().lineSpacing() + 4);
-    lines_->setFixedHeight(std::clamp<int>(int(lines.size()), 1, max_lines) * line + 4);
+    lines_->setFixedHeight(std::clamp<int>(int(lines.size()), 1, max_seen_lines) * line + 4);
 }
 
 void PlotPanel::show_empty(const QString& text, const QString& button) {

@@ -122,6 +122,9 @@ TEST(LightHandles, NudgesAreParallelToThePictureAndTurnsKeepTheLength) {
     EXPECT_NEAR(glm::length(moved.position - spot().position -
                             height * (0.01 * axes.right - 0.02 * axes.up + 0.03 * axes.forward)),
                 0, 1e-12);
+    auto head = spot();
+    head.position = camera.eye;
+    EXPECT_GT(glm::length(nudged(head, camera, {0.01, 0, 0}).position - camera.eye), 0.01) << "not seen";
     const auto round = turned(spot(), camera, 0.2, 0.1);
     EXPECT_NEAR(glm::length(round.direction), 1, 1e-12);
     EXPECT_GT(glm::length(round.direction - spot().direction), 0.05);
