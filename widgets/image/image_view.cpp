@@ -130,11 +130,12 @@ void ImageView::set_light(std::optional<PlacedLight> light) {
     if (light && !light->moves()) light->position = state_.camera.target;
     if (light == state_.light) return;
     state_.light = light;
-    if (!light_tool_.is_dragging()) state_.light_handle = LightHandle::none;
+    if (!light) state_.light_handle = LightHandle::none;
     setAccessibleDescription(
         light ? tr("%1 has handles here. Arrows move it, Alt and arrows turn it.").arg(light->name)
               : QString());
-    overlay_->update();
+    update_hint();
+    update_cursor_shape();
 }
 
 void ImageView::follow(const ViewTransform& transform) {

@@ -187,8 +187,9 @@ TEST_F(LightToolTest, AHandleIsDraggedWhateverTheToolIs) {
         view.set_tool(tool);
         view.set_light(spot());
         const auto from = place(x);
+        QTest::mouseMove(&view, {20, 20});
         QTest::mouseMove(&view, from + QPoint(1, 0));
-        EXPECT_EQ(view.state().light_handle, x);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view.state().light_handle == x; }));
         EXPECT_TRUE(view.state().hint.contains("along x"));
         QTest::mousePress(&view, Qt::LeftButton, {}, from);
         for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from + QPoint(10 * i, 0));
@@ -237,9 +238,15 @@ TEST_F(LightToolTest, ArrowsNudgeAndTurn) {
                     glm::dot(gone(Qt::Key_Up, Qt::NoModifier), axes.up),
                 10, 1e-6);
     EXPECT_GT(glm::dot(gone(Qt::Key_Up, Qt::ControlModifier), axes.forward), 0.01);
+    QTest::mouseMove(&view, {20, 20});
+    QTest::mouseMove(&view, place(centre));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.state().hint.contains("nudge"); }));
+    gone(Qt::Key_Right, Qt::NoModifier);
+    QTest::mouseMove(&view, {20, 20});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.state().hint.isEmpty(); })) << "the cursor left it";
     EXPECT_EQ(gone(Qt::Key_Left, Qt::AltModifier), glm::dvec3(0));
     EXPECT_NE(light().direction, spot().direction);
-    EXPECT_EQ(finished.count(), 6);
+    EXPECT_EQ(finished.count(), 7);
     EXPECT_TRUE(view.accessibleDescription().contains("Spot"));
 }
 
