@@ -16,10 +16,9 @@ struct BouncedPass {
     Volumes volumes;
     passes::bounce::Directions directions;
     Bounced result;
-    graph::ImageRef depth;  ///< z = |x − y|² / r²
 
     void bind(const graph::PassContext& context, int layer) const {
-        const graph::PassContext::Attachment z{depth, layer};
+        const graph::PassContext::Attachment z{result.depth, layer};
         context.bind_framebuffer({{result.winner, layer}, {result.distance, layer}}, &z);
     }
 
@@ -64,14 +63,19 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl
 
 Bounced find_nearest(graph::GraphBuilder& builder, const Volumes& volumes,
                      const passes::bounce::Directions& directions) {
-    BouncedPass bounced{volumes, directions, {}, {}};
+    BouncedPass bounced{volumes, directions, {}};
     bounced.result.distance = passes::bounce::declare_distance(builder, directions.samples);
     bounced.result.winner = declare(builder, "volumes.winner", gl::Format::r32ui, directions.samples);
-    bounced.depth = declare(builder, "volumes.depth", gl::Format::depth32f, directions.samples);
+    bounced.result.depth = declare(builder, "volumes.depth", gl::Format::depth32f, directions.samples);
+    if (builder.inputs().processor == Processor::host) {
+        find_nearest_on_host(builder, volumes, directions, bounced.result);
+        return bounced.result;
+    }
     auto pass = builder.pass("bounced z");
     read_volumes(pass, volumes);
-    pass.reads("directions", directions.directions)
-        .writes(bounced.result.distance, bounced.result.winner, bounced.depth)
+    pass.has_two_bodies()
+        .reads("directions", directions.directions)
+        .writes(bounced.result.distance, bounced.result.winner, bounced.result.depth)
         .execute_sliced(
             volumes.triangles * directions.samples,
             [bounced](graph::PassContext& context, graph::Slice slice) { bounced.run(context, slice); });

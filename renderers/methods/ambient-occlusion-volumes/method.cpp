@@ -18,7 +18,7 @@ MethodDescription description() {
         "Extrudes every triangle by the maximum distance into a volume and draws it over the picture; each "
         "pixel in it decides exactly how the triangle occludes its point, seen by the camera or not. With "
         "visibility, samples of a pixel keep the nearest triangle along directions of their own: exact rays, "
-        "found by a depth test. Without, form factors of all triangles add up and occlude too much where "
+        "found by a depth test, or traced where the processor is the host. Without, form factors of all triangles add up and occlude too much where "
         "things lie behind each other. The time grows with the number of volumes that cover a pixel: with "
         "triangles and with the cube of the maximum distance. Fall-off: with visibility as everywhere; "
         "without, smooth is the published product of distances to the volume's planes, and a triangle that "
@@ -78,7 +78,8 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
                                                      : without_visibility(builder, volumes, parameters, text);
     count_volumes(builder, volumes);
     passes::lit(builder, gbuffer, direct, accessibility, parameters.ambient);
-    if (parameters.transport.max_distance == 0)
+    const bool draws = !parameters.visibility || builder.inputs().processor == Processor::gl;
+    if (parameters.transport.max_distance == 0 && draws)
         builder.note(
             "ambient-occlusion-volumes: max_distance is 0, so every volume is as large as the scene and is "
             "drawn over most of the picture; give a distance.");

@@ -72,11 +72,17 @@ std::vector<OutputDescription> count_outputs();
 struct Bounced {
     graph::ImageRef distance;  ///< bounce::Samples
     graph::ImageRef winner;    ///< "volumes.winner" r32ui stack: 1 + triangle, 0 none
+    graph::ImageRef depth;     ///< "volumes.depth" depth32f stack: z = |x − y|² / r²; 1: none
 };
 
 /// Declares the pass "bounced z": for each sample the nearest triangle along its direction. [Nalbach15 §3.2]
 Bounced find_nearest(graph::GraphBuilder& builder, const Volumes& volumes,
                      const passes::bounce::Directions& directions);
+
+/// The same on the host's threads: rays through the ray-tracing scene, without volumes. Declares the pass
+/// that fills `bounced`.
+void find_nearest_on_host(graph::GraphBuilder& builder, const Volumes& volumes,
+                          const passes::bounce::Directions& directions, const Bounced& bounced);
 
 std::vector<OutputDescription> bounced_outputs();
 

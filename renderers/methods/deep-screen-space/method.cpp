@@ -81,7 +81,8 @@ graph::ImageRef gather(graph::GraphBuilder& builder, const passes::SceneBuffers&
     const auto surfels = make_surfels(builder, scene, shadow, reach.whole, parameters);
     const auto hierarchy = shuffle(builder, gbuffer, parameters);
     if (!parameters.visibility)
-        return splat_additive(builder, scene, gbuffer, hierarchy, surfels, parameters, std::move(text));
+        return splat_additive(builder, scene, gbuffer, shadow, hierarchy, surfels, parameters,
+                              std::move(text));
     const auto directions = bounce::directions(builder, scene, gbuffer,
                                                {.parameters = parameters.directions,
                                                 .light = parameters.transport.paths != Paths::ao,

@@ -75,6 +75,11 @@ struct Reach {
 };
 Reach reach_of(const Parameters& parameters, const scene::World& world);
 
+/// Whether surfels also send what their material reflects to one side more than to another.
+inline bool sends_highlights(const Parameters& parameters) {
+    return parameters.glossy_senders && parameters.transport.materials != Transport::Materials::lambert;
+}
+
 /// What random choices of a frame are made of: where surfels lie, which pixels form a sub-image, which
 /// sub-image a surfel is splatted into. The run's seed in one word; frames that are averaged each have
 /// another.

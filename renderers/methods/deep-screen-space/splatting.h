@@ -38,9 +38,9 @@ passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes
 /// level by distance; levels are blurred (by the blur's parameters, as many pixels of the level) and added.
 /// The image that `text` describes: accessibility r32f or reflected radiance rgba32f. [Nalbach14]
 graph::ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                               const passes::GBuffer& gbuffer, const Hierarchy& hierarchy,
-                               const Surfels& surfels, const Parameters& parameters,
-                               graph::ResourceText text);
+                               const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
+                               const Hierarchy& hierarchy, const Surfels& surfels,
+                               const Parameters& parameters, graph::ResourceText text);
 
 std::vector<OutputDescription> hierarchy_outputs();
 std::vector<OutputDescription> visible_outputs();   ///< only with visibility

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "renderers/passes/bounce/filter.h"
+#include "renderers/passes/bounce/tiles.h"
 
 namespace ir::passes::bounce {
 namespace {
@@ -47,6 +48,12 @@ float length_of_misses(const scene::World& world, float asked) {
 
 std::vector<OutputDescription> reconstruction_outputs(const Condition& active_when) {
     return {
+        {.key = "bounce.weights",
+         .label = "Weights",
+         .doc = "How samples share in a pixel. R: what the sum of their values is divided by; a sample of "
+                "the pixel itself counts 1, with the ratio estimator as much as it gives if it is open. G: "
+                "the largest part that one sample has in the value: near 1 where one makes a bright dot.",
+         .active_when = active_when},
         {.key = "bounce.explain.rays",
          .label = "Rays of the pixel",
          .kind = OutputKind::line_set,
@@ -87,6 +94,16 @@ void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const
     pass.compute(source, 1,
                  Explain{filter.constants(inputs), inputs.picked_pixel(),
                          length_of_misses(*inputs.world, miss_length)});
+}
+
+void show_weights(graph::GraphBuilder& builder, const Filter& filter) {
+    const auto weights = builder.output("bounce.weights", {.format = gl::Format::rg32f});
+    auto pass = builder.pass("weights of samples");
+    filter.declare_reads(pass);
+    pass.writes("weights", weights);
+    gl::ProgramSource source{{"passes/bounce/weights.comp"}};
+    filter.define(source);
+    compute_by_tiles(pass, builder, source, filter.constants(builder.inputs()));
 }
 
 }  // namespace ir::passes::bounce

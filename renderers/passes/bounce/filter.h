@@ -25,4 +25,7 @@ struct Filter {
     FilterConstants constants(const graph::FrameInputs& inputs) const;
 };
 
+/// Declares "bounce.weights", which is computed only while somebody looks.
+void show_weights(graph::GraphBuilder& builder, const Filter& filter);
+
 }  // namespace ir::passes::bounce

@@ -1,6 +1,7 @@
 #include "renderers/passes/bounce/reconstruction.h"
 
 #include "renderers/passes/bounce/filter.h"
+#include "renderers/passes/bounce/host/reconstruct_on_host.h"
 
 namespace ir::passes::bounce {
 namespace {
@@ -65,7 +66,13 @@ graph::ImageRef reconstruct(graph::GraphBuilder& builder, const SceneBuffers& sc
     desc.text = std::move(text);
     desc.format = directions.options.light ? gl::Format::rgba32f : gl::Format::r32f;
     const auto result = builder.image(std::move(desc));
+    show_weights(builder, filter);
+    if (builder.inputs().processor == Processor::host) {
+        reconstruct_on_host(builder, filter, result);
+        return result;
+    }
     auto pass = builder.pass("reconstruction");
+    pass.has_two_bodies();
     filter.declare_reads(pass);
     pass.writes("result", result);
     gl::ProgramSource source{{"passes/bounce/reconstruct.comp"}};

@@ -39,6 +39,7 @@ void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const
                   const Directions& directions, const Samples& samples,
                   const ReconstructionParameters& parameters, float miss_length = 0);
 
+/// "bounce.weights", which `reconstruct` declares, and the two of `explain_rays`.
 std::vector<OutputDescription> reconstruction_outputs(const Condition& active_when);
 
 }  // namespace ir::passes::bounce

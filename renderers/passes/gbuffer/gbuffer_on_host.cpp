@@ -10,7 +10,7 @@
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/glass.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
-#include "renderers/passes/surface/host_texture.h"
+#include "renderers/passes/surface/host_surfaces.h"
 #include "renderers/passes/surface/surface.h"
 
 namespace ir::passes {
@@ -18,49 +18,6 @@ namespace {
 
 /// Pixels of a side of the squares that a packet of rays goes through.
 constexpr int side = 4;
-
-std::shared_ptr<std::vector<HostTexture>> with_all_levels(const scene::Scene& scene) {
-    auto made = std::make_shared<std::vector<HostTexture>>();
-    made->reserve(scene.textures.size());
-    for (const auto& texture : scene.textures) made->emplace_back(texture, HostTexture::Levels::all);
-    return made;
-}
-
-graph::ObjectRef declare_host_textures(graph::GraphBuilder& builder) {
-    const auto result = builder.object({.text = {.key = "gbuffer.textures",
-                                                 .label = "Textures with all levels",
-                                                 .doc = "What the G-buffer's rays look up on the host."},
-                                        .fingerprint = builder.inputs().scene->content_hash});
-    builder.pass("textures of the G-buffer", graph::Queue::cpu)
-        .writes(result)
-        .execute([=](graph::PassContext& context) {
-            const auto made = with_all_levels(*context.inputs().scene);
-            std::uint64_t bytes = 0;
-            for (const auto& texture : *made) bytes += texture.bytes();
-            context.store(result, made, bytes);
-        });
-    return result;
-}
-
-graph::ObjectRef declare_surfaces(graph::GraphBuilder& builder, bool normal_maps) {
-    const auto textures = declare_host_textures(builder);
-    graph::ObjectDesc desc{
-        .text = {.key = "gbuffer.surfaces", .label = "Surfaces", .doc = "Triangles and materials for rays."},
-        .fingerprint = builder.inputs().geometry_fingerprint};
-    if (!normal_maps && !desc.fingerprint.empty()) desc.fingerprint += " without normal maps";
-    const auto result = builder.object(desc);
-    builder.pass("surfaces of the G-buffer", graph::Queue::cpu)
-        .reads(textures)
-        .writes(result)
-        .execute([=](graph::PassContext& context) {
-            const auto& inputs = context.inputs();
-            const auto made =
-                std::make_shared<SurfaceLookup>(*inputs.scene, *inputs.world, normal_maps,
-                                                context.object<std::vector<HostTexture>>(textures));
-            context.store(result, made, made->bytes());
-        });
-    return result;
-}
 
 /// What the rays go through, and the pixels that they fill.
 class HostGBuffer {
@@ -194,7 +151,7 @@ bool has_host_body(const graph::FrameInputs& inputs, const GBufferOptions& optio
 
 void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& g, const GBufferOptions& options) {
     const auto hierarchy = bvh(builder);
-    const auto surfaces = declare_surfaces(builder, options.normal_maps);
+    const auto surfaces = host_surfaces(builder, options.normal_maps);
     const int height = builder.inputs().view.height, blocks = (height + side - 1) / side;
     builder.pass("G-buffer", graph::Queue::cpu)
         .has_two_bodies()

@@ -16,6 +16,13 @@ constexpr float same_index = 1e-3f;
 /// Least cosine to the viewer: shading normals may turn away from it.
 constexpr float min_view_cosine = 1e-4f;
 
+/// [Walter07 eq. 33]
+inline float ggx_distribution(float n_dot_h, float alpha) {
+    const float squared = alpha * alpha;
+    const float denominator = n_dot_h * n_dot_h * (squared - 1) + 1;
+    return squared / (glm::pi<float>() * denominator * denominator);
+}
+
 /// From the squared sine between normal and half vector: near the peak its cosine has lost the digits that
 /// count, 10 % of the value at α = 1e-3.  [Walter07 eq. 33, (n·h)² (α² - 1) + 1 = α² + (1 - α²) sin²]
 inline float ggx_distribution_of_sine(float squared_sine, float alpha) {

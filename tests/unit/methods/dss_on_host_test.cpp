@@ -137,6 +137,93 @@ TEST_F(DssOnHost, MeetsTheSameDiscsByAllChoices) {
     }
 }
 
+/// The corner with other materials, in the light of a spot, a sun and a point light, and of a square that
+/// glows where `glows`.
+Shot lit_corner_shot(int width, int height, bool glows) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 3);
+    small.square({0, 1, -1.5f}, {0, 0, 1}, 2, SmallWorld::masked);
+    small.square({0.6f, 1.1f, 0.3f}, {0, -1, 0}, 0.6f);
+    if (glows) small.square({-1, 1.5f, 0}, {1, 0, 0}, 0.4f, static_cast<SmallWorld::Material>(2));
+    auto scene = small.scene();
+    scene.materials.resize(3);
+    auto& floor = scene.materials[SmallWorld::opaque];
+    floor.base_colour = {0.8f, 0.5f, 0.2f, 1};
+    floor.metallic = 0.3f, floor.roughness = 0.4f;
+    auto& wall = scene.materials[SmallWorld::masked];
+    wall.metallic = 1, wall.roughness = 0.6f, wall.alpha_mode = scene::AlphaMode::opaque;
+    scene.materials[2].emission = glm::vec3(5);
+    scene.lights.resize(3);
+    scene.lights[0].type = scene::LightType::spot;
+    scene.lights[0].position = {1.5f, 2.5f, 1.5f};
+    scene.lights[0].direction = glm::normalize(glm::vec3(-1, -1.5f, -2));
+    scene.lights[0].intensity = 20;
+    scene.lights[1].type = scene::LightType::directional;
+    scene.lights[1].direction = glm::normalize(glm::vec3(0.3f, -1, -0.4f));
+    scene.lights[2].position = {-1.2f, 0.7f, 0.8f};
+    return {scene, dss_camera({0.4f, 1.4f, 3.5f}, {0, 0.6f, 0}), width, height};
+}
+
+TEST_F(DssOnHost, WinnersSendTheSameLight) {
+    auto discs = corner_discs();
+    std::mt19937 random(3);
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        discs[i].triangle = i < 900 ? i % 2 : i < 1400 ? 2 + i % 2 : 4 + i % 2;
+        discs[i].barycentrics = random() & 0x7fff7fffu;
+        discs[i].radiance_back = {0.1f, 0.2f, 0.3f};
+    }
+    struct Choice {
+        const char* name;
+        std::function<void(dss::Parameters&)> make;
+    };
+    const std::vector<Choice> choices{
+        {"as it is", [](auto&) {}},
+        {"without highlights", [](auto& p) { p.glossy_senders = false; }},
+        {"blended materials", [](auto& p) { p.transport.materials = Transport::Materials::metalness_blend; }},
+        {"diffuse", [](auto& p) { p.transport.materials = Transport::Materials::lambert; }},
+        {"discs alone", [](auto& p) { p.level0 = dss::Level0::discs; }},
+        {"black backs", [](auto& p) { p.backs = dss::Backs::black; }},
+    };
+    for (const bool glows : {false, true}) {
+        const auto shot = lit_corner_shot(width, height, glows);
+        for (const auto& choice : choices) {
+            SCOPED_TRACE(std::string(choice.name) + (glows ? ", with an emissive square" : ""));
+            VisibleRun run{.surfels = discs, .parameters = corner_parameters()};
+            run.wanted = {"splats.nearest", "bounce.incoming"};
+            run.parameters.transport.paths = Transport::Paths::indirect;
+            run.parameters.level0 = dss::Level0::triangles;
+            choice.make(run.parameters);
+            std::vector<Image> nearest[2], light[2];
+            for (const auto on : {Processor::gl, Processor::host}) {
+                run_shot(shot, method(run), run, run.seed, on);
+                for (int s = 0; s < samples; ++s) {
+                    nearest[on == Processor::host].push_back(read("splats.nearest", s));
+                    light[on == Processor::host].push_back(read("bounce.incoming", s));
+                }
+            }
+            int compared = 0, different = 0, lit_by_triangles = 0;
+            for (std::size_t s = 0; s < light[0].size(); ++s)
+                for (std::size_t i = 0; i < nearest[0][s].pixels.size(); ++i) {
+                    const float winner = nearest[0][s].pixels[i];
+                    if (winner != nearest[1][s].pixels[i]) continue;
+                    ++compared;
+                    bool is_same = true;
+                    for (std::size_t c = 4 * i; c < 4 * i + 4; ++c) {
+                        const float device = light[0][s].pixels[c], host = light[1][s].pixels[c];
+                        is_same = is_same && std::abs(device - host) <= 1e-3f * (0.1f + device);
+                    }
+                    different += !is_same;
+                    lit_by_triangles += winner >= 2147483648.0f && light[1][s].pixels[4 * i] > 0.01f;
+                }
+            EXPECT_GT(compared, width * height * samples * 99 / 100);
+            EXPECT_LE(different, compared / 100) << "at the borders of shadows";
+            if (run.parameters.level0 == dss::Level0::triangles) {
+                EXPECT_GT(lit_by_triangles, 20);
+            }
+        }
+    }
+}
+
 TEST_F(DssOnHost, NothingGivesNothing) {
     VisibleRun run{.parameters = corner_parameters()};
     run.wanted = {"splats.*", "bounce.distance"};

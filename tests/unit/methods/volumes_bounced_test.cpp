@@ -94,6 +94,41 @@ TEST_F(VolumesBouncedTest, WithoutALimitAllThatIsMetCloses) {
     EXPECT_EQ(image.pixels, farther.pixels);
 }
 
+/// At edges that triangles share either may be named.
+TEST_F(VolumesBouncedTest, TheHostMeetsTheSame) {
+    constexpr int samples = 3, size = 40;
+    SmallWorld world;
+    world.square({0, 0, 0}, {0, 1, 0}, 2);
+    world.square({0, 0.3f, 0}, {0, -1, 0}, 1, SmallWorld::masked);
+    world.add_soup(40, 5);
+    const Shot shot(world.scene(), volumes_camera({2.5f, 1.2f, 2.5f}, {0, 0, 0}), size, size);
+    for (const double reach : {0.4, 0.0}) {
+        std::vector<Image> winners[2], distances[2], depths[2];
+        for (const auto processor : {Processor::gl, Processor::host}) {
+            on = processor;
+            render(shot, bounced_volumes(reach, samples));
+            const bool is_host = on == Processor::host;
+            EXPECT_EQ(report.messages.empty(), is_host || reach > 0);
+            for (int layer = 0; layer < samples; ++layer) {
+                winners[is_host].push_back(read("volumes.winner", layer));
+                distances[is_host].push_back(read("bounce.distance", layer));
+                depths[is_host].push_back(read("volumes.depth", layer));
+            }
+        }
+        int met = 0, different = 0;
+        for (std::size_t layer = 0; layer < samples; ++layer)
+            for (std::size_t i = 0; i < winners[0][layer].pixels.size(); ++i) {
+                met += winners[0][layer].pixels[i] != 0;
+                different +=
+                    winners[0][layer].pixels[i] != winners[1][layer].pixels[i] ||
+                    std::abs(distances[0][layer].pixels[i] - distances[1][layer].pixels[i]) > 1e-4f ||
+                    std::abs(depths[0][layer].pixels[i] - depths[1][layer].pixels[i]) > 1e-3f;
+            }
+        EXPECT_GT(met, size * size * samples / 20);
+        EXPECT_LE(different, size * size * samples / 500);
+    }
+}
+
 struct Explained {
     std::uint32_t triangle, hits, won;
     float form_factor, weight, occlusion, distance;

@@ -20,6 +20,7 @@ class VolumesTest : public PassTest {
         if (method == all.end()) throw std::runtime_error("ambient-occlusion-volumes is not registered");
         auto inputs = shot.inputs();
         inputs.seed = seed;
+        inputs.processor = on;
         inputs.inspection = std::move(picked);
         graph::FrameOptions options;
         options.wanted = {key, "gbuffer.*", "bounce.*", "volumes.*"};
@@ -28,6 +29,7 @@ class VolumesTest : public PassTest {
         return read(key);
     }
     FrameReport report;
+    Processor on = Processor::gl;
 };
 
 inline scene::Camera volumes_camera(glm::vec3 eye, glm::vec3 target, float orthographic_height = 0) {

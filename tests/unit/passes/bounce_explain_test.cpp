@@ -78,6 +78,25 @@ TEST_F(BounceExplainTest, LinesAddUpToThePixel) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum<3>(c), read("result").at(20, 30, c), 1e-5);
 }
 
+TEST_F(BounceExplainTest, TheLargestPartIsThatOfALine) {
+    auto r = BounceRun::with(4, Spread::stratified, 3);
+    r.meeting = random_meeting;
+    r.options.light = true;
+    for (const float balance : {0.0f, 0.25f}) {
+        r.reconstruction.balance = balance;
+        explain(corner(), r, {20, 30});
+        double most = 0, sum = 0;
+        for (const auto* key : {"bounce.explain.rays", "bounce.explain.neighbours"})
+            for (const auto& line : lines<3>(key)) {
+                const auto* c = line.contribution;
+                const double part = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+                most = std::max(most, part);
+                sum += part;
+            }
+        EXPECT_NEAR(read("bounce.weights").at(20, 30, 1), most / sum, 1e-5);
+    }
+}
+
 /// 59² neighbours with 16 samples each: the widest filter, whose loops stay just below llvmpipe's limit.
 TEST_F(BounceExplainTest, TheWidestFilterIsComplete) {
     SmallWorld small;

@@ -74,6 +74,7 @@ struct BounceRun {
     Meeting meeting = [](glm::ivec2, int, glm::vec4) { return Met{}; };
     std::uint64_t seed = 1;
     Inspection inspection = {};
+    Processor on = Processor::gl;
 
     static BounceRun with(int samples, bounce::Spread spread, int blur_radius) {
         BounceRun run;
@@ -119,6 +120,7 @@ class BounceTest : public PassTest {
         auto inputs = shot.inputs();
         inputs.seed = r.seed;
         inputs.inspection = r.inspection;
+        inputs.processor = r.on;
         return run(inputs, [&](graph::GraphBuilder& builder) {
             const auto scene = passes::upload_scene(builder);
             const auto gbuffer = passes::gbuffer(builder, scene);

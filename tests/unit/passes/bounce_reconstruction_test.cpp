@@ -292,5 +292,48 @@ TEST_F(ReconstructionTest, BalanceBoundsWhatANeighboursSampleGivesAndLeavesTheMe
     EXPECT_GT(published_most, balanced_most);
 }
 
+/// Of a room of many materials, over the edges of tiles; radiances are any that differ.
+TEST_F(ReconstructionTest, HostAndDeviceGiveTheSame) {
+    const Shot shot("builtin:dominoes", "row", 83, 21);
+    const auto compare = [&](BounceRun r) {
+        std::vector<std::vector<float>> of_body;
+        for (r.on = Processor::gl;; r.on = Processor::host) {
+            reconstruct(shot, r);
+            for (int c = 0; c < (r.options.light ? 3 : 1); ++c) of_body.push_back(result(c));
+            if (r.on == Processor::host) break;
+        }
+        const auto channels = of_body.size() / 2;
+        for (std::size_t c = 0; c < channels; ++c) {
+            EXPECT_GT(Moments(of_body[c]).deviation, 0.01) << "there is something to compare";
+            for (std::size_t i = 0; i < of_body[c].size(); ++i) {
+                const float device = of_body[c][i], host = of_body[channels + c][i];
+                ASSERT_NEAR(host, device, 2e-4f * (0.1f + std::abs(device))) << i << ", channel " << c;
+            }
+        }
+    };
+    for (const int radius : {0, 3}) {
+        auto r = BounceRun::with(3, Spread::stratified, radius);
+        r.meeting = [](glm::ivec2 pixel, int sample, glm::vec4 direction) {
+            const float hash = std::sin(13.0f * static_cast<float>(pixel.x + 7 * pixel.y + 3 * sample));
+            return Met{hash * 2 * direction.y, glm::abs(glm::vec3(direction)) * (1.5f + hash)};
+        };
+        for (const auto estimator : {Estimator::ratio, Estimator::published}) {
+            SCOPED_TRACE("accessibility, radius " + std::to_string(radius));
+            r.reconstruction.estimator = estimator;
+            compare(r);
+        }
+        r.options.light = true;
+        for (const auto model : {Transport::Materials::gltf, Transport::Materials::metalness_blend,
+                                 Transport::Materials::lambert})
+            for (const float balance : {0.0f, 0.25f}) {
+                SCOPED_TRACE("materials " + std::to_string(static_cast<int>(model)) + ", radius " +
+                             std::to_string(radius) + ", balance " + std::to_string(balance));
+                r.options.materials = model;
+                r.reconstruction.balance = balance;
+                compare(r);
+            }
+    }
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -1,6 +1,7 @@
 #include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
+#include "renderers/methods/deep-screen-space/surfels/senders.h"
 #include "renderers/passes/bounce/receiver.h"
 
 namespace ir::methods::deep_screen_space {
@@ -15,8 +16,10 @@ struct Additive {
     passes::bounce::Receivers receivers;
     ImageRef splatted;  ///< "additive.splatted": occlusion, or light by a white Lambert part
     ImageRef glossy;    ///< "additive.glossy": light by microfacets; none where materials have none
+    SenderInputs senders;
 
     bool is_light() const { return receivers.options.light; }
+    bool has_highlights() const { return is_light() && sends_highlights(parameters()); }
     bool has_gloss() const { return glossy.index >= 0; }
     const Parameters& parameters() const { return splats.parameters; }
 };
@@ -49,10 +52,11 @@ void clear_layer(const gl::Api& gl, const Additive& additive) {
 /// Constants of additive.frag.
 struct AdditiveSplat {
     SplatConstants splat;
+    SenderConstants senders;
     passes::bounce::ReceiverConstants receiver;
     bool black_backs;
     float falloff_distance;
-    IR_FIELDS(splat, receiver, black_backs, falloff_distance)
+    IR_FIELDS(splat, senders, receiver, black_backs, falloff_distance)
 };
 
 /// Sums are in the order of the surfels.
@@ -68,10 +72,12 @@ const gl::Program& bind_layer(const PassContext& p, const Additive& additive, co
     if (layer.is_first) clear_layer(gl, additive);
     gl::ProgramSource source{{folder + "splat.vert", folder + "additive.frag"}};
     additive.receivers.define(source);
+    source.defines["GLOSSY_SENDERS"] = additive.has_highlights() ? "1" : "0";
     const auto& program = p.use(source);
     const auto& transport = additive.parameters().transport;
     const bool smooth = transport.falloff == Transport::Falloff::smooth;
     program.set(AdditiveSplat{.splat = splat_constants(additive.splats, layer),
+                              .senders = sender_constants(p.inputs(), additive.parameters()),
                               .receiver = additive.receivers.constants(p.inputs()),
                               .black_backs = additive.parameters().backs != Backs::lit,
                               .falloff_distance = smooth ? transport.max_distance : 0.0f});
@@ -89,6 +95,7 @@ void splat(graph::GraphBuilder& builder, Additive& additive) {
     additive.receivers.declare_reads(pass);
     pass.writes(additive.splatted);
     if (additive.has_gloss()) pass.writes(additive.glossy);
+    if (additive.has_highlights()) additive.senders.read_by(pass);
     draw_splats(pass, additive.splats,
                 [=](const PassContext& p, const SplatLayer& layer) -> const gl::Program& {
                     return bind_layer(p, additive, layer);
@@ -122,21 +129,19 @@ ImageRef resolve(graph::GraphBuilder& builder, const Additive& additive, const L
 }  // namespace
 
 ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                        const passes::GBuffer& gbuffer, const Hierarchy& hierarchy, const Surfels& surfels,
-                        const Parameters& parameters, graph::ResourceText text) {
+                        const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
+                        const Hierarchy& hierarchy, const Surfels& surfels, const Parameters& parameters,
+                        graph::ResourceText text) {
     Additive additive;
     additive.splats = declare_splats(builder, hierarchy, surfels, parameters, 1);
     additive.receivers = receivers_of(scene, gbuffer, parameters);
+    if (additive.has_highlights()) additive.senders = sender_inputs(builder, scene, shadow);
     splat(builder, additive);
     const auto sums = blur_levels(builder, gbuffer, hierarchy, additive.splatted, parameters);
     LevelSums glossy;
     if (additive.has_gloss()) glossy = blur_levels(builder, gbuffer, hierarchy, additive.glossy, parameters);
     show_unshuffled(builder, hierarchy, additive.splatted);
     count_cover(builder, additive.splats);
-    if (additive.is_light() && parameters.glossy_senders)
-        builder.note(
-            "deep-screen-space: without visibility surfels send the diffuse part of their light alone; "
-            "glossy_senders has no effect.");
     return resolve(builder, additive, sums, glossy, std::move(text));
 }
 

@@ -1,15 +1,13 @@
+#include "renderers/methods/deep-screen-space/splatting/level0_light.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "renderers/core/threads.h"
-#include "renderers/methods/deep-screen-space/splatting/visible.h"
-#include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
 
 namespace ir::methods::deep_screen_space {
-namespace {
 
-/// Barycentric weights of the second and third corner.
 glm::vec2 weights_at(const scene::World& world, std::uint32_t triangle, const glm::vec3& position_ws) {
     const auto corner = [&](std::size_t i) { return world.positions[world.indices[3 * triangle + i]]; };
     const auto a = corner(0), ab = corner(1) - a, ac = corner(2) - a, ap = position_ws - a;
@@ -19,8 +17,6 @@ glm::vec2 weights_at(const scene::World& world, std::uint32_t triangle, const gl
     return glm::clamp(glm::vec2(glm::dot(glm::cross(ap, ac), n), glm::dot(glm::cross(ab, ap), n)) / area,
                       0.0f, 1.0f);
 }
-
-}  // namespace
 
 std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const VisibleSplats& visible,
                                             graph::ImageRef distance) {
@@ -43,35 +39,28 @@ std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const 
             [=, nearest = visible.nearest, position = visible.gbuffer.position](graph::PassContext& context,
                                                                                 graph::Slice slice) {
                 const auto& inputs = context.inputs();
-                const auto traced = context.object<passes::Bvh>(bvh);
-                const auto emitters = context.object<passes::ExtendedEmitters>(sources);
-                const SourceIrradiance estimate(*traced, *emitters);
+                const Level0Light light(context, bvh, sources, parameters);
                 const auto from = context.pixels<const glm::vec4>(position);
-                const auto seed = random_seed(inputs, parameters);
                 tbb::task_arena arena(arena_size(inputs.threads));
                 for (auto layer = static_cast<int>(slice.begin); layer < slice.end; ++layer) {
                     const auto winners = context.pixels<const std::uint32_t>(nearest, layer);
                     const auto distances = context.pixels<const float>(distance, layer);
                     const auto towards = context.pixels<const glm::vec4>(directions, layer);
                     const auto result = context.pixels<glm::vec4>(irradiance, layer);
-                    const auto light = [&](std::size_t i) {
+                    const auto light_of = [&](std::size_t i) {
                         if (!(winners[i] & exact_hit)) return glm::vec4(0);
                         const auto triangle = winners[i] & ~exact_hit;
                         const glm::vec3 direction(towards[i]);
-                        const auto place = glm::vec3(from[i]) + distances[i] * direction;
-                        const auto weights = weights_at(*inputs.world, triangle, place);
-                        const auto surface = emitters->surfaces.at(
-                            {.distance = 0, .triangle = triangle, .u = weights.x, .v = weights.y}, direction);
-                        const auto key = passes::mixed(
-                            seed ^ (std::uint64_t(winners.size()) * std::uint64_t(layer) + i) ^ exact_hit);
-                        return glm::vec4(estimate.irradiance(surface, surface.geometric_normal_ws, key, 1),
-                                         1);
+                        const auto weights = weights_at(*inputs.world, triangle,
+                                                        glm::vec3(from[i]) + distances[i] * direction);
+                        const auto ray = std::uint64_t(winners.size()) * std::uint64_t(layer) + i;
+                        return glm::vec4(light.irradiance(triangle, weights, direction, ray), 1);
                     };
                     arena.execute([&] {
                         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, winners.size()),
                                           [&](const auto& range) {
                                               for (auto i = range.begin(); i != range.end(); ++i)
-                                                  result[i] = light(i);
+                                                  result[i] = light_of(i);
                                           });
                     });
                     context.cancel().check();

@@ -1,16 +1,15 @@
+#include "renderers/methods/deep-screen-space/splatting/host/light_on_host.h"
+#include "renderers/methods/deep-screen-space/splatting/level0_light.h"
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
+#include "renderers/methods/deep-screen-space/surfels/senders.h"
 #include "renderers/passes/bounce/tiles.h"
-#include "renderers/passes/scene/hit_surfaces.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
 
 struct Senders {
-    passes::SceneBuffers scene;
-    passes::ShadowMaps shadow;
-    passes::HitSurfaces surfaces;  ///< only where senders are looked up again
     bool glossy, exact;
-    std::optional<graph::ImageRef> irradiance;  ///< of sources with an extent, where rays met triangles
+    std::optional<graph::ImageRef> irradiance = {};  ///< of sources with an extent, where rays met triangles
 
     bool are_looked_up() const { return glossy || exact; }
 };
@@ -26,27 +25,19 @@ gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders
     return source;
 }
 
-/// Constants of resolve_glossy.glsl.
-struct ResolveGlossy {
-    int light_count;
-    bool normal_maps;
-    float light_offset;
-    IR_FIELDS(light_count, normal_maps, light_offset)
-};
-
 }  // namespace
 
 graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                               const passes::ShadowMaps& shadow, const VisibleSplats& visible,
                               graph::ImageRef distance) {
     const auto& parameters = visible.splats.parameters;
-    const bool glossy =
-        parameters.glossy_senders && parameters.transport.materials != Transport::Materials::lambert;
-    Senders senders{scene, shadow, {}, glossy, parameters.level0 == Level0::triangles, {}};
+    if (builder.inputs().processor == Processor::host)
+        return resolve_light_on_host(builder, shadow, visible, distance);
+    Senders senders{sends_highlights(parameters), parameters.level0 == Level0::triangles};
     if (senders.exact) senders.irradiance = light_level0(builder, visible, distance);
-    if (senders.are_looked_up()) senders.surfaces = passes::hit_surfaces(builder, scene);
     const auto incoming = passes::bounce::declare_incoming_light(builder, visible.splats.samples);
     auto pass = builder.pass("light of the winners");
+    pass.has_two_bodies();
     pass.reads("Surfels", visible.splats.surfels.records)
         .reads("SurfelLights", visible.splats.surfels.lights)
         .reads("nearest", visible.nearest)
@@ -54,14 +45,9 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
         .writes("incoming", incoming);
     if (senders.exact) pass.reads(visible.gbuffer.position).reads("distances", distance);
     if (senders.irradiance) pass.reads("irradiance", *senders.irradiance);
-    if (senders.are_looked_up()) {
-        pass.reads(scene.lights, shadow.views, shadow.maps);
-        senders.surfaces.read_by(pass);
-    }
-    passes::bounce::compute_by_tiles(
-        pass, builder, source_of(visible, senders),
-        ResolveGlossy{static_cast<int>(builder.inputs().world->lights.size()),
-                      parameters.transport.normal_maps, parameters.light_offset});
+    if (senders.are_looked_up()) sender_inputs(builder, scene, shadow).read_by(pass);
+    passes::bounce::compute_by_tiles(pass, builder, source_of(visible, senders),
+                                     sender_constants(builder.inputs(), parameters));
     return incoming;
 }
 

@@ -23,9 +23,10 @@ struct Splats {
     int samples = 1;               ///< layers are (sample, level) pairs; sample-major
     std::string fingerprint = {};  ///< of what is drawn, where it depends on no light
 
-    /// Without visibility surfels that send no light do nothing.
+    /// Without visibility surfels that send no light do nothing; highlights are not stored.
     bool dark_is_idle() const {
-        return !parameters.visibility && parameters.transport.paths != Transport::Paths::ao;
+        return !parameters.visibility && parameters.transport.paths != Transport::Paths::ao &&
+               !sends_highlights(parameters);
     }
 };
 

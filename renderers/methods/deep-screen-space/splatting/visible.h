@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "renderers/passes/raytracing/device_bvh.h"
 
@@ -53,11 +51,6 @@ void trace_level0(graph::GraphBuilder& builder, VisibleSplats& visible);
 
 /// Declares the pass "combine levels", which writes it. [Nalbach15 §4.2]
 graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible);
-
-/// Declares the pass "light samples of level 0", on the host: the irradiance (rgba32f, a layer per sample) by
-/// sources with an extent where rays met triangles. None where there is no such source.
-std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const VisibleSplats& visible,
-                                            graph::ImageRef distance);
 
 /// Declares the pass "light of the winners" and "bounce.incoming": what they send towards x_p.
 graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,

@@ -1,20 +1,9 @@
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
-#include "renderers/passes/scene/hit_surfaces.h"
+#include "renderers/methods/deep-screen-space/surfels/senders.h"
 
 namespace ir::methods::deep_screen_space {
-namespace {
-
-/// Constants of shade.comp.
-struct ShadeSurfels {
-    int light_count;
-    bool normal_maps;
-    float light_offset;
-    IR_FIELDS(light_count, normal_maps, light_offset)
-};
-
-}  // namespace
 
 graph::BufferRef shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                        const passes::ShadowMaps& shadow, const Surfels& surfels,
@@ -28,28 +17,23 @@ graph::BufferRef shade(graph::GraphBuilder& builder, const passes::SceneBuffers&
                                           .unit = "W/(m² sr)"},
                                  .fields = record_fields<SurfelLight>()},
                                 {.key = "surfels.lit", .label = "Surfels that are lit"}, room);
-    const auto surfaces = passes::hit_surfaces(builder, scene);
-    const auto& transport = parameters.transport;
     gl::ProgramSource source{{"methods/deep-screen-space/surfels/shade.comp"}};
-    source.defines["MATERIALS"] = std::to_string(static_cast<int>(transport.materials));
+    source.defines["MATERIALS"] = std::to_string(static_cast<int>(parameters.transport.materials));
     const auto irradiance = sample_sources(builder, surfels, parameters);
     source.defines["EXTENDED"] = irradiance ? "1" : "0";
     auto pass = builder.pass("shade surfels");
     if (irradiance) pass.reads("SurfelIrradiance", *irradiance);
-    surfaces.read_by(pass);
-    pass.reads(scene.lights, shadow.views, shadow.maps)
-        .reads("Surfels", surfels.records)
+    sender_inputs(builder, scene, shadow).read_by(pass);
+    pass.reads("Surfels", surfels.records)
         .reads("Stored", surfels.stored)
         .writes("SurfelLights", lights.buffer)
         .counts("LitCount", lights.count)
         .execute_sliced(
             packing_parts,
-            [=, normal_maps = transport.normal_maps, light_offset = parameters.light_offset](
-                graph::PassContext& context, graph::Slice slice) {
+            [=](graph::PassContext& context, graph::Slice slice) {
                 const auto& program = context.use(source);
                 const auto capacity = context.capacity(surfels.records);
-                program.set(ShadeSurfels{static_cast<int>(context.inputs().world->lights.size()), normal_maps,
-                                         light_offset});
+                program.set(sender_constants(context.inputs(), parameters));
                 dispatch_parts(program, capacity, slice);
             },
             1);

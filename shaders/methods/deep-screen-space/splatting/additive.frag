@@ -4,10 +4,11 @@
 #include "methods/deep-screen-space/splatting/splat_common.glsl"
 #if LIGHT
 #include "passes/bounce/receiver.glsl"
-#else
+#if GLOSSY_SENDERS
+#include "methods/deep-screen-space/surfels/sent.glsl"
+#include "methods/deep-screen-space/splatting/resolve_glossy.glsl"
 #endif
 
-#if LIGHT
 uniform bool black_backs;
 layout(std430) readonly buffer SurfelLights { SurfelLight surfel_lights[]; };
 layout(location = 0) out vec4 add_diffuse;  // reflected by a white Lambert part, W/(m² sr)
@@ -35,6 +36,16 @@ float surfels_stood_for() {
 }
 
 #if LIGHT
+vec3 sent_along(Surfel surfel, vec3 l) {
+    bool is_front = dot(surfel.normal_ws, l) < 0.0;
+    if (!is_front && black_backs) return vec3(0);
+    vec3 sent = light_of_side(surfel_lights[surfel_index], is_front);
+#if GLOSSY_SENDERS
+    sent = max(sent + sent_to_one_side(surfel, l), 0.0);
+#endif
+    return sent;
+}
+
 void add_light(Surfel surfel, vec3 l, float omega) {
     ivec2 pixel = own_pixel();
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
@@ -42,8 +53,7 @@ void add_light(Surfel surfel, vec3 l, float omega) {
     Receiver receiver = receiver_at(pixel);
     Scatterer s = scatterer_of(receiver, texelFetch(gbuffer_albedo, pixel, 0).rgb, material);
     if (!is_above(s, l)) discard;
-    bool is_front = dot(surfel.normal_ws, l) < 0.0;
-    vec3 sent = is_front || !black_backs ? light_of_side(surfel_lights[surfel_index], is_front) : vec3(0);
+    vec3 sent = sent_along(surfel, l);
     // The diffuse part without its colour, so that blurring leaves textures alone.
     float n_dot_l = dot(s.n, l);
     Scatterer diffuse = s;

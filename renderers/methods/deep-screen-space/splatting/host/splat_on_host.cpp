@@ -10,6 +10,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/threads.h"
 #include "renderers/methods/deep-screen-space/splatting/host/disc_level.h"
+#include "renderers/methods/deep-screen-space/splatting/host/layers.h"
 #include "renderers/methods/deep-screen-space/splatting/host/ray_ranges.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
 
@@ -195,14 +196,6 @@ void execute(graph::PassBuilder& pass, const graph::GraphBuilder& builder, const
             }
         });
     });
-}
-
-/// All layers of a stack.
-template <class T>
-std::vector<std::span<T>> layers(const PassContext& p, graph::ImageRef stack) {
-    std::vector<std::span<T>> result;
-    for (int layer = 0; layer < p.shape(stack).layers; ++layer) result.push_back(p.pixels<T>(stack, layer));
-    return result;
 }
 
 /// The pass of the picture: only the winners of all levels together are looked for.

@@ -1,0 +1,66 @@
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <span>
+
+#include "renderers/core/threads.h"
+#include "renderers/methods/ambient-occlusion-volumes/volumes.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/ray_offset.h"
+
+namespace ir::methods::ambient_occlusion_volumes {
+namespace {
+
+/// The layer of one sample.
+struct Layer {
+    std::span<const glm::vec4> directions;
+    std::span<float> distances, depths;
+    std::span<std::uint32_t> winners;
+};
+
+}  // namespace
+
+void find_nearest_on_host(graph::GraphBuilder& builder, const Volumes& volumes,
+                          const passes::bounce::Directions& directions, const Bounced& bounced) {
+    const auto bvh = passes::bvh(builder);
+    const auto& gbuffer = volumes.gbuffer;
+    const auto& view = builder.inputs().view;
+    constexpr std::int64_t block = 256;  // pixels that a thread does at a time
+    const auto blocks = (std::int64_t{view.width} * view.height + block - 1) / block;
+    builder.pass("bounced z", graph::Queue::cpu)
+        .has_two_bodies()
+        .reads(bvh, gbuffer.position, gbuffer.geometric_normal, directions.directions)
+        .writes(bounced.distance, bounced.winner, bounced.depth)
+        .execute_sliced(blocks * directions.samples, [=, reach = volumes.reach](graph::PassContext& context,
+                                                                                graph::Slice slice) {
+            const auto tree = context.object<passes::Bvh>(bvh);
+            const auto positions = context.pixels<const glm::vec4>(gbuffer.position),
+                       normals = context.pixels<const glm::vec4>(gbuffer.geometric_normal);
+            std::vector<Layer> layers;
+            for (int i = 0; i < directions.samples; ++i)
+                layers.push_back({context.pixels<const glm::vec4>(directions.directions, i),
+                                  context.pixels<float>(bounced.distance, i),
+                                  context.pixels<float>(bounced.depth, i),
+                                  context.pixels<std::uint32_t>(bounced.winner, i)});
+            const auto trace = [&](const Layer& layer, std::size_t i) {
+                passes::Hit hit;
+                if (layer.directions[i].w != 0)
+                    hit = tree->closest_hit(passes::offset_origin(positions[i], normals[i]),
+                                            layer.directions[i], 0, reach);
+                layer.winners[i] = hit.is_hit() ? hit.triangle + 1 : 0;
+                layer.distances[i] = hit.is_hit() ? hit.distance : -1;
+                layer.depths[i] = hit.is_hit() ? hit.distance * hit.distance / (reach * reach) : 1;
+            };
+            tbb::task_arena arena(arena_size(context.inputs().threads));
+            arena.execute([&] {
+                tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t item) {
+                    const auto& layer = layers[static_cast<std::size_t>(item / blocks)];
+                    const auto first = static_cast<std::size_t>(item % blocks * block);
+                    for (auto i = first; i < std::min(positions.size(), first + block); ++i) trace(layer, i);
+                });
+            });
+        });
+}
+
+}  // namespace ir::methods::ambient_occlusion_volumes

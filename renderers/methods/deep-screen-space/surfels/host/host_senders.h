@@ -1,0 +1,53 @@
+#pragma once
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/deep-screen-space/parameters.h"
+#include "renderers/passes/shadow/host_shadow_maps.h"
+#include "renderers/passes/surface/surface.h"
+
+namespace ir::methods::deep_screen_space {
+
+/// What senders reflect of direct light, on the host: sent.glsl, diffuse.glsl and resolve_glossy.glsl.
+/// Thread-safe.
+class HostSenders {
+  public:
+    /// For a pass of the cpu queue that reads the surfaces (host_surfaces()) and the shadow maps.
+    HostSenders(const graph::PassContext& context, graph::ObjectRef surfaces,
+                const passes::ShadowMaps& shadow, const Parameters& parameters);
+
+    /// A point of a triangle, by the weights of its second and third corner, as a ray of this direction meets
+    /// it. `position_ws` asks for light; `lift` (m) raises it from the surface for shadows.
+    struct Place {
+        passes::Surface surface;
+        glm::vec3 position_ws;
+        float lift;
+    };
+    Place place(std::uint32_t triangle, glm::vec2 weights, glm::vec3 position_ws, float radius,
+                glm::vec3 direction_ws) const;
+
+    /// W/(m² sr), to all sides alike. `extended`: irradiance by sources with an extent, W/m².
+    glm::vec3 diffuse(const Place& place, glm::vec3 extended) const;
+    /// What is sent to the ray's origin more, or less, of lights without extent; 0 without glossy senders.
+    glm::vec3 glossy_rest(const Place& place, glm::vec3 direction_ws) const;
+    /// Both together.
+    glm::vec3 all(const Place& place, glm::vec3 direction_ws, glm::vec3 extended) const;
+
+  private:
+    template <class Reflect>
+    glm::vec3 sum_of_lights(const Place& place, const Reflect& reflect) const;
+    glm::vec3 albedo(const passes::Surface& surface) const;
+    glm::vec3 of_extended(const passes::Surface& surface, glm::vec3 irradiance) const;
+    glm::vec3 below_interface(const passes::Surface& surface, glm::vec3 to_light_ws) const;
+    glm::vec3 whole_brdf(const passes::Surface& surface, glm::vec3 l, glm::vec3 v) const;
+    float ior(const passes::Surface& surface) const;
+
+    std::shared_ptr<passes::SurfaceLookup> surfaces_;
+    const scene::Scene& scene_;
+    const std::vector<scene::Light>& lights_;
+    passes::HostShadowMaps shadows_;
+    Transport::Materials materials_;
+    bool is_glossy_;
+    float light_offset_;  ///< radii
+};
+
+}  // namespace ir::methods::deep_screen_space

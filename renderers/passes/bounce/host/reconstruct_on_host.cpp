@@ -1,0 +1,212 @@
+#include "renderers/passes/bounce/host/reconstruct_on_host.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+
+#include "renderers/core/threads.h"
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/bounce/host/filter_tile.h"
+#include "renderers/passes/lights/luminance.h"
+#include "renderers/passes/scattering/microfacets.h"
+
+namespace ir::passes::bounce {
+namespace {
+
+using Materials = Transport::Materials;
+
+/// As receiver.glsl's shading_normal.
+glm::vec3 shading_normal(glm::vec3 stored, glm::vec3 geometric_normal) {
+    const float size = glm::length(stored);
+    if (size < 0.5f) return geometric_normal;
+    const auto n = stored / size;
+    return glm::dot(n, geometric_normal) > 1 - 1e-6f ? geometric_normal : n;
+}
+
+/// The pixels of a picture on their way into tiles and out.
+class HostReconstruction {
+  public:
+    HostReconstruction(const graph::PassContext& context, const Filter& filter, const FilterRules& rules,
+                       graph::ImageRef result)
+        : rules_(rules),
+          scene_(*context.inputs().scene),
+          width_(context.inputs().view.width),
+          height_(context.inputs().view.height),
+          positions_(context.pixels<const glm::vec4>(filter.receivers.gbuffer.position)),
+          geometric_normals_(context.pixels<const glm::vec4>(filter.receivers.gbuffer.geometric_normal)),
+          normals_(context.pixels<const std::uint64_t>(filter.receivers.gbuffer.normal)),
+          light_result_(rules.light ? context.pixels<glm::vec4>(result) : std::span<glm::vec4>()),
+          result_(rules.light ? std::span<float>() : context.pixels<float>(result)) {
+        for (int layer = 0; layer < rules.constants.samples; ++layer) {
+            directions_.push_back(context.pixels<const glm::vec4>(filter.directions.directions, layer));
+            if (rules.light)
+                light_.push_back(context.pixels<const glm::vec4>(filter.samples.incoming, layer));
+            else
+                open_.push_back(context.pixels<const float>(filter.samples.incoming, layer));
+        }
+        if (!rules.light) return;
+        albedos_ = context.pixels<const std::uint64_t>(filter.receivers.gbuffer.albedo);
+        materials_ = context.pixels<const std::uint64_t>(filter.receivers.gbuffer.material);
+    }
+
+    static int tiles_across(int width) { return (width + FilterTile::width - 1) / FilterTile::width; }
+    static int tiles_down(int height) { return (height + FilterTile::height - 1) / FilterTile::height; }
+
+    void run(std::int64_t number, FilterTile& tile) const {
+        const auto across = tiles_across(width_);
+        const int left = static_cast<int>(number % across) * FilterTile::width,
+                  top = static_cast<int>(number / across) * FilterTile::height;
+        for (int y = -tile.radius; y < FilterTile::height + tile.radius; ++y)
+            for (int x = -tile.radius; x < FilterTile::width + tile.radius; ++x) {
+                const bool is_inside =
+                    left + x >= 0 && left + x < width_ && top + y >= 0 && top + y < height_;
+                tile.exists[tile.at(x, y)] = 0;
+                if (is_inside) fill(tile, tile.at(x, y), pixel(left + x, top + y));
+            }
+        reconstruct(rules_, tile);
+        for (int y = 0; y < std::min(FilterTile::height, height_ - top); ++y)
+            for (int x = 0; x < std::min(FilterTile::width, width_ - left); ++x)
+                take(tile, x, y, pixel(left + x, top + y));
+    }
+
+  private:
+    std::size_t pixel(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
+
+    void fill(FilterTile& tile, std::size_t at, std::size_t i) const {
+        const glm::vec3 geometric_normal(geometric_normals_[i]);
+        if (geometric_normal == glm::vec3(0)) return;
+        const glm::vec3 position(positions_[i]), stored(glm::unpackHalf4x16(normals_[i]));
+        const auto normal = shading_normal(stored, geometric_normal);
+        if (rules_.light && !fill_scatterer(tile, at, i, position, normal)) return;
+        tile.exists[at] = 1;
+        set(tile.position, at, position);
+        set(tile.blur_normal, at, stored);
+        set(tile.geometric_normal, at, geometric_normal);
+        set(tile.normal, at, normal);
+        for (std::size_t s = 0; s < tile.samples.size(); ++s) {
+            auto& sample = tile.samples[s];
+            const auto direction = directions_[s][i];
+            set(sample.direction, at, direction);
+            sample.density[at] = direction.w;
+            if (rules_.light)
+                set(sample.incoming, at, light_[s][i]);
+            else
+                sample.incoming[0][at] = open_[s][i];
+        }
+    }
+
+    /// make_scatterer and seen_from of lib/scattering.glsl. False of unlit surfaces.
+    bool fill_scatterer(FilterTile& tile, std::size_t at, std::size_t i, glm::vec3 position,
+                        glm::vec3 normal) const {
+        const auto material = glm::unpackHalf4x16(materials_[i]);
+        if (material.z > 0.5f) return false;
+        const auto& receivers = rules_.constants.receivers;
+        const glm::vec3 colour(glm::unpackHalf4x16(albedos_[i]));
+        const float metallic = material.x, roughness = std::max(material.y, receivers.min_roughness);
+        const auto viewer = receivers.viewer.view_axis_ws == glm::vec3(0)
+                                ? glm::normalize(receivers.viewer.eye_ws - position)
+                                : -receivers.viewer.view_axis_ws;
+        tile.metallic[at] = metallic;
+        tile.roughness[at] = roughness;
+        tile.alpha[at] = roughness * roughness;
+        const float n_dot_v = glm::dot(normal, viewer);
+        tile.n_dot_v[at] = std::max(n_dot_v, min_view_cosine);
+        set(tile.viewer, at, viewer);
+        const float ior = ior_of(material.w);
+        const auto lobes = lobes_of(colour, metallic, ior);
+        tile.specular[at] = lobes.specular;
+        set(tile.diffuse, at, lobes.diffuse);
+        set(tile.f0, at, lobes.f0);
+        if (!rules_.has_balance()) return true;
+        auto raised = viewer;
+        if (n_dot_v < min_view_cosine) raised = glm::normalize(viewer + (min_view_cosine - n_dot_v) * normal);
+        set(tile.raised, at, raised);
+        tile.raised_cosine[at] = glm::dot(normal, raised);
+        constexpr float min_colour = 0.05f;  // MIN_COLOUR of receiver.glsl
+        tile.specular_probability[at] = specular_probability(
+            lobes_of(glm::max(colour, glm::vec3(min_colour)), metallic, ior), tile.raised_cosine[at]);
+        return true;
+    }
+
+    struct Lobes {
+        glm::vec3 diffuse, f0;
+        float specular;
+    };
+    Lobes lobes_of(glm::vec3 colour, float metallic, float ior) const {
+        if (rules_.materials == Materials::lambert) return {colour, glm::vec3(0), 0};
+        if (rules_.materials == Materials::metalness_blend)
+            return {(1 - metallic) * colour, colour, metallic};
+        return {(1 - metallic) * colour, glm::mix(glm::vec3(dielectric_f0(ior)), colour, metallic), 1};
+    }
+    float specular_probability(const Lobes& lobes, float cosine) const {
+        const auto fresnel = schlick_fresnel(lobes.f0, cosine);
+        const auto below =
+            rules_.materials == Materials::gltf ? (1.0f - fresnel) * lobes.diffuse : lobes.diffuse;
+        const float specular = lobes.specular * luminance(fresnel);
+        return specular > 0 ? specular / (specular + luminance(below)) : 0;
+    }
+    float ior_of(float stored) const {
+        const auto last = static_cast<float>(scene_.materials.size() - 1);
+        return scene_.materials[static_cast<std::size_t>(std::clamp(stored + 0.5f, 0.0f, last))].ior;
+    }
+
+    void take(const FilterTile& tile, int x, int y, std::size_t i) const {
+        const bool exists = tile.exists[tile.at(x, y)] > 0;
+        const auto at = static_cast<std::size_t>(y * FilterTile::width + x);
+        const auto& r = tile.result;
+        if (rules_.light)
+            light_result_[i] = exists ? glm::vec4(r[0][at], r[1][at], r[2][at], 0) : glm::vec4(0);
+        else
+            result_[i] = exists ? r[0][at] : 1;
+    }
+
+    const FilterRules& rules_;
+    const scene::Scene& scene_;
+    int width_, height_;
+    std::span<const glm::vec4> positions_, geometric_normals_;
+    std::span<const std::uint64_t> normals_, albedos_, materials_;
+    std::vector<std::span<const glm::vec4>> directions_, light_;
+    std::vector<std::span<const float>> open_;
+    std::span<glm::vec4> light_result_;
+    std::span<float> result_;
+};
+
+}  // namespace
+
+void reconstruct_on_host(graph::GraphBuilder& builder, const Filter& filter, graph::ImageRef result) {
+    const auto& inputs = builder.inputs();
+    const auto& options = filter.receivers.options;
+    const FilterRules rules{.constants = filter.constants(inputs),
+                            .light = options.light,
+                            .ratio = filter.parameters.estimator == Estimator::ratio,
+                            .materials = options.materials};
+    const auto tiles = std::int64_t{HostReconstruction::tiles_across(inputs.view.width)} *
+                       HostReconstruction::tiles_down(inputs.view.height);
+    auto pass = builder.pass("reconstruction", graph::Queue::cpu);
+    const auto& gbuffer = filter.receivers.gbuffer;
+    pass.has_two_bodies()
+        .reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal, filter.directions.directions,
+               filter.samples.incoming)
+        .writes(result);
+    if (options.light) pass.reads(gbuffer.albedo, gbuffer.material);
+    pass.execute_sliced(
+        tiles,
+        [=](graph::PassContext& context, graph::Slice slice) {
+            const HostReconstruction work(context, filter, rules, result);
+            tbb::task_arena arena(arena_size(context.inputs().threads));
+            arena.execute([&] {
+                tbb::enumerable_thread_specific<FilterTile> scratch(rules);
+                tbb::parallel_for(slice.begin, slice.end,
+                                  [&](std::int64_t tile) { work.run(tile, scratch.local()); });
+            });
+        },
+        std::max<std::int64_t>(1, tiles / 8));
+}
+
+}  // namespace ir::passes::bounce
