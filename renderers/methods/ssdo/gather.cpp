@@ -52,7 +52,9 @@ void add_samples(graph::PassBuilder& pass, const std::string& shader, const Inpu
 }  // namespace
 
 float reach_of(const graph::GraphBuilder& builder, const Parameters& parameters) {
-    if (parameters.transport.max_distance > 0) return parameters.transport.max_distance;
+    const float step = parameters.step_radius, farthest = parameters.transport.max_distance;
+    if (step > 0) return farthest > 0 ? std::min(step, farthest) : step;
+    if (farthest > 0) return farthest;
     const auto& bounds = builder.inputs().world->bounds;
     const auto diagonal = glm::length(bounds.max - bounds.min);
     return diagonal > 0 ? diagonal : 1.0f;  // without triangles there is nothing to reach

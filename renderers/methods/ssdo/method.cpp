@@ -40,8 +40,9 @@ passes::DirectLightOptions direct_options(const Parameters& parameters) {
 }
 
 void note_what_is_left_out(graph::GraphBuilder& builder, const Inputs& inputs) {
-    if (inputs.parameters.transport.max_distance == 0)
-        builder.note("ssdo: max_distance is 0, so steps are up to " + std::to_string(inputs.reach) +
+    if (inputs.parameters.transport.max_distance == 0 && inputs.parameters.step_radius == 0)
+        builder.note("ssdo: max_distance and step_radius are 0, so steps are up to " +
+                     std::to_string(inputs.reach) +
                      " m long, the diagonal of the scene's bounds: few of many samples find what is near");
 }
 

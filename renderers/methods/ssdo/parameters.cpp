@@ -49,10 +49,8 @@ ParameterTable<Parameters> parameter_table() {
         &Parameters::samples,
         {.key = "samples",
          .label = "Samples",
-         .doc =
-             "Directions over the hemisphere of each pixel, with one step of random length along each, up "
-             "to the maximum distance. Without one few samples find what is near; therefore the default of "
-             "max_distance is not that of other methods.",
+         .doc = "Directions over the hemisphere of each pixel, with one step of random length along each, "
+                "up to the step radius.",
          .citation = "Ritschel09 §3.1",
          .hard = {1, 4096},
          .soft = {4, 64},
@@ -61,6 +59,17 @@ ParameterTable<Parameters> parameter_table() {
         &Parameters::transport,
         transport_parameters({.paths = {"direct", "indirect", "full"},
                               .keys = {"max_distance", "materials", "normal_maps", "environment_light"}}));
+    table.add(
+        &Parameters::step_radius,
+        {.key = "step_radius",
+         .label = "Step radius",
+         .doc = "How long steps are at most; never longer than the maximum distance. 0: as long as that, or "
+                "without one as the diagonal of the scene's bounds, where few samples find what is near. "
+                "Therefore the default of max_distance is not that of other methods.",
+         .unit = "m",
+         .citation = "Ritschel09 §3.1",
+         .hard = {0, 1e9},
+         .soft = {0, 4}});
     add_estimator(table);
     table.add(
         &Parameters::turning,

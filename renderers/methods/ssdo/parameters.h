@@ -14,6 +14,7 @@ enum class Turning { none, pattern, hash };
 struct Parameters {
     int samples = 16;
     Transport transport{.paths = default_light.paths, .max_distance = 1};
+    float step_radius = 0;  ///< m; 0: the maximum distance
     Estimator estimator = Estimator::density;
     float strength = 1;
     float min_distance = 0.2f;

@@ -117,6 +117,24 @@ TEST_F(SsdoWallTest, TheDensityEstimatorTendsToTheFormFactorAndThePublishedOneDo
     }
 }
 
+/// The published estimator knows no distance but that of its steps.
+TEST_F(SsdoTest, StepsHaveARadiusOfTheirOwn) {
+    const Shot shot(lit_wall(), looking({2.5f, 1.2f, 0.6f}, {0.4f, 0.3f, 0}), 32, 32);
+    const auto with = [&](double max_distance, double step_radius) {
+        return render(shot, {{"estimator", std::string("published")},
+                             {"blur", false},
+                             {"max_distance", max_distance},
+                             {"step_radius", step_radius}})
+            .pixels;
+    };
+    const auto expected = with(0.4, 0);
+    EXPECT_EQ(with(0, 0.4), expected);
+    EXPECT_TRUE(report.messages.empty());
+    EXPECT_EQ(with(0.4, 3), expected) << "steps are no longer than the maximum distance";
+    EXPECT_NE(with(0, 0), expected);
+    EXPECT_FALSE(report.messages.empty());
+}
+
 TEST_F(SsdoTest, SidesThatTheCameraDoesNotSeeOccludeButSendNothing) {
     SmallWorld world;
     world.square({0, 0, 0}, {0, 1, 0}, 4);
