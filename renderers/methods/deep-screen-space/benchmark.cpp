@@ -79,7 +79,7 @@ std::vector<graph::Benchmark> benchmarks() {
                         "builtin:graveyard");
     graveyard.variants = {{"with visibility", {}},
                           {"without culled splats", {{"splat_culling", false}}},
-                          {"shells in place of discs", {{"shells", std::string("shells")}}},
+                          {"full discs in place of shells", {{"shells", std::string("full-discs")}}},
                           {"surfels of 2014", {{"placement", std::string("barycentric")}}},
                           {"without visibility", {{"visibility", false}}}};
     auto still_life = on("deep-screen-space-still-life",

@@ -53,9 +53,9 @@ struct Parameters {
     float shell_radius = 0;  ///< m: d, of the first shell; counts where there is no maximum distance. 0: 1/64
                              ///< of the diagonal of the scene's bounds
     SubImages sub_images = SubImages::stratified;
-    Shells shells = Shells::full_discs;
+    Shells shells = Shells::shells;
     LastShell last_shell = LastShell::open;
-    float coverage = 2;  ///< area of a disc that rays are tested against, in areas of its surfel
+    float coverage = 2.67f;  ///< area of a disc that rays are tested against, in areas of its surfel
     Discs discs = Discs::seen;
     Level0 level0 = Level0::triangles;
     bool splat_culling = true;

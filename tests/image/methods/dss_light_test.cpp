@@ -95,6 +95,7 @@ Settings surfels() {
             {"level0", std::string("discs")},
             {"backs", std::string("lit")},
             {"last_shell", std::string("ends")},
+            {"shells", std::string("full-discs")},
             {"thinning", false},
             {"levels", std::int64_t{1}},
             {"influence", std::string("constant")},

@@ -114,6 +114,18 @@ TEST_F(DssOnHost, MeetsTheSameDiscsByAllChoices) {
         {"seen discs", [](auto& p) { p.discs = dss::Discs::seen; }},
         {"open backs", [](auto& p) { p.backs = dss::Backs::open; }},
         {"stratified", [](auto& p) { p.sub_images = dss::SubImages::stratified; }},
+        {"stratified shells",
+         [](auto& p) {
+             p.sub_images = dss::SubImages::stratified;
+             p.shells = dss::Shells::shells;
+         }},
+        {"stratified, constant and far",
+         [](auto& p) {
+             p.sub_images = dss::SubImages::stratified;
+             p.influence = dss::Influence::constant;
+             p.last_shell = dss::LastShell::open;
+             p.transport.max_distance = 0;
+         }},
         {"small ε", [](auto& p) { p.trade_off = 0.002f; }},
         {"large ε", [](auto& p) { p.trade_off = 0.3f; }},
         {"triangles", [](auto& p) { p.level0 = dss::Level0::triangles; }},

@@ -16,6 +16,7 @@ inline methods::deep_screen_space::Parameters published() {
     parameters.backs = dss::Backs::lit;
     parameters.light_offset = 0;
     parameters.coverage = 1;
+    parameters.shells = dss::Shells::full_discs;
     parameters.trade_off = 0.05f;
     parameters.reconstruction.balance = 0;
     return parameters;

@@ -21,6 +21,7 @@ struct SurfelRun {
     double initial_capacity = 1;
     const CancelToken* cancel = nullptr;
     ProgressCallback progress = {};
+    Processor on = Processor::gl;
 };
 
 /// Surfels of a scene, without what splats them.
@@ -42,6 +43,7 @@ class SurfelTest : public PassTest {
         options.progress = run.progress;
         auto inputs = shot.inputs();
         inputs.seed = run.seed;
+        inputs.processor = run.on;
         return run_method(method, {}, inputs, options);
     }
     std::vector<dss::Surfel> surfels() { return elements<dss::Surfel>("surfels.records"); }

@@ -39,10 +39,21 @@ class SurfelLightTest : public SurfelTest {
         run.parameters.transport.materials = materials;
         return run;
     }
-    std::vector<dss::ShownSurfel> made(scene::Scene scene, const SurfelRun& run) {
-        make(Shot(std::move(scene), camera({0, 3, 0.1f}, {0, 0, 0}), 32, 32), run);
+    /// By the device, to which the host must agree.
+    std::vector<dss::ShownSurfel> made(scene::Scene scene, SurfelRun run) {
+        const Shot shot(std::move(scene), camera({0, 3, 0.1f}, {0, 0, 0}), 32, 32);
+        run.on = Processor::host;
+        make(shot, run);
+        const auto host = shown();
+        run.on = Processor::gl;
+        make(shot, run);
         auto result = shown();
         EXPECT_GT(result.size(), 20u);
+        EXPECT_EQ(host.size(), result.size());
+        for (std::size_t i = 0; i < std::min(host.size(), result.size()); ++i) {
+            expect_near(host[i].radiance_front, result[i].radiance_front, 1e-3f);
+            expect_near(host[i].radiance_back, result[i].radiance_back, 1e-3f);
+        }
         return result;
     }
     static void expect_near(glm::vec3 found, glm::vec3 expected, float relative) {

@@ -95,7 +95,10 @@ void splat(graph::GraphBuilder& builder, Additive& additive) {
     additive.receivers.declare_reads(pass);
     pass.writes(additive.splatted);
     if (additive.has_gloss()) pass.writes(additive.glossy);
-    if (additive.has_highlights()) additive.senders.read_by(pass);
+    if (additive.has_highlights()) {
+        pass.reads("SurfelLights", additive.splats.surfels.lights);
+        additive.senders.read_by(pass);
+    }
     draw_splats(pass, additive.splats,
                 [=](const PassContext& p, const SplatLayer& layer) -> const gl::Program& {
                     return bind_layer(p, additive, layer);

@@ -10,6 +10,7 @@ namespace {
 struct Senders {
     bool glossy, exact;
     std::optional<graph::ImageRef> irradiance = {};  ///< of sources with an extent, where rays met triangles
+    SenderInputs inputs = {};                        ///< only where senders are looked up again
 
     bool are_looked_up() const { return glossy || exact; }
 };
@@ -35,6 +36,7 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
         return resolve_light_on_host(builder, shadow, visible, distance);
     Senders senders{sends_highlights(parameters), parameters.level0 == Level0::triangles};
     if (senders.exact) senders.irradiance = light_level0(builder, visible, distance);
+    if (senders.are_looked_up()) senders.inputs = sender_inputs(builder, scene, shadow);
     const auto incoming = passes::bounce::declare_incoming_light(builder, visible.splats.samples);
     auto pass = builder.pass("light of the winners");
     pass.has_two_bodies();
@@ -45,7 +47,7 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
         .writes("incoming", incoming);
     if (senders.exact) pass.reads(visible.gbuffer.position).reads("distances", distance);
     if (senders.irradiance) pass.reads("irradiance", *senders.irradiance);
-    if (senders.are_looked_up()) sender_inputs(builder, scene, shadow).read_by(pass);
+    if (senders.are_looked_up()) senders.inputs.read_by(pass);
     passes::bounce::compute_by_tiles(pass, builder, source_of(visible, senders),
                                      sender_constants(builder.inputs(), parameters));
     return incoming;

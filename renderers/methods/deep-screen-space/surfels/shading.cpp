@@ -1,5 +1,6 @@
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 
+#include "renderers/methods/deep-screen-space/surfels/host/shade_on_host.h"
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/methods/deep-screen-space/surfels/senders.h"
 
@@ -17,13 +18,19 @@ graph::BufferRef shade(graph::GraphBuilder& builder, const passes::SceneBuffers&
                                           .unit = "W/(m² sr)"},
                                  .fields = record_fields<SurfelLight>()},
                                 {.key = "surfels.lit", .label = "Surfels that are lit"}, room);
+    const auto irradiance = sample_sources(builder, surfels, parameters);
+    if (builder.inputs().processor == Processor::host) {
+        shade_on_host(builder, shadow, surfels, irradiance, lights, parameters);
+        return lights.buffer;
+    }
     gl::ProgramSource source{{"methods/deep-screen-space/surfels/shade.comp"}};
     source.defines["MATERIALS"] = std::to_string(static_cast<int>(parameters.transport.materials));
-    const auto irradiance = sample_sources(builder, surfels, parameters);
     source.defines["EXTENDED"] = irradiance ? "1" : "0";
+    const auto senders = sender_inputs(builder, scene, shadow);
     auto pass = builder.pass("shade surfels");
+    pass.has_two_bodies();
     if (irradiance) pass.reads("SurfelIrradiance", *irradiance);
-    sender_inputs(builder, scene, shadow).read_by(pass);
+    senders.read_by(pass);
     pass.reads("Surfels", surfels.records)
         .reads("Stored", surfels.stored)
         .writes("SurfelLights", lights.buffer)

@@ -197,7 +197,9 @@ class Weights {
           exists_(is_positive(load(tile.exists, at))),
           position_(load(tile.position, at)),
           blur_normal_(load(tile.blur_normal, at)),
-          geometric_normal_(load(tile.geometric_normal, at)) {
+          geometric_normal_(load(tile.geometric_normal, at)),
+          metallic_(hn::Zero(f)),
+          roughness_(hn::Zero(f)) {
         if (!has_material()) return;
         metallic_ = load(tile.metallic, at);
         roughness_ = load(tile.roughness, at);
@@ -244,15 +246,14 @@ class Weights {
     std::size_t at_;
     Mask exists_;
     Vector3 position_, blur_normal_, geometric_normal_;
-    Floats metallic_ = hn::Zero(f), roughness_ = hn::Zero(f);
+    Floats metallic_, roughness_;
 };
 
 /// Sums over neighbours and samples.
 struct Sums {
     Vector3 value;
     Floats share;
-    // Written out: GCC makes implicit constructors without the instruction set of this namespace.
-    HWY_INLINE Sums() : value{hn::Zero(f), hn::Zero(f), hn::Zero(f)}, share(hn::Zero(f)) {}
+    Sums() : value{hn::Zero(f), hn::Zero(f), hn::Zero(f)}, share(hn::Zero(f)) {}
     /// Not finite values count for nothing.
     HWY_INLINE void add(Floats weight, const Vector3& part, Floats part_share) {
         const auto finite = is_finite(part);

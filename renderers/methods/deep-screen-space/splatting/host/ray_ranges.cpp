@@ -47,6 +47,23 @@ float RayRanges::last(float beyond, float factor, glm::vec3 x_ws, glm::vec3 dire
          solve(ideal_.ideal_nearest, 0)});
 }
 
+/// No t below it has t ≥ factor · distance(x + t direction).
+float RayRanges::first(float factor, glm::vec3 x_ws, glm::vec3 direction_ws) const {
+    if (is_parallel()) return factor;
+    const auto offset = x_ws - ideal_.ideal_eye_ws;
+    const float size = glm::length(offset);
+    const auto solve = [&](float at_x, float slope) {
+        if (at_x <= 0) return 0.0f;
+        return factor * slope < 1 ? factor * at_x / (1 - factor * slope) : infinity;
+    };
+    // The length is at least that along the way from the eye to x.
+    const float away = size > 0 ? glm::dot(direction_ws, offset) / size : 0;
+    return std::max(
+        {solve(glm::dot(offset, ideal_.ideal_axis_ws), glm::dot(direction_ws, ideal_.ideal_axis_ws)),
+         solve(ideal_.ideal_corner_cosine * size, ideal_.ideal_corner_cosine * away),
+         solve(ideal_.ideal_nearest, 0)});
+}
+
 float RayRanges::exact_reach(glm::vec3 x_ws) const {
     const float reach = shell_of(rules_.influence, ideal_.ideal_radius * distance(x_ws), 0).outer;
     return rules_.max_distance > 0 ? std::min(reach, rules_.max_distance) : reach;
@@ -67,11 +84,12 @@ RayRanges::Range RayRanges::of(int level, glm::vec3 x_ws, glm::vec3 direction_ws
                                          last(std::ldexp(i.shell_radius, level), size, x_ws, direction_ws)));
     }
     range.far *= 1 + rounding;
-    // The first shell that is not level 0's begins at 1 / √ε radii, and its discs are of twice the size.
-    const float clear = shells_per_radius_ - 2 * splat_disc_radius(rules_, 0, 1);
+    // Of the shells that count the nearest one, k, begins at 2^(k-1) / √ε radii, and its discs are 2^k times
+    // as large. Farther out both are larger.
+    const int shell = rules_.full_discs ? 1 : level;
+    const float clear = std::ldexp(shells_per_radius_ - 2 * splat_disc_radius(rules_, 0, 1), shell - 1);
     if (level == 0 || clear <= 0) return range;
-    const float factor = clear * least_ / (1 + apart);
-    range.near = (1 - rounding) * (is_parallel() ? factor : factor * distance(x_ws) / (1 + factor));
+    range.near = (1 - rounding) * first(clear * least_ / (1 + apart), x_ws, direction_ws);
     return range;
 }
 
