@@ -135,7 +135,9 @@ PixelTiles random_pixels(const scene::World& world, int side) {
         normals.emplace_back(glm::normalize(n), 0);
         halves.push_back(glm::packHalf4x16(glm::vec4(glm::normalize(n), 0)));
     }
-    return make_pixel_tiles(side, side, positions, halves, normals);
+    PixelTiles tiles;
+    fill_pixel_tiles(tiles, {side, side, positions, halves, normals});
+    return tiles;
 }
 
 TEST_F(LdmHost, InstructionSetsGiveTheSameSums) {

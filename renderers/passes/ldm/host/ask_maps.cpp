@@ -34,9 +34,11 @@ void visibility_sums(const PixelTiles& tiles, std::size_t first, std::size_t end
                 if ((verdict.open >> bit & 1) != 0)
                     add_open(tiles, tile, asked, scale, to);
                 else if (is_whole && (verdict.forward >> bit & 1) != 0)
-                    ask_inside<true>(tiles, tile, asked, rule, scale, to);
+                    ask_inside<Along::v>(tiles, tile, asked, rule, scale, to);
                 else if (is_whole && (verdict.backward >> bit & 1) != 0)
-                    ask_inside<false>(tiles, tile, asked, rule, scale, to);
+                    ask_inside<Along::minus_v>(tiles, tile, asked, rule, scale, to);
+                else if (is_whole && (verdict.inside >> bit & 1) != 0)
+                    ask_inside<Along::either>(tiles, tile, asked, rule, scale, to);
                 else if (keeps_outermost)
                     ask_outermost(tiles, tile, asked, rule, scale, to);
                 else
@@ -79,11 +81,11 @@ void self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const
 void cosine_sums(const PixelTiles& tiles, std::size_t first, std::size_t end,
                  std::span<const MapFrame> frames, float scale, std::uint32_t* sums) {
     for (auto place = first * pixels; place < end * pixels; place += lanes) {
-        if (tiles.valid[place / pixels] == 0) continue;
         const auto normal = load(tiles.normal, place);
         auto sum = hn::Zero(n);
-        for (const auto& frame : frames)
-            sum = hn::Add(sum, part_of_sum(hn::Set(f, 1), hn::Abs(dot(normal, frame.direction)), scale));
+        if (tiles.valid[place / pixels] != 0)
+            for (const auto& frame : frames)
+                sum = hn::Add(sum, part_of_sum(hn::Set(f, 1), hn::Abs(dot(normal, frame.direction)), scale));
         hn::StoreU(sum, n, reinterpret_cast<std::int32_t*>(sums) + place);
     }
 }

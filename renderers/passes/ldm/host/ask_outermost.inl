@@ -32,34 +32,51 @@ void ask_outermost(const PixelTiles& tiles, std::size_t tile, const Asked& asked
     }
 }
 
-/// Of a tile whose pixels all ask texels of the band, all along v or all along -v, above their surfaces.
-template <bool forward>
+/// Where the pixels of a tile look to.
+enum class Along { v, minus_v, either };
+
+/// Of a tile whose pixels all ask texels of the band; along one side only they are above their surfaces.
+template <Along side>
 void ask_inside(const PixelTiles& tiles, std::size_t tile, const Asked& asked, const SelfHitRule& rule,
                 float scale, std::uint32_t* sums) {
     const auto* const map = reinterpret_cast<const std::int32_t*>(asked.map.outermost.data());
     const auto& frame = asked.map.frame;
+    const auto zero = hn::Zero(f);
     const auto first_row = hn::Set(f, static_cast<float>(asked.map.first_row)),
                resolution = hn::Set(f, static_cast<float>(asked.map.resolution));
     const bool is_flat = tiles.geometric_normal_boxes.is_point(tile);
+    Floats facing = zero;
     Slant slant{};
     for (int i = 0; i < pixels; i += lanes) {
         const auto place = tile * pixels + static_cast<std::size_t>(i);
         if (i == 0 || !is_flat) {
             const auto normal = load(tiles.geometric_normal, place);
-            slant = slant_of(asked, rule, normal, dot(normal, frame.direction));
+            facing = dot(normal, frame.direction);
+            slant = slant_of(asked, rule, normal, facing);
         }
         const auto position = load(tiles.position, place);
         const auto at =
             texel_of<true>(asked, rule, slant, project(position, frame.u), project(position, frame.v));
-        const auto depth = project(position, frame.depth);
-        const auto start = start_of(forward ? depth : hn::Sub(hn::Set(f, 65535), depth), at, slant);
+        const auto depth = project(position, frame.depth), behind = hn::Sub(hn::Set(f, 65535), depth);
         const auto texel = hn::GatherIndex(
             n, map, hn::ConvertTo(n, hn::MulAdd(hn::Sub(at.row, first_row), resolution, at.column)));
-        const auto outermost = forward ? upper_half(texel) : lower_half(texel);
-        const auto open = hn::Not(hn::Gt(outermost, key_of(start)));
-        if (hn::AllFalse(n, open)) continue;
-        const auto cosine = hn::Abs(dot(load(tiles.normal, place), frame.direction));
-        add(sums + i, part_of_sum(hn::Set(f, 1), cosine, scale), hn::RebindMask(f, open));
+        const auto far = upper_half(texel), near = lower_half(texel);
+        if constexpr (side == Along::either) {
+            const auto cosine = dot(load(tiles.normal, place), frame.direction);
+            const auto forward = hn::Gt(cosine, zero);
+            const auto start = start_of(hn::IfThenElse(forward, depth, behind), at, slant);
+            const auto outermost = hn::IfThenElse(hn::RebindMask(n, forward), far, near);
+            const auto above = hn::Gt(hn::Mul(cosine, facing), zero);
+            const auto open = hn::AndNot(hn::RebindMask(f, hn::Gt(outermost, key_of(start))), above);
+            if (hn::AllFalse(f, open)) continue;
+            add(sums + i, part_of_sum(hn::Set(f, 1), hn::Abs(cosine), scale), open);
+        } else {
+            const auto start = start_of(side == Along::v ? depth : behind, at, slant);
+            const auto open = hn::Not(hn::Gt(side == Along::v ? far : near, key_of(start)));
+            if (hn::AllFalse(n, open)) continue;
+            const auto cosine = hn::Abs(dot(load(tiles.normal, place), frame.direction));
+            add(sums + i, part_of_sum(hn::Set(f, 1), cosine, scale), hn::RebindMask(f, open));
+        }
     }
 }
 

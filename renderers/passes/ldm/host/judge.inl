@@ -18,7 +18,8 @@ namespace {
 struct Verdict {
     std::uint32_t nothing = 0;                ///< no pixel gets light from this band
     std::uint32_t open = 0;                   ///< all pixels are open
-    std::uint32_t forward = 0, backward = 0;  ///< fit for ask_inside
+    std::uint32_t inside = 0;                 ///< all pixels ask texels of this band
+    std::uint32_t forward = 0, backward = 0;  ///< and all along v, or along -v, above their surfaces
 };
 
 /// Judges tiles first … first + lanes - 1, which one map is asked for. Margins cover rounding.
@@ -76,6 +77,7 @@ class Judge {
         Verdict verdict;
         verdict.nothing = bits_of(hn::Or(hn::Or(below, is_elsewhere(window)), hn::And(known, closed)));
         verdict.open = bits_of(open);
+        verdict.inside = bits_of(inside);
         verdict.forward = bits_of(hn::And(inside, forward));
         verdict.backward = bits_of(hn::And(inside, backward));
         return verdict;

@@ -38,10 +38,16 @@ struct PixelTiles {
     std::uint64_t bytes() const { return count() * (pixels * 9 * sizeof(float) + 20 * sizeof(float) + 8); }
 };
 
-/// From the G-buffer's images: rows of xyzw, the shading normal in half floats; a geometric normal of 0 is
-/// background. Call within the arena whose threads it may use.
-PixelTiles make_pixel_tiles(int width, int height, std::span<const glm::vec4> position,
-                            std::span<const std::uint64_t> normal,
-                            std::span<const glm::vec4> geometric_normal);
+/// Images of a G-buffer: rows of xyzw, the shading normal in half floats; a geometric normal of 0 is
+/// background.
+struct SurfaceImages {
+    int width = 0, height = 0;
+    std::span<const glm::vec4> position;
+    std::span<const std::uint64_t> normal;
+    std::span<const glm::vec4> geometric_normal;
+};
+
+/// Replaces what the tiles hold, whose memory serves again. Call within the arena whose threads it may use.
+void fill_pixel_tiles(PixelTiles& tiles, const SurfaceImages& images);
 
 }  // namespace ir::passes::ldm

@@ -78,15 +78,18 @@ class Stream {
     std::int64_t first_slice() const { return static_cast<std::int64_t>(workers_.size()) * together_; }
     const PixelTiles& tiles() const { return tiles_; }
     std::vector<Worker>& workers() { return workers_; }
+    std::vector<std::uint32_t>& cosines() { return cosines_; }  ///< by pixel
     tbb::task_arena& arena() { return arena_; }
 
     void begin(const graph::PassContext& context, const Prepare& prepare) {
         const auto shape = context.shape(surfaces_.position);
         arena_.execute([&] {
-            tiles_ = make_pixel_tiles(shape.width, shape.height,
-                                      context.pixels<const glm::vec4>(surfaces_.position),
-                                      context.pixels<const std::uint64_t>(surfaces_.normal),
-                                      context.pixels<const glm::vec4>(surfaces_.geometric_normal));
+            fill_pixel_tiles(
+                tiles_, {.width = shape.width,
+                         .height = shape.height,
+                         .position = context.pixels<const glm::vec4>(surfaces_.position),
+                         .normal = context.pixels<const std::uint64_t>(surfaces_.normal),
+                         .geometric_normal = context.pixels<const glm::vec4>(surfaces_.geometric_normal)});
         });
         for (auto& worker : workers_) {
             while (static_cast<int>(worker.maps.size()) < together_)
@@ -176,6 +179,7 @@ class Stream {
     tbb::task_arena arena_;
     std::vector<Worker> workers_;
     PixelTiles tiles_;
+    std::vector<std::uint32_t> cosines_;
     int together_ = 1;
 };
 
@@ -246,7 +250,8 @@ void for_each_pixel(const PixelTiles& tiles, Put put) {
 void write_sums(const graph::PassContext& context, Stream& stream, const Maps& maps, float scale,
                 graph::ImageRef target) {
     const auto& tiles = stream.tiles();
-    std::vector<std::uint32_t> cosines(tiles.count() * PixelTiles::pixels, 0);
+    auto& cosines = stream.cosines();
+    cosines.resize(tiles.count() * PixelTiles::pixels);
     auto& sums = stream.workers().front().sums;
     over_tiles(stream, [&](std::size_t first, std::size_t end) {
         sum_cosines(tiles, first, end, maps.frames, scale, cosines);

@@ -21,10 +21,12 @@ class HostSplat {
     void begin(const graph::PassContext& p, const SplatTask& task, const passes::GBuffer& gbuffer) {
         const auto shape = p.shape(gbuffer.position);
         arena_.execute([&] {
-            tiles_ = passes::ldm::make_pixel_tiles(shape.width, shape.height,
-                                                   p.pixels<const glm::vec4>(gbuffer.position),
-                                                   p.pixels<const std::uint64_t>(gbuffer.normal),
-                                                   p.pixels<const glm::vec4>(gbuffer.geometric_normal));
+            passes::ldm::fill_pixel_tiles(
+                tiles_, {.width = shape.width,
+                         .height = shape.height,
+                         .position = p.pixels<const glm::vec4>(gbuffer.position),
+                         .normal = p.pixels<const std::uint64_t>(gbuffer.normal),
+                         .geometric_normal = p.pixels<const glm::vec4>(gbuffer.geometric_normal)});
         });
         groups_ = group_tiles(tiles_);
         for (auto& channel : sums_.channel) channel.assign(tiles_.count() * PixelTiles::pixels, 0.0f);
