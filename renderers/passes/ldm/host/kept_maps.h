@@ -19,8 +19,8 @@ class KeptMaps {
 
     /// How many maps with such a layout are kept.
     static int count(const Layout& layout) {
-        const auto bytes = bands(layout.resolution) * band_bytes(layout.resolution);
-        return static_cast<int>(std::min<std::uint64_t>(layout.maps, most_bytes / bytes));
+        return static_cast<int>(
+            std::min<std::uint64_t>(layout.maps, most_bytes / map_bytes(layout.resolution)));
     }
 
     explicit KeptMaps(const Layout& layout)
@@ -30,7 +30,7 @@ class KeptMaps {
           fragments_(bands_.size()),
           built_(std::make_unique<std::once_flag[]>(bands_.size())) {}
 
-    std::uint64_t bytes() const { return bands_.size() * band_bytes(bands_.front().resolution); }
+    std::uint64_t bytes() const { return count_ == 0 ? 0 : count_ * map_bytes(bands_.front().resolution); }
 
     /// The band from `row` on of maps first … end - 1, whose fragments are counted in `scratch` as if they
     /// were made now. `built` counts those that were not there yet.
@@ -38,13 +38,16 @@ class KeptMaps {
                                      std::int64_t end, int row, BuildScratch& scratch, std::uint64_t& built);
 
   private:
-    /// Of a map.
     static std::size_t bands(int resolution) {
         const int rows = StreamedMap::band_rows(resolution);
         return static_cast<std::size_t>((resolution + rows - 1) / rows);
     }
-    static std::uint64_t band_bytes(int resolution) {
-        return StreamedMap::outermost_bytes(resolution) + sizeof(StreamedMap);
+    static std::uint64_t map_bytes(int resolution) {
+        const int rows = StreamedMap::band_rows(resolution);
+        auto bytes = bands(resolution) * sizeof(StreamedMap);
+        for (int row = 0; row < resolution; row += rows)
+            bytes += StreamedMap::outermost_bytes(resolution, std::min(rows, resolution - row));
+        return bytes;
     }
     int rows_;
     std::size_t count_;

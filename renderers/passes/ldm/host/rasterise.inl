@@ -169,20 +169,13 @@ class Rasteriser {
         for (int at = 0; at < queue_.size; at += lanes) {
             const auto t = triangles_at(queue_, at);
             const auto box = box_of(t);
-            const auto zero = hn::Zero(f);
-            const auto fits = hn::And(
-                hn::And(hn::Ge(box.column, zero), hn::Le(hn::Add(box.column, box.width), resolution_)),
-                hn::And(hn::Ge(box.row, top_), hn::Le(hn::Add(box.row, box.height), bottom_)));
-            const auto is_there = hn::FirstN(f, static_cast<std::size_t>(queue_.size - at));
+            auto left = hn::FirstN(f, static_cast<std::size_t>(queue_.size - at));
+            if (culling_.knows_blocks())
+                left = hn::AndNot(culling_.hidden<2>(in_band(box), min3(t.z), max3(t.z), left), left);
             const auto most = hn::Max(box.width, box.height);
-            auto left = hn::And(hn::And(is_there, fits), hn::Le(most, hn::Set(f, medium_side)));
-            rasterise_large(at, hn::AndNot(left, is_there));
-            if (culling_.knows_blocks()) {
-                const auto first = hn::Sub(box.row, top_), one = hn::Set(f, 1);
-                const Window window{box.column, hn::Sub(hn::Add(box.column, box.width), one), first,
-                                    hn::Sub(hn::Add(first, box.height), one)};
-                left = hn::AndNot(culling_.hidden<2>(window, min3(t.z), max3(t.z), left), left);
-            }
+            const auto is_medium = hn::And(fits(box), hn::Le(most, hn::Set(f, medium_side)));
+            rasterise_large(at, hn::AndNot(is_medium, left));
+            left = hn::And(left, is_medium);
             const auto is_small = hn::Le(most, hn::Set(f, small_side));
             small += pack(t, hn::And(left, is_small), queue_, small);
             others_.size += pack(t, hn::AndNot(is_small, left), others_, others_.size);
@@ -220,6 +213,21 @@ class Rasteriser {
     static Box box_of(const Triangles& t) {
         const auto column = first_centre(min3(t.x)), row = first_centre(min3(t.y));
         return {column, row, hn::Sub(first_centre(max3(t.x)), column), hn::Sub(first_centre(max3(t.y)), row)};
+    }
+
+    /// Whether all of a box is in the band.
+    Mask fits(const Box& box) const {
+        return hn::And(
+            hn::And(hn::Ge(box.column, hn::Zero(f)), hn::Le(hn::Add(box.column, box.width), resolution_)),
+            hn::And(hn::Ge(box.row, top_), hn::Le(hn::Add(box.row, box.height), bottom_)));
+    }
+    /// What of a box is.
+    Window in_band(const Box& box) const {
+        const auto zero = hn::Zero(f), one = hn::Set(f, 1);
+        const auto row = hn::Sub(box.row, top_), last_column = hn::Sub(resolution_, one),
+                   last_row = hn::Sub(hn::Sub(bottom_, top_), one);
+        return {hn::Max(box.column, zero), hn::Min(hn::Sub(hn::Add(box.column, box.width), one), last_column),
+                hn::Max(row, zero), hn::Min(hn::Sub(hn::Add(row, box.height), one), last_row)};
     }
 
     /// Of triangles, at the first centre of their boxes: edge functions, 0 or more inside, with what they

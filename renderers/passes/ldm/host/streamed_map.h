@@ -69,9 +69,8 @@ class StreamedMap {
     std::vector<std::uint32_t> begins;
     std::vector<std::uint16_t> depths;
 
-    /// Of a band's outermost depths.
-    static std::uint64_t outermost_bytes(int resolution) {
-        return 4 * std::uint64_t{levels_of(resolution, band_rows(resolution)).back().end()};
+    static std::uint64_t outermost_bytes(int resolution, int rows) {
+        return 4 * std::uint64_t{levels_of(resolution, rows).back().end()};
     }
     std::uint64_t bytes() const {
         return 4 * (outermost.capacity() + begins.capacity()) + 2 * depths.capacity();
