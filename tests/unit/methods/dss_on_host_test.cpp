@@ -222,13 +222,14 @@ TEST_F(DssOnHost, WinnersSendTheSameLight) {
                     bool is_same = true;
                     for (std::size_t c = 4 * i; c < 4 * i + 4; ++c) {
                         const float device = light[0][s].pixels[c], host = light[1][s].pixels[c];
-                        is_same = is_same && std::abs(device - host) <= 1e-3f * (0.1f + device);
+                        is_same = is_same && std::abs(device - host) <= 1e-2f * (0.1f + device);
                     }
                     different += !is_same;
                     lit_by_triangles += winner >= 2147483648.0f && light[1][s].pixels[4 * i] > 0.01f;
                 }
             EXPECT_GT(compared, width * height * samples * 99 / 100);
-            EXPECT_LE(different, compared / 100) << "at the borders of shadows";
+            EXPECT_LE(different, compared / 100)
+                << "at borders of shadows and peaks of highlights, as normals are rounded half floats";
             if (run.parameters.level0 == dss::Level0::triangles) {
                 EXPECT_GT(lit_by_triangles, 20);
             }

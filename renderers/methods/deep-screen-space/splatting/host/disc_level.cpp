@@ -91,9 +91,7 @@ float DiscLevel::exit(const DiscRay& ray) const {
 
 void DiscLevel::filter(const RTCFilterFunctionNArguments* arguments) {
     auto& ray = *reinterpret_cast<DiscRay*>(arguments->context);
-    const auto& level = *ray.level;
-    const auto index = level.surfel_of_[RTCHitN_primID(arguments->hit, 1, 0)];
-    const bool taken = take(ray, level.surfels_, level.rules_, level.level_, index);
+    const bool taken = ray.level->take(ray, RTCHitN_primID(arguments->hit, 1, 0));
     arguments->valid[0] = taken ? -1 : 0;
     // Discs of one plane are equally far but for rounding: none may hide another before both were asked.
     auto& far = RTCRayN_tfar(arguments->ray, 1, 0);
@@ -116,19 +114,20 @@ void DiscLevel::ask(DiscRay& ray, std::uint32_t cell, float near, float far) con
     rtcIntersect1(scene_.get(), &ray.context, &query);
 }
 
-bool take(DiscRay& ray, std::span<const Surfel> surfels, const VisibleLevel& rules, int level,
-          std::uint32_t index) {
-    const auto& s = surfels[index];
+/// Whether it is the new winner, by the tests of visible.frag; of equally near ones the first surfel is.
+bool DiscLevel::take(DiscRay& ray, std::uint32_t primitive) const {
+    const auto index = surfel_of_[primitive];
+    const auto& s = surfels_[index];
     const auto x_ws = ray.receiver.x_ws;
     const auto to_centre = s.centre_ws - x_ws;
-    const int shell = splat_shell(rules, level, s.radius, glm::dot(to_centre, to_centre));
+    const int shell = splat_shell(rules_, level_, s.radius, glm::dot(to_centre, to_centre));
     if (shell < 0) return false;
     const float t = splat_plane_distance(x_ws, ray.direction_ws, s);
-    if (!(t > ray.known) || (rules.max_distance > 0 && t > rules.max_distance)) return false;
-    const float radius = splat_disc_radius(rules, shell, s.radius);
+    if (!(t > ray.known) || (rules_.max_distance > 0 && t > rules_.max_distance)) return false;
+    const float radius = splat_disc_radius(rules_, shell, s.radius);
     const auto from_centre = t * ray.direction_ws - to_centre;
     if (!(glm::dot(from_centre, from_centre) <= radius * radius)) return false;
-    const float z = splat_z(rules.influence, t);
+    const float z = splat_z(rules_.influence, t);
     if (z > ray.z || (z == ray.z && (ray.winner == 0 || index + 1 >= ray.winner))) return false;
     if (!ray.receiver.accepts(s, ray.direction_ws, radius)) return false;
     ray.z = z;

@@ -26,11 +26,6 @@ struct DiscRay {
     const class DiscLevel* level = nullptr;  ///< that is being asked
 };
 
-/// Whether a surfel is the ray's new winner on this level, by the tests of visible.frag; of equally near ones
-/// the first is.
-bool take(DiscRay& ray, std::span<const Surfel> surfels, const VisibleLevel& rules, int level,
-          std::uint32_t index);
-
 /// The discs of one level of the hierarchical framebuffer for one sample: those of its 4^level sub-images
 /// stand side by side, each in a cell of its own, in one ray-tracing scene. Thread-safe for queries.
 class DiscLevel {
@@ -44,6 +39,7 @@ class DiscLevel {
 
   private:
     static void filter(const RTCFilterFunctionNArguments* arguments);
+    bool take(DiscRay& ray, std::uint32_t primitive) const;
     struct Release {
         void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
     };

@@ -10,7 +10,6 @@
 #include "renderers/core/error.h"
 #include "renderers/core/threads.h"
 #include "renderers/methods/deep-screen-space/splatting/host/disc_level.h"
-#include "renderers/methods/deep-screen-space/splatting/host/disc_tree.h"
 #include "renderers/methods/deep-screen-space/splatting/host/layers.h"
 #include "renderers/methods/deep-screen-space/splatting/host/ray_ranges.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
@@ -47,17 +46,13 @@ class HostSplats {
         if (bvh_.index >= 0) tree_ = p.object<passes::Bvh>(bvh_);
         width_ = p.inputs().view.width;
         height_ = p.inputs().view.height;
-        if (is_stratified() && DiscTree::fits(surfels_)) {
-            discs_ = std::make_unique<DiscTree>(surfels_, rules_);
-            return;
-        }
         device_.reset(rtcNewDevice(nullptr));
         if (!device_) throw Error("deep screen space: Embree does not start; --processor gl does without");
     }
 
     /// Stratified, all samples have the same discs, only in other sub-images.
     void begin_sample(int sample) {
-        if (discs_ || (!levels_.empty() && is_stratified())) return;
+        if (!levels_.empty() && is_stratified()) return;
         const auto& hierarchy = visible_.splats.hierarchy;
         levels_.clear();
         levels_.resize(static_cast<std::size_t>(hierarchy.levels));
@@ -116,7 +111,6 @@ class HostSplats {
                     sub_image_offset(static_cast<unsigned>(level), static_cast<unsigned>(sample), seed_)) &
                    ((1u << 2 * level) - 1);
         ray.winner = 0;
-        if (discs_) return deep_screen_space::ask(*discs_, ray, level, cell, range.near, range.far);
         levels_[static_cast<std::size_t>(level)]->ask(ray, cell, range.near, range.far);
     }
 
@@ -175,7 +169,6 @@ class HostSplats {
     int width_ = 0, height_ = 0;
     std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice> device_;
     std::vector<std::unique_ptr<DiscLevel>> levels_;
-    std::unique_ptr<DiscTree> discs_;  ///< in place of levels, where it fits
 };
 
 /// Calls `run(splats, sample, tile)` for all of them, sample by sample: only the discs of one are held.
