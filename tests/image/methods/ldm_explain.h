@@ -76,8 +76,7 @@ class LdmExplain : public test::LdmAoMethodTest {
         return graph().read_image("accessibility").value();
     }
     /// Explains something else of the last frame, without another one.
-    bool explain(const Settings& settings, const Inspection& inspection, graph::FrameOptions options = {}) {
-        if (options.wanted.empty()) options.wanted = {"ldm.*", "gbuffer.*"};
+    bool explain(const Settings& settings, const Inspection& inspection, const graph::FrameOptions& options) {
         const bool done = graph().explain(method(), settings, inputs_of(inspection, 0), options);
         report = graph().last_report();
         return done;
