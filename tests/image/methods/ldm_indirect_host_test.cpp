@@ -23,17 +23,17 @@ struct Case {
 };
 
 const std::vector<Case> cases{
-    {"Atrium", "builtin:atrium", "nave", photons(32, 24)},
-    {"Gallery", "builtin:atrium?detail=0.1", "gallery", photons(64, 16)},
+    {"Atrium", "builtin:atrium", "nave", photons(32, 12)},
+    {"Gallery", "builtin:atrium?detail=0.1", "gallery", photons(64, 10)},
     {"Masks", "builtin:graveyard?detail=0.3", "", photons(32, 24)},
-    {"SmallSplats", "builtin:atrium?detail=0.1", "nave", photons(32, 24, {{"splat_size", 0.5}})},
-    {"LargeSplats", "builtin:atrium?detail=0.1", "nave", photons(16, 24, {{"splat_size", 2.0}})},
+    {"SmallSplats", "builtin:atrium?detail=0.1", "nave", photons(32, 12, {{"splat_size", 0.5}})},
+    {"LargeSplats", "builtin:atrium?detail=0.1", "nave", photons(16, 16, {{"splat_size", 2.0}})},
     {"DirectPhotons", "builtin:atrium?detail=0.1", "nave",
-     photons(16, 24, {{"direct", std::string("photons")}, {"splat_size", 2.0}})},
+     photons(16, 16, {{"direct", std::string("photons")}, {"splat_size", 2.0}})},
     {"Rejected", "builtin:atrium?detail=0.1", "nave", photons(32, 24, {{"reject_hidden", true}})},
     {"Quads", "builtin:atrium?detail=0.1", "nave", photons(16, 16, {{"splatting", std::string("quads")}})},
     {"Published", "builtin:atrium?detail=0.1", "nave",
-     photons(32, 24, {{"footprint", std::string("published")}})},
+     photons(32, 12, {{"footprint", std::string("published")}})},
 };
 
 class LdmIndirectOnBothBodies : public ldm_ao_test::LdmAo {

@@ -292,7 +292,7 @@ TEST(LightTracing, PhotonMappingHasTheSameLightByMirrors) {
     lit.run_frame(options);
     const auto direct = lit.graph().read_image("direct.radiance").value().pixels;
     const double expected = beyond_direct_light(truth, direct, 1);
-    EXPECT_NEAR(beyond_direct_light(photons, direct, 16) / expected, 1, 0.08);
+    EXPECT_NEAR(beyond_direct_light(photons, direct, 4) / expected, 1, 0.08);
     // Without the light that mirrors throw, it would be far less.
     truth.settings["paths"] = "indirect";
     EXPECT_LT(beyond_direct_light(truth, std::vector<float>(direct.size()), 1), 0.85 * expected);
