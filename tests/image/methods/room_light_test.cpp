@@ -143,7 +143,9 @@ INSTANTIATE_TEST_SUITE_P(
         Room{.name = "furnace", .scene = "builtin:furnace", .environment = glm::vec3(1)},
         Room{.name = "panels",
              .scene = "builtin:conference?emission=30",
-             .lights = std::vector<scene::Light>{}},
+             .lights = std::vector<scene::Light>{},
+             .maps = {0.95, 1.15},
+             .samples = 1024},
         Room{.name = "cornell_box", .scene = "rooms/cornell-box/cornell-box.glb"},
         Room{.name = "conference", .scene = "conference.glb", .lights = {{panel(0), panel(2)}}},
         Room{.name = "veach_ajar",
@@ -154,10 +156,13 @@ INSTANTIATE_TEST_SUITE_P(
         Room{.name = "staircase2",
              .scene = "rooms/staircase2/staircase2.glb",
              .photons = {0.88, 0.97},
-             .maps = {0.85, 0.93}},
+             .maps = {0.85, 0.93},
+             .samples = 512},
         Room{.name = "staircase2_without_glass",
              .scene = "rooms/staircase2/staircase2.glb",
-             .opaque = "GlassBSDF"}),
+             .opaque = "GlassBSDF",
+             .maps = {0.92, 1.05},
+             .samples = 512}),
     [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -121,7 +121,7 @@ vec3 highlight(ivec2 pixel, Receiver r) {
     vec3 n = shading_normal(pixel), geometric_n = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
     float mean_length = clamp(coherence(pixel), 0.05, 0.9995), squared = mean_length * mean_length;
     float kappa = mean_length * (3.0 - squared) / (1.0 - squared);
-    float alpha = max(r.roughness * r.roughness, MIRROR_ALPHA), cosine = max(dot(n, r.v), 0.05);
+    float alpha = max(r.roughness * r.roughness, MIRROR_ALPHA), cosine = clamp(dot(n, r.v), 0.05, 1.0);
     float kappa_s = 0.5 / (alpha * alpha * cosine);
     vec3 mirrored = reflect(-r.v, n), a = kappa * r.l - COSINE_KAPPA * geometric_n;
     float both = length(kappa_s * mirrored + a);
