@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include "widgets/style/theme.h"
@@ -16,9 +15,11 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setOrganizationName("Interreflect tests");
     QApplication::setApplicationName("Interreflect tests");
-    const QTemporaryDir settings;
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-    QStandardPaths::setTestModeEnabled(true);
+    // What one run leaves behind, or two write at once, is none of another's. Their programs inherit it.
+    const QTemporaryDir home;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
+    for (const char* folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
+        qputenv(folder, home.path().toUtf8());
     ir::widgets::apply_theme(application);
     return RUN_ALL_TESTS();
 }

@@ -1,5 +1,6 @@
 // What a window that is told to end by a signal leaves behind.
 #include <QTemporaryDir>
+#include <map>
 
 #include "tests/child_process.h"
 #include "tests/gui/window/window_fixture.h"
@@ -44,10 +45,13 @@ TEST(Leaving, NothingIsOfferedWhereEverythingWasSaved) {
 class WindowProgram : public testing::Test {
   protected:
     WindowProgram() {
-        for (const char* variable : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"}) qputenv(variable, root.c_str());
+        for (auto& [variable, before] : homes_) {
+            before = qgetenv(variable);
+            qputenv(variable, root.c_str());
+        }
     }
     ~WindowProgram() override {
-        for (const char* variable : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"}) qunsetenv(variable);
+        for (const auto& [variable, before] : homes_) qputenv(variable, before);
     }
     /// Those below the data folder.
     std::vector<fs::path> found(const std::string& name) const {
@@ -58,6 +62,9 @@ class WindowProgram : public testing::Test {
     }
     QTemporaryDir temporary;
     std::string root = temporary.path().toStdString();
+
+  private:
+    std::map<const char*, QByteArray> homes_{{"XDG_DATA_HOME", {}}, {"XDG_CONFIG_HOME", {}}};
 };
 
 TEST_F(WindowProgram, EndsWithTheStatusOfShellsAndKeepsWhatWasNeverSaved) {
