@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Writes C++ headers of the records that shaders and host share, so that their fields stand once: in GLSL.
+"""Writes C++ headers of the records and constants that shaders and host share, so that they stand once: in GLSL.
 
 A struct or block whose comment has the line "C++: ir::some::Name" becomes a struct with IR_FIELDS in the header
 OUT/shaders/PATH.glsl.h of its file shaders/PATH.glsl; a record may hold records of the same file. A name that is a
-word of GLSL ends in "_" there, and not in C++. A record that std430 lays out with gaps is refused. Usage:
-records.py ROOT OUT, or records.py --list ROOT for the files that have records.
+word of GLSL ends in "_" there, and not in C++. A record that std430 lays out with gaps is refused. A constant whose
+comment has "C++: ir::some::name" becomes an inline constexpr one; its value is a number. Usage:
+records.py ROOT OUT, or records.py --list ROOT for the files that have any.
 """
 import re
 import sys
@@ -16,6 +17,8 @@ TYPES = {"float": ("float", 4, 4), "int": ("std::int32_t", 4, 4), "uint": ("std:
          "ivec2": ("glm::ivec2", 8, 8), "uvec2": ("glm::uvec2", 8, 8), "mat4": ("glm::mat4", 64, 16)}
 MARK = "// C++: "
 RECORD = re.compile(r"((?:^//[^\n]*\n)*)^(?:struct|layout\(std430\)[a-z ]* buffer) (\w+) \{\n(.*?)^\}", re.M | re.S)
+CONSTANT = re.compile(r"((?:^//[^\n]*\n)+)^const (float|int|uint) \w+ = ([^;\n]+);", re.M)
+NUMBERS = {"float": r"-?\d+(\.\d*(e-?\d+)?|e-?\d+)", "int": r"-?\d+", "uint": r"(0x[0-9a-f]+|\d+)u"}
 MEMBERS = re.compile(r"\s*(\w+) ([^;]+);\s*(?://\s?(.*))?$")
 
 
@@ -42,8 +45,7 @@ def members_of(body, types, path):
 
 def record_of(comment, name, body, types, path):
     """The C++ struct, and what TYPES has of it."""
-    lines = [f"/// {line.lstrip('/').strip()}" for line in comment.splitlines() if not line.startswith(MARK)]
-    lines.append(f"struct {name} {{")
+    lines = documented(comment) + [f"struct {name} {{"]
     names, end, widest = [], 0, 4
     for kind, member, note, size, alignment in members_of(body, types, path):
         code = f"{kind} {member}{{}};" if kind else ""
@@ -57,17 +59,39 @@ def record_of(comment, name, body, types, path):
     return "\n".join(lines + [f"    IR_FIELDS({', '.join(names)})", "};"]), (name, end, widest)
 
 
+def documented(comment):
+    """The lines of a comment but for the mark, as C++ has them."""
+    return [f"/// {line.lstrip('/').strip()}" for line in comment.splitlines() if not line.startswith(MARK)]
+
+
+def marked_names(comment):
+    """(namespace, name) of each mark in a comment."""
+    for line in comment.splitlines():
+        if line.startswith(MARK):
+            yield line[len(MARK):].strip().rsplit("::", 1)
+
+
+def constant_of(comment, name, kind, value, path):
+    """The C++ constant."""
+    if not re.fullmatch(NUMBERS[kind], value):
+        sys.exit(f"{path}: the constant '{name}' is for C++, too, so its value is a number, not '{value}'")
+    suffix = "f" if kind == "float" else ""
+    return "\n".join(documented(comment) + [f"inline constexpr {TYPES[kind][0]} {name} = {value}{suffix};"])
+
+
 def header_of(path, text):
-    """The header's text; None where no struct is marked."""
+    """The header's text; None where nothing is marked."""
     records, types = [], dict(TYPES)
+    within = "namespace {} {{\n\n{}\n\n}}  // namespace {}\n".format
+    for comment, kind, value in CONSTANT.findall(text):
+        for space, name in marked_names(comment):
+            records.append(within(space, constant_of(comment, name, kind, value, path), space))
     for comment, glsl_name, body in RECORD.findall(text):
-        for line in comment.splitlines():
-            if line.startswith(MARK):
-                space, name = line[len(MARK):].strip().rsplit("::", 1)
-                record, types[glsl_name] = record_of(comment, name, body, types, path)
-                records.append(f"namespace {space} {{\n\n{record}\n\n}}  // namespace {space}\n")
+        for space, name in marked_names(comment):
+            record, types[glsl_name] = record_of(comment, name, body, types, path)
+            records.append(within(space, record, space))
     if len(records) != text.count("\n" + MARK) + text.startswith(MARK):
-        sys.exit(f"{path}: '{MARK}' stands in the comment right above a struct or block, once")
+        sys.exit(f"{path}: '{MARK}' stands in the comment right above a struct, block or constant, once")
     return "\n".join([f"// Made from {path}: edit that.\n#pragma once\n\n#include <array>\n#include <cstdint>\n"
                       '#include <glm/glm.hpp>\n\n#include "renderers/core/fields.h"\n'] + records) if records else None
 

@@ -4,7 +4,11 @@
 #include "lib/constants.glsl"
 
 /// Below this roughness² a surface is a mirror to rays. It reflects no punctual light; its highlight stays this wide.
+// C++: ir::passes::mirror_alpha
 const float MIRROR_ALPHA = 1e-3;
+/// Least cosine to the viewer: shading normals may turn away from it.
+// C++: ir::passes::min_view_cosine
+const float MIN_VIEW_COSINE = 1e-4;
 
 /// Microfacet distribution.  [Walter07 eq. 33]
 float ggx_distribution(float n_dot_h, float alpha) {
@@ -57,7 +61,7 @@ struct Surface {
 /// Microfacets without Fresnel reflectance; `h` halfway between l and v, above n both.
 float gltf_microfacets(float alpha, vec3 n, vec3 l, vec3 v, vec3 h) {
     return ggx_distribution(clamp(dot(n, h), 0.0, 1.0), alpha) *
-           smith_visibility(dot(n, l), max(dot(n, v), 1e-4), alpha);
+           smith_visibility(dot(n, l), max(dot(n, v), MIN_VIEW_COSINE), alpha);
 }
 
 /// The metallic-roughness material of glTF 2.0, Appendix B.3.5: Lambert below a GGX interface; metals have no
@@ -86,7 +90,7 @@ float smith_masking_over_2_cosine(float n_dot_v, float alpha) {
 /// The same as gltf_microfacets, with the product of two maskings.  [Smal19 eq. 3.6]
 float blended_microfacets(float alpha, vec3 n, vec3 l, vec3 v, vec3 h) {
     return ggx_distribution(clamp(dot(n, h), 0.0, 1.0), alpha) * smith_masking_over_2_cosine(dot(n, l), alpha) *
-           smith_masking_over_2_cosine(max(dot(n, v), 1e-4), alpha);
+           smith_masking_over_2_cosine(max(dot(n, v), MIN_VIEW_COSINE), alpha);
 }
 
 /// k f_Lambert + (1 - k) f_CookTorrance with k = 1 - metallic, and the base colour as reflectance.

@@ -16,9 +16,6 @@ const int MICROFACETS_VISIBLE_NORMALS = 0;  // [Heitz18]
 const int MICROFACETS_GGX = 1;              // [Walter07 eq. 35]; weights may exceed 1
 const int MICROFACETS_GGX_PRINTED = 2;      // the directions of the second with the weights of the first: wrong
 
-/// Least cosine to the viewer: shading normals may turn away from it.
-const float MIN_VIEW_COSINE = 1e-4;
-
 struct Scatterer {
     vec3 n, geometric_n;
     vec3 diffuse;    // albedo of the Lambert part, without the interface above it

@@ -2,24 +2,15 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <span>
 
 #include "renderers/core/threads.h"
+#include "renderers/graph/image_layers.h"
 #include "renderers/methods/ambient-occlusion-volumes/volumes.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
-namespace {
-
-/// The layer of one sample.
-struct Layer {
-    std::span<const glm::vec4> directions;
-    std::span<float> distances, depths;
-    std::span<std::uint32_t> winners;
-};
-
-}  // namespace
+namespace {}  // namespace
 
 void find_nearest_on_host(graph::GraphBuilder& builder, const Volumes& volumes,
                           const passes::bounce::Directions& directions, const Bounced& bounced) {
@@ -37,25 +28,23 @@ void find_nearest_on_host(graph::GraphBuilder& builder, const Volumes& volumes,
             const auto tree = context.object<passes::Bvh>(bvh);
             const auto positions = context.pixels<const glm::vec4>(gbuffer.position),
                        normals = context.pixels<const glm::vec4>(gbuffer.geometric_normal);
-            std::vector<Layer> layers;
-            for (int i = 0; i < directions.samples; ++i)
-                layers.push_back({context.pixels<const glm::vec4>(directions.directions, i),
-                                  context.pixels<float>(bounced.distance, i),
-                                  context.pixels<float>(bounced.depth, i),
-                                  context.pixels<std::uint32_t>(bounced.winner, i)});
-            const auto trace = [&](const Layer& layer, std::size_t i) {
+            const auto rays = graph::layers<const glm::vec4>(context, directions.directions);
+            const auto distances = graph::layers<float>(context, bounced.distance),
+                       depths = graph::layers<float>(context, bounced.depth);
+            const auto winners = graph::layers<std::uint32_t>(context, bounced.winner);
+            const auto trace = [&](std::size_t layer, std::size_t i) {
+                const auto& ray = rays[layer][i];
                 passes::Hit hit;
-                if (layer.directions[i].w != 0)
-                    hit = tree->closest_hit(passes::offset_origin(positions[i], normals[i]),
-                                            layer.directions[i], 0, reach);
-                layer.winners[i] = hit.is_hit() ? hit.triangle + 1 : 0;
-                layer.distances[i] = hit.is_hit() ? hit.distance : -1;
-                layer.depths[i] = hit.is_hit() ? hit.distance * hit.distance / (reach * reach) : 1;
+                if (ray.w != 0)
+                    hit = tree->closest_hit(passes::offset_origin(positions[i], normals[i]), ray, 0, reach);
+                winners[layer][i] = hit.is_hit() ? hit.triangle + 1 : 0;
+                distances[layer][i] = hit.is_hit() ? hit.distance : -1;
+                depths[layer][i] = hit.is_hit() ? hit.distance * hit.distance / (reach * reach) : 1;
             };
             tbb::task_arena arena(arena_size(context.inputs().threads));
             arena.execute([&] {
                 tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t item) {
-                    const auto& layer = layers[static_cast<std::size_t>(item / blocks)];
+                    const auto layer = static_cast<std::size_t>(item / blocks);
                     const auto first = static_cast<std::size_t>(item % blocks * block);
                     for (auto i = first; i < std::min(positions.size(), first + block); ++i) trace(layer, i);
                 });

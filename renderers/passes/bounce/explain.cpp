@@ -103,6 +103,7 @@ void show_weights(graph::GraphBuilder& builder, const Filter& filter) {
     pass.writes("weights", weights);
     gl::ProgramSource source{{"passes/bounce/weights.comp"}};
     filter.define(source);
+    source.defines["MAX_SAMPLES"] = std::to_string(max_samples);
     compute_by_tiles(pass, builder, source, filter.constants(builder.inputs()));
 }
 

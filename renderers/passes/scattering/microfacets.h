@@ -5,16 +5,14 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "shaders/lib/brdf.glsl.h"
+
 /// The functions of shaders/lib/brdf.glsl on the host, and what sampling them needs. Directions are unit
 /// vectors; `_ts` ones are in a frame whose z is the normal.
 namespace ir::passes {
 
-/// Below this roughness² a surface is a mirror; rasterisation keeps its highlight this wide instead.
-constexpr float mirror_alpha = 1e-3f;
 /// A relative index of refraction as near to 1 lets light pass straight on, whatever the microfacets.
 constexpr float same_index = 1e-3f;
-/// Least cosine to the viewer: shading normals may turn away from it.
-constexpr float min_view_cosine = 1e-4f;
 
 /// [Walter07 eq. 33]
 inline float ggx_distribution(float n_dot_h, float alpha) {

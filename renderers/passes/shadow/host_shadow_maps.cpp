@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/graph/image_layers.h"
 #include "renderers/passes/scene/light_data.h"
 
 namespace ir::passes {
 namespace {
-
-/// As in shadow.glsl.
-constexpr float normal_offset = 0.3f, steepest_slope = 16, rounding = 4e-6f;
 
 /// receiver_depth of shadow.glsl.
 float receiver_depth(const ShadowViewData& view, glm::vec2 ndc, glm::vec3 position_ws, glm::vec3 normal_ws,
@@ -26,10 +24,10 @@ float receiver_depth(const ShadowViewData& view, glm::vec2 ndc, glm::vec3 positi
 }  // namespace
 
 HostShadowMaps::HostShadowMaps(const graph::PassContext& context, const ShadowMaps& shadow)
-    : lights_(light_data(context.inputs().world->lights)), resolution_(context.shape(shadow.maps).width) {
+    : lights_(light_data(context.inputs().world->lights)),
+      layers_(graph::layers<const float>(context, shadow.maps)),
+      resolution_(context.shape(shadow.maps).width) {
     views_ = shadow_views(*context.inputs().world, resolution_);
-    for (std::size_t layer = 0; layer < views_.size(); ++layer)
-        layers_.push_back(context.pixels<const float>(shadow.maps, static_cast<int>(layer)));
 }
 
 int HostShadowMaps::layer_of(const LightData& light, glm::vec3 position_ws) const {
@@ -53,7 +51,7 @@ bool HostShadowMaps::is_lit(std::size_t light, glm::vec3 position_ws, glm::vec3 
     const float reach = perspective ? glm::dot(position_ws - view.origin_ws, view.forward_ws) : 1;
     const float texel_m =
         2 * std::max(glm::length(view.right_ws), glm::length(view.up_ws)) * reach / resolution;
-    const auto receiver_ws = position_ws + normal_offset * texel_m * sine * normal_ws;
+    const auto receiver_ws = position_ws + shadow_normal_offset * texel_m * sine * normal_ws;
 
     const auto offset = receiver_ws - view.origin_ws;
     const float depth = glm::dot(offset, view.forward_ws), scale = perspective ? 1 / depth : 1;
@@ -65,10 +63,10 @@ bool HostShadowMaps::is_lit(std::size_t light, glm::vec3 position_ws, glm::vec3 
     const auto texel = glm::min(glm::max(glm::vec2(0), place), glm::vec2(resolution - 1));
     const auto texel_ndc = ((texel + 0.5f) / resolution * 2.0f - 1.0f) * glm::vec2(1, -1);
     const float expected =
-        receiver_depth(view, texel_ndc, receiver_ws, normal_ws, depth, steepest_slope * texel_m);
+        receiver_depth(view, texel_ndc, receiver_ws, normal_ws, depth, shadow_steepest_slope * texel_m);
     const auto at = static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(resolution_) +
                     static_cast<std::size_t>(texel.x);
-    return layers_[layer][at] * view.far >= expected - rounding * view.far;
+    return layers_[layer][at] * view.far >= expected - shadow_rounding * view.far;
 }
 
 }  // namespace ir::passes

@@ -24,9 +24,9 @@ class HostShadowMaps {
     int layer_of(const LightData& light, glm::vec3 position_ws) const;
 
     std::vector<LightData> lights_;
-    std::vector<ShadowViewData> views_;
     std::vector<std::span<const float>> layers_;
-    int resolution_ = 0;
+    int resolution_;
+    std::vector<ShadowViewData> views_;
 };
 
 }  // namespace ir::passes

@@ -57,6 +57,7 @@ Scatterer scatterer_of(Receiver receiver, vec3 colour, vec4 material) {
 /// its highlight, of which a diffuse surface can make little.
 /// DEVIATION [Nalbach15 §3.1]: so darker surfaces choose like ones of this colour. Densities are those of the
 /// choice, and what is reflected is not touched.
+// C++: ir::passes::bounce::min_colour
 const float MIN_COLOUR = 0.05;
 
 /// By which the pixel's directions are chosen.

@@ -1,12 +1,10 @@
 // How a pixel's samples and its neighbours' share in it: what their values are divided by, and the largest part that
-// one sample has in the value. One loop as in reconstruct.comp.
+// one sample has in the value. One loop as in reconstruct.comp. MAX_SAMPLES: there are no more for a pixel.
 #include "passes/bounce/tiles.glsl"
 #include "passes/bounce/filter.glsl"
 #include "lib/luminance.glsl"
 
 layout(rg32f) uniform writeonly image2D weights;
-
-const int MAX_SAMPLES = 16;  // max_samples of renderers/passes/bounce/directions.h
 
 #if LIGHT
 float size_of(Value value) { return luminance(value); }

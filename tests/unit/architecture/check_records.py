@@ -49,6 +49,18 @@ class Records(unittest.TestCase):
     def test_structs_without_a_mark_stay_in_glsl(self):
         self.assertEqual(self.run_on("struct T {\n    float x;\n};\n"), (0, "", None))
 
+    def test_constants_are_those_of_the_shader(self):
+        status, messages, header = self.run_on(
+            "/// Lifted by as much.\n// C++: ir::here::lift\nconst float LIFT = 4e-6;\n"
+            "// C++: ir::here::bit\nconst uint BIT = 0x80000000u;  // the highest\nconst int OTHER = 1;\n")
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn("/// Lifted by as much.\ninline constexpr float lift = 4e-6f;\n", header)
+        self.assertIn("inline constexpr std::uint32_t bit = 0x80000000u;\n", header)
+        self.assertNotIn("OTHER", header)
+        status, messages, _ = self.run_on("// C++: ir::here::a\nconst float A = 2.0 * PI;\n")
+        self.assertEqual(status, 1)
+        self.assertIn("the constant 'a' is for C++, too, so its value is a number, not '2.0 * PI'", messages)
+
     def test_what_cannot_be_read_is_named(self):
         status, messages, _ = self.run_on("// C++: ir::A\nstruct T {\n    double x;\n};\n")
         self.assertEqual(status, 1)

@@ -2,11 +2,9 @@
 
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "renderers/passes/raytracing/device_bvh.h"
+#include "shaders/methods/deep-screen-space/splatting/exact.glsl.h"
 
 namespace ir::methods::deep_screen_space {
-
-/// Of "splats.nearest": the other bits are a triangle. EXACT_HIT of exact.glsl.
-inline constexpr std::uint32_t exact_hit = 1u << 31;
 
 /// What the splats with visibility of a frame are, and who won: between the steps of splat_visible.
 struct VisibleSplats {

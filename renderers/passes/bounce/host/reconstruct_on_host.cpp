@@ -9,10 +9,11 @@
 #include <glm/gtc/packing.hpp>
 
 #include "renderers/core/threads.h"
-#include "renderers/graph/pass_context.h"
+#include "renderers/graph/image_layers.h"
 #include "renderers/passes/bounce/host/filter_tile.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/scattering/microfacets.h"
+#include "shaders/passes/bounce/receiver.glsl.h"
 
 namespace ir::passes::bounce {
 namespace {
@@ -39,16 +40,14 @@ class HostReconstruction {
           positions_(context.pixels<const glm::vec4>(filter.receivers.gbuffer.position)),
           geometric_normals_(context.pixels<const glm::vec4>(filter.receivers.gbuffer.geometric_normal)),
           normals_(context.pixels<const std::uint64_t>(filter.receivers.gbuffer.normal)),
+          directions_(graph::layers<const glm::vec4>(context, filter.directions.directions)),
           light_result_(rules.light ? context.pixels<glm::vec4>(result) : std::span<glm::vec4>()),
           result_(rules.light ? std::span<float>() : context.pixels<float>(result)) {
-        for (int layer = 0; layer < rules.constants.samples; ++layer) {
-            directions_.push_back(context.pixels<const glm::vec4>(filter.directions.directions, layer));
-            if (rules.light)
-                light_.push_back(context.pixels<const glm::vec4>(filter.samples.incoming, layer));
-            else
-                open_.push_back(context.pixels<const float>(filter.samples.incoming, layer));
+        if (!rules.light) {
+            open_ = graph::layers<const float>(context, filter.samples.incoming);
+            return;
         }
-        if (!rules.light) return;
+        light_ = graph::layers<const glm::vec4>(context, filter.samples.incoming);
         albedos_ = context.pixels<const std::uint64_t>(filter.receivers.gbuffer.albedo);
         materials_ = context.pixels<const std::uint64_t>(filter.receivers.gbuffer.material);
     }
@@ -128,7 +127,6 @@ class HostReconstruction {
         if (n_dot_v < min_view_cosine) raised = glm::normalize(viewer + (min_view_cosine - n_dot_v) * normal);
         set(tile.raised, at, raised);
         tile.raised_cosine[at] = glm::dot(normal, raised);
-        constexpr float min_colour = 0.05f;  // MIN_COLOUR of receiver.glsl
         tile.specular_probability[at] = specular_probability(
             lobes_of(glm::max(colour, glm::vec3(min_colour)), metallic, ior), tile.raised_cosine[at]);
         return true;

@@ -4,12 +4,13 @@
 #include <numbers>
 
 #include "renderers/passes/bounce/host/filter_tile.h"
-#include "renderers/passes/ldm/host/vectors.h"
+#include "renderers/passes/vectors/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/passes/bounce/host/reconstruct_tile.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "renderers/passes/vectors/floats.inl"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -17,14 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace ir::passes::bounce::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace vectors::HWY_NAMESPACE;
 
-using FloatTag = hn::CappedTag<float, 16>;
-using Floats = hn::Vec<FloatTag>;
-using Mask = hn::Mask<FloatTag>;
-
-constexpr FloatTag f;
-constexpr int lanes = static_cast<int>(hn::MaxLanes(FloatTag()));
 static_assert(FilterTile::width % lanes == 0);
 constexpr float one_over_pi = std::numbers::inv_pi_v<float>;
 
@@ -253,6 +248,7 @@ class Weights {
 struct Sums {
     Vector3 value;
     Floats share;
+    // Written out, as GCC compiles implicit ones without the instruction set of this namespace.
     Sums() : value{hn::Zero(f), hn::Zero(f), hn::Zero(f)}, share(hn::Zero(f)) {}
     /// Not finite values count for nothing.
     HWY_INLINE void add(Floats weight, const Vector3& part, Floats part_share) {

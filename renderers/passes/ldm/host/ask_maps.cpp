@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "renderers/passes/ldm/host/streamed_map.h"
-#include "renderers/passes/ldm/host/vectors.h"
+#include "renderers/passes/vectors/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/passes/ldm/host/ask_maps.cpp"

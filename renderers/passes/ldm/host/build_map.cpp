@@ -1,7 +1,7 @@
 // Builds a band of rows of one map: meshlets are transformed, and triangles that may cover a texel's centre
 // go into a queue, from which they are rasterised many at a time.
 #include "renderers/passes/ldm/host/streamed_map.h"
-#include "renderers/passes/ldm/host/vectors.h"
+#include "renderers/passes/vectors/targets.h"
 #include "renderers/passes/raytracing/alpha_masks.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <iterator>
 
-#include <hwy/highway.h>
+#include "renderers/passes/vectors/floats.inl"
 
 #if defined(IR_LDM_HOST_LANES) == defined(HWY_TARGET_TOGGLE)
 #ifdef IR_LDM_HOST_LANES
@@ -17,25 +17,13 @@ HWY_BEFORE_NAMESPACE();
 namespace ir::passes::ldm::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace vectors::HWY_NAMESPACE;
 
-using FloatTag = hn::CappedTag<float, 16>;
 using IntTag = hn::RebindToSigned<FloatTag>;
 using UintTag = hn::RebindToUnsigned<FloatTag>;
-using Floats = hn::Vec<FloatTag>;
 using Ints = hn::Vec<IntTag>;
-using Mask = hn::Mask<FloatTag>;
 
-constexpr FloatTag f;
 constexpr IntTag n;
-constexpr int lanes = static_cast<int>(hn::MaxLanes(FloatTag()));
-
-[[maybe_unused]] std::uint32_t bits_of(Mask mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(f, mask, bytes);
-    const auto bits = static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
-    return bits & ((1u << lanes) - 1);
-}
 
 /// Numbers of the lanes that each mask has, first ones first.
 struct PackedLanes {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "renderers/passes/ldm/host/vectors.h"
+#include "renderers/passes/vectors/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/passes/ldm/host/pixel_tiles.cpp"

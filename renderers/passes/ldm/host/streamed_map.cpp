@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "renderers/passes/ldm/host/vectors.h"
+#include "renderers/passes/vectors/targets.h"
 
 #include <hwy/highway.h>
 

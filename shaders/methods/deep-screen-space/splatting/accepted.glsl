@@ -7,6 +7,7 @@
 
 /// Part of the disc's radius by which its centre is lifted towards the ray, so that a curved or crumpled surface does
 /// not hide its own.
+// C++: ir::methods::deep_screen_space::splat_lift
 const float SPLAT_LIFT = 0.05;
 
 /// Whether nothing lies between x_p and the disc's centre.

@@ -1,6 +1,8 @@
 // What exact rays of level 0 found. EXACT: there are any.
 
-const uint EXACT_HIT = 0x80000000u;  // of "splats.nearest": the other bits are a triangle
+/// Of "splats.nearest": the other bits are a triangle.
+// C++: ir::methods::deep_screen_space::exact_hit
+const uint EXACT_HIT = 0x80000000u;
 
 #if EXACT
 /// A layer per sample: 1 + triangle that was met, 0 for none; and the distance in m up to which the ray is known, its

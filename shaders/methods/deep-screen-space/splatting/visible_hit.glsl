@@ -48,6 +48,7 @@ bool splat_is_on_disc(vec3 x_ws, vec3 direction_ws, vec3 centre_ws, float t, flo
 }
 
 /// Rounding of positions in the G-buffer and of surfels' centres, as a part of the coordinates.
+// C++: ir::methods::deep_screen_space::splat_rounding
 const float SPLAT_ROUNDING = 4e-6;
 
 /// Whether the surfel's centre, a point of the surface, lies above the plane of x_p's triangle.
@@ -62,6 +63,8 @@ bool splat_is_above(vec3 x_ws, vec3 geometric_normal_ws, vec3 centre_ws) {
     return height > SPLAT_ROUNDING * max(size.x, max(size.y, size.z));
 }
 
+/// Up to which z is linear.
+// C++: ir::methods::deep_screen_space::splat_last_z
 const float SPLAT_LAST_Z = 0.999;
 
 /// z in [0, 1), as written into all framebuffers.

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "renderers/core/threads.h"
-#include "renderers/methods/deep-screen-space/splatting/host/layers.h"
+#include "renderers/graph/image_layers.h"
 #include "renderers/methods/deep-screen-space/splatting/level0_light.h"
 #include "renderers/methods/deep-screen-space/surfels/host/host_senders.h"
 #include "renderers/passes/surface/host_surfaces.h"
@@ -102,10 +102,10 @@ graph::ImageRef resolve_light_on_host(graph::GraphBuilder& builder, const passes
     const auto blocks = (pixels + block - 1) / block;
     pass.execute_sliced(blocks * samples, [=](graph::PassContext& context, graph::Slice slice) {
         const HostLight light(context, objects, shadow, visible);
-        const auto winners = layers<const std::uint32_t>(context, visible.nearest);
-        const auto distances = layers<const float>(context, distance);
-        const auto directions = layers<const glm::vec4>(context, visible.directions.directions);
-        const auto results = layers<glm::vec4>(context, incoming);
+        const auto winners = graph::layers<const std::uint32_t>(context, visible.nearest);
+        const auto distances = graph::layers<const float>(context, distance);
+        const auto directions = graph::layers<const glm::vec4>(context, visible.directions.directions);
+        const auto results = graph::layers<glm::vec4>(context, incoming);
         const auto fill = [&](std::int64_t item) {
             const auto layer = static_cast<std::size_t>(item / blocks);
             const auto first = static_cast<std::size_t>(item % blocks * block);

@@ -9,8 +9,8 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/threads.h"
+#include "renderers/graph/image_layers.h"
 #include "renderers/methods/deep-screen-space/splatting/host/disc_level.h"
-#include "renderers/methods/deep-screen-space/splatting/host/layers.h"
 #include "renderers/methods/deep-screen-space/splatting/host/ray_ranges.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
 
@@ -204,10 +204,11 @@ void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible,
     auto pass = builder.pass("splat", graph::Queue::cpu);
     pass.has_two_bodies().writes(visible.nearest, visible.hit_level, distance);
     execute(pass, builder, visible, bvh, [=](const PassContext& p, Slice) {
-        return [directions = layers<const glm::vec4>(p, visible.directions.directions),
-                nearest = layers<std::uint32_t>(p, visible.nearest),
-                levels = layers<std::uint16_t>(p, visible.hit_level), distances = layers<float>(p, distance)](
-                   const HostSplats& splats, int sample, std::int64_t tile) {
+        return [directions = graph::layers<const glm::vec4>(p, visible.directions.directions),
+                nearest = graph::layers<std::uint32_t>(p, visible.nearest),
+                levels = graph::layers<std::uint16_t>(p, visible.hit_level),
+                distances = graph::layers<float>(p, distance)](const HostSplats& splats, int sample,
+                                                               std::int64_t tile) {
             const auto layer = static_cast<std::size_t>(sample);
             splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {
                 HostSplats::Winner winner;
@@ -226,13 +227,13 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
     auto pass = builder.pass("splat level by level", graph::Queue::cpu);
     pass.writes(visible.depth, visible.winner);
     execute(pass, builder, visible, bvh, [=](const PassContext& p, Slice slice) {
-        const auto depths = layers<float>(p, visible.depth);
-        const auto winners = layers<std::uint32_t>(p, visible.winner);
+        const auto depths = graph::layers<float>(p, visible.depth);
+        const auto winners = graph::layers<std::uint32_t>(p, visible.winner);
         if (slice.first) {
             for (const auto layer : depths) std::ranges::fill(layer, 1.0f);
             for (const auto layer : winners) std::ranges::fill(layer, 0u);
         }
-        return [=, directions = layers<const glm::vec4>(p, visible.directions.directions)](
+        return [=, directions = graph::layers<const glm::vec4>(p, visible.directions.directions)](
                    const HostSplats& splats, int sample, std::int64_t tile) {
             const auto& hierarchy = visible.splats.hierarchy;
             splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {

@@ -8,6 +8,8 @@
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
+#include "shaders/methods/deep-screen-space/splatting/accepted.glsl.h"
+#include "shaders/methods/deep-screen-space/splatting/visible_hit.glsl.h"
 
 /// What influence.glsl, sub_image.glsl, visible_hit.glsl and accepted.glsl say, on the host.
 namespace ir::methods::deep_screen_space {
@@ -77,9 +79,8 @@ inline float splat_plane_distance(glm::vec3 x_ws, glm::vec3 direction_ws, const 
 }
 
 inline float splat_z(const InfluenceConstants& i, float t) {
-    constexpr float last = 0.999f;
     const float z = t * t / (i.whole_reach * i.whole_reach);
-    return z < last ? z : 1 - (1 - last) * (last / z);
+    return z < splat_last_z ? z : 1 - (1 - splat_last_z) * (splat_last_z / z);
 }
 
 /// The pixel that rays start from, and which discs count for it: accepted.glsl.
@@ -97,17 +98,15 @@ struct Receiver {
 
   private:
     bool is_above(glm::vec3 centre_ws) const {
-        constexpr float rounding = 4e-6f;
         const auto size = glm::max(glm::abs(x_ws), glm::abs(centre_ws));
         return glm::dot(geometric_normal_ws, centre_ws - x_ws) >
-               rounding * std::max(size.x, std::max(size.y, size.z));
+               splat_rounding * std::max(size.x, std::max(size.y, size.z));
     }
     bool sees(const Surfel& surfel, glm::vec3 direction_ws, float disc_radius) const {
-        constexpr float lift = 0.05f;
         const auto origin = passes::offset_origin(x_ws, geometric_normal_ws);
         const bool is_back = glm::dot(surfel.normal_ws, direction_ws) > 0;
         const auto facing = is_back ? -surfel.normal_ws : surfel.normal_ws;
-        const auto way = surfel.centre_ws + lift * disc_radius * facing - origin;
+        const auto way = surfel.centre_ws + splat_lift * disc_radius * facing - origin;
         const float distance = glm::length(way);
         return !bvh->occluded(origin, way / distance, 0, 0.999f * distance);
     }

@@ -4,25 +4,20 @@
 #include <algorithm>
 #include <bit>
 
-#include "renderers/passes/ldm/host/vectors.h"
+#include "renderers/passes/vectors/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/methods/ldm-indirect/splatting/host/add_kernels.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "renderers/passes/vectors/floats.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace ir::methods::ldm_indirect::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace passes::vectors::HWY_NAMESPACE;
 
-using FloatTag = hn::CappedTag<float, 16>;
-using Floats = hn::Vec<FloatTag>;
-using Mask = hn::Mask<FloatTag>;
-
-constexpr FloatTag f;
-constexpr int lanes = static_cast<int>(hn::MaxLanes(FloatTag()));
 constexpr int pixels = PixelTiles::pixels;
 /// Vectors of pixels that are worked on at once, so that what is read of a kernel serves more of them.
 constexpr int vectors = lanes < pixels / 2 ? 2 : 1;
@@ -36,12 +31,6 @@ Floats dot(const Vector3& a, const glm::vec3& b) {
 }
 Vector3 minus(const Vector3& a, const glm::vec3& b) {
     return {hn::Sub(a.x, hn::Set(f, b.x)), hn::Sub(a.y, hn::Set(f, b.y)), hn::Sub(a.z, hn::Set(f, b.z))};
-}
-
-std::uint32_t bits_of(Mask mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(f, mask, bytes);
-    return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8) & ((1u << lanes) - 1);
 }
 
 /// What of a kernel boxes are compared with: more than 1 by more than rounding.
