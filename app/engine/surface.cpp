@@ -2,46 +2,10 @@
 #include <limits>
 
 #include "app/engine/live_session.h"
-#include "renderers/passes/raytracing/alpha_masks.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/surface/triangle_plane.h"
 
 namespace ir::engine {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-struct Hit {
-    double distance = infinite;
-    glm::dvec3 normal{0};  ///< of length one, towards where the ray comes from
-};
-
-/// By brute force [Möller97]: one ray now and then is not worth a hierarchy. The direction has length one.
-Hit first_hit(const scene::World& world, const passes::AlphaMasks& masks, const glm::dvec3& origin,
-              const glm::dvec3& direction, double min_distance) {
-    Hit nearest;
-    for (std::uint32_t t = 0; t < world.triangles(); ++t) {
-        const auto corner = [&](std::uint32_t c) {
-            return glm::dvec3(world.positions[world.indices[3 * t + c]]);
-        };
-        const auto a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
-        const auto p = glm::cross(direction, ac);
-        const double determinant = glm::dot(ab, p);
-        if (determinant == 0) continue;
-        const double u = glm::dot(origin - a, p) / determinant;
-        if (!(u >= 0 && u <= 1)) continue;
-        const auto q = glm::cross(origin - a, ab);
-        const double v = glm::dot(direction, q) / determinant, distance = glm::dot(ac, q) / determinant;
-        if (!(v >= 0 && u + v <= 1 && distance > min_distance && distance < nearest.distance)) continue;
-        const auto normal = glm::cross(ab, ac);
-        const double length = glm::length(normal);
-        if (!(length > 0) || !std::isfinite(length)) continue;
-        const bool is_masked = t >= world.opaque_triangles;
-        if (is_masked && !masks.is_covered(t - world.opaque_triangles, float(u), float(v))) continue;
-        nearest = {distance, (glm::dot(normal, direction) > 0 ? -1.0 : 1.0) / length * normal};
-    }
-    return nearest;
-}
-
-}  // namespace
 
 SurfaceResult LiveSession::find_surface(const SurfaceRequest& request) const {
     SurfaceResult result{request.tag, {}, {}};
@@ -56,14 +20,19 @@ SurfaceResult LiveSession::find_surface(const SurfaceRequest& request) const {
     const auto made =
         has_world ? scene::World() : scene::flatten(execution.scene(), execution.time(), execution.time());
     const auto& world = has_world ? execution.world() : made;
-    const passes::AlphaMasks masks(execution.scene(), world);
+    const passes::Bvh bvh(execution.scene(), world, execution.inputs().threads);
+
+    constexpr float infinite = std::numeric_limits<float>::infinity();
     const auto direction = request.direction / length;
-    const auto hit = first_hit(world, masks, request.origin, direction, 0);
-    if (!std::isfinite(hit.distance)) return result;
-    SurfacePoint point{request.origin + hit.distance * direction, hit.normal, 0};
-    constexpr double own_surface = 1e-4;  // part of the distance, in which single precision may lie
-    point.free_way = first_hit(world, masks, point.position, hit.normal, own_surface * hit.distance).distance;
-    result.point = point;
+    const auto hit = bvh.closest_hit(request.origin, direction, 0, infinite);
+    if (!hit.is_hit()) return result;
+    const auto corner = [&](std::uint32_t c) { return world.positions[world.indices[3 * hit.triangle + c]]; };
+    const auto by_winding = passes::triangle_normal(corner(0), corner(1), corner(2));
+    const auto normal = glm::dot(glm::dvec3(by_winding), direction) > 0 ? -by_winding : by_winding;
+    const auto position = request.origin + double(hit.distance) * direction;
+    constexpr float own_surface = 1e-4f;  // part of the distance, in which single precision may lie
+    const float free_way = bvh.closest(position, normal, own_surface * hit.distance, infinite);
+    result.point = {position, glm::normalize(glm::dvec3(normal)), free_way};
     return result;
 }
 
