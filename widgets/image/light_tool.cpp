@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "widgets/image/arrow_keys.h"
+
 namespace ir::widgets {
 namespace {
 
@@ -24,21 +26,6 @@ double distance_to_line(QPointF at, QPointF from, QPointF to) {
     const double part = squared > 0 ? std::clamp(QPointF::dotProduct(off, along) / squared, 0.0, 1.0) : 0;
     const QPointF between = off - part * along;
     return std::hypot(between.x(), between.y());
-}
-
-QPoint arrow_of(int key) {
-    switch (key) {
-        case Qt::Key_Left:
-            return {-1, 0};
-        case Qt::Key_Right:
-            return {1, 0};
-        case Qt::Key_Up:
-            return {0, 1};
-        case Qt::Key_Down:
-            return {0, -1};
-        default:
-            return {};
-    }
 }
 
 double aspect_of(const CanvasState& state) {
@@ -150,7 +137,8 @@ void LightTool::press_key(const QKeyEvent& event) {
         return emit finished(false);
     }
     nudging_ = true;
-    const glm::dvec2 arrow(arrow_of(event.key()).x(), arrow_of(event.key()).y());
+    const QPoint step = arrow_of(event.key());
+    const glm::dvec2 arrow(step.x(), -step.y());  // y up, as the camera has it
     const double times = event.modifiers() & Qt::ShiftModifier ? nudge_large : 1;
     if (event.modifiers() & Qt::AltModifier) {
         const auto by = times * nudge_turn * arrow;

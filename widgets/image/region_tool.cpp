@@ -2,26 +2,13 @@
 
 #include <QKeyEvent>
 
+#include "widgets/image/arrow_keys.h"
+
 namespace ir::widgets {
 namespace {
 
 /// Logical pixels within which an edge is taken hold of.
 constexpr double edge_reach = 6;
-
-QPoint step_of(int key) {
-    switch (key) {
-        case Qt::Key_Left:
-            return {-1, 0};
-        case Qt::Key_Right:
-            return {1, 0};
-        case Qt::Key_Up:
-            return {0, -1};
-        case Qt::Key_Down:
-            return {0, 1};
-        default:
-            return {};
-    }
-}
 
 }  // namespace
 
@@ -61,11 +48,11 @@ bool RegionTool::takes(const QKeyEvent& event) const {
     if (!is_active() || (state_.marks.region.isEmpty() && !dragging_)) return false;
     const auto modifiers = event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
     if (event.key() == Qt::Key_Escape || event.key() == Qt::Key_Delete) return modifiers == Qt::NoModifier;
-    return !step_of(event.key()).isNull() && (modifiers == Qt::NoModifier || modifiers == Qt::ShiftModifier);
+    return !arrow_of(event.key()).isNull() && (modifiers == Qt::NoModifier || modifiers == Qt::ShiftModifier);
 }
 
 void RegionTool::press_key(const QKeyEvent& event) {
-    const QPoint step = step_of(event.key());
+    const QPoint step = arrow_of(event.key());
     if (step.isNull()) return change(std::exchange(dragging_, false) ? before_ : QRect());
     change(event.modifiers() & Qt::ShiftModifier ? grown_region(state_.marks.region, step, picture_size())
                                                  : nudged_region(state_.marks.region, step, picture_size()));
