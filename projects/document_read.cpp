@@ -136,7 +136,8 @@ LightSet read_light_set(ObjectReader& reader) {
     if (set.id == scene_lights)
         reader.fail("id", "'scene' stands for the scene's own lights; take another id");
     if (const auto* lights = reader.take("lights"); lights && lights->is_string()) {
-        if (*lights != scene_lights) reader.fail("lights", "must be \"scene\" or an array of lights");
+        if (*lights != scene_lights)
+            reader.fail("lights", "must be \"scene\", or an array of lights that may hold \"scene\", too");
         set.use_scene_lights = true;
     } else {
         reader.each("lights", [&](const Json& json, const std::string& pointer) {

@@ -178,6 +178,7 @@ void CompareView::connect_pane(ImageView* view, int pane) {
         emit cursor_moved(pixel, picture_of(pane, pixel));
     });
     connect(view, &ImageView::menu_wanted, this, &CompareView::menu_wanted);
+    connect(view, &ImageView::explain_wanted, this, &CompareView::explain_wanted);
     connect(view, &ImageView::zoom_changed, this, [this, pane](double zoom) {
         if (pane == panes_->active()) emit zoom_changed(zoom);
     });

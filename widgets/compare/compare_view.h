@@ -81,6 +81,7 @@ class CompareView : public QWidget {
     void camera_gesture_finished(int picture);
     void activated(int picture);
     void menu_wanted(QPoint global_position);
+    void explain_wanted(QPoint pixel);
     void swapped();
     void stage_pair_chosen(ir::widgets::StagePair pair);
     void linked_changed(bool linked);

@@ -379,7 +379,11 @@ void ImageView::pick(QPointF logical) {
 }
 
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (drag_ == Drag::pick) pick(event->position());
+    if (drag_ == Drag::pick) {
+        pick(event->position());
+        const QPoint picked = state_.marks.picked;
+        if (event->modifiers() == Qt::ShiftModifier && picked.x() >= 0) emit explain_wanted(picked);
+    }
     region_tool_.release();
     light_tool_.release();
     if (std::exchange(drag_, Drag::none) == Drag::camera) camera_.finish();

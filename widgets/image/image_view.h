@@ -75,6 +75,8 @@ class ImageView : public QWidget {
     /// Pixel under the cursor; (-1, -1) outside the picture.
     void cursor_moved(QPoint pixel);
     void picked_changed(QPoint pixel);
+    /// A pick of a pixel of the picture with Shift.
+    void explain_wanted(QPoint pixel);
     /// Drawn, moved or resized with the rectangle tool, at each step; empty: cleared.
     void region_changed(QRect region);
     void zoom_changed(double zoom);

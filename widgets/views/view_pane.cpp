@@ -1,6 +1,5 @@
 #include "widgets/views/view_pane.h"
 
-#include <QMouseEvent>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -20,9 +19,9 @@ ViewPane::ViewPane(QWidget* parent, ImageView::Surface surface) : QWidget(parent
     column->addWidget(values_);
     setFocusProxy(compare_);
     connect(compare_, &CompareView::cursor_moved, this, &ViewPane::show_values);
+    connect(compare_, &CompareView::explain_wanted, this, &ViewPane::explain_wanted);
     connect(compare_, &CompareView::zoom_changed, values_, &ValueStrip::set_zoom);
     connect(header_, &ViewHeader::swap_wanted, compare_, &CompareView::swap);
-    watch_views();
 }
 
 SpacePane& ViewPane::space() {
@@ -62,15 +61,7 @@ void ViewPane::show_pictures(const ViewState& state, std::vector<std::shared_ptr
     compare_->set_difference(state.difference);
     compare_->set_stage_pair(state.pair);
     compare_->set_pictures(std::move(pictures));
-    watch_views();
     update_summary();
-}
-
-void ViewPane::watch_views() {
-    for (auto* view : compare_->views()) {
-        view->removeEventFilter(this);
-        view->installEventFilter(this);
-    }
 }
 
 std::shared_ptr<const Picture> ViewPane::picture_at(int number) const {
@@ -139,17 +130,6 @@ QImage ViewPane::snapshot(bool overlays) const {
     if (content_ == Content::space && space_) return space_->view().snapshot(overlays);
     if (content_ == Content::table && table_) return table_->grab().toImage();
     return compare_->panes().snapshot(overlays, overlays);
-}
-
-bool ViewPane::eventFilter(QObject* watched, QEvent* event) {
-    auto* view = qobject_cast<ImageView*>(watched);
-    if (view && event->type() == QEvent::MouseButtonRelease) {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        if (view->tool() == ImageView::Tool::inspect && mouse->button() == Qt::LeftButton &&
-            mouse->modifiers() == Qt::ShiftModifier && cursor_.x() >= 0)
-            emit explain_wanted(cursor_);
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace ir::widgets

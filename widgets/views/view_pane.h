@@ -51,13 +51,9 @@ class ViewPane : public QWidget {
     void space_made(ir::widgets::SpacePane& space);
     void table_made(ir::widgets::BufferTable& table);
 
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
   private:
     void show_values(QPoint pixel);
     void show_pixel();
-    void watch_views();
     ImageView::Surface surface_;
     Content content_ = Content::picture;
     ViewHeader* header_;

@@ -89,6 +89,16 @@ TEST_F(InspectWindowTest, ShiftClickExplainsAPixelAndDrawsItInSpace) {
     EXPECT_FALSE(window.inspector().explained().has_value());
 }
 
+TEST_F(InspectWindowTest, ADragWithShiftExplainsNothing) {
+    const auto from = place_of({20, 10});
+    QTest::mousePress(&window.view(), Qt::LeftButton, Qt::ShiftModifier, from);
+    QTest::mouseMove(&window.view(), from + QPoint(15, 0));
+    QTest::mouseMove(&window.view(), from + QPoint(30, 0));
+    QTest::mouseRelease(&window.view(), Qt::LeftButton, Qt::ShiftModifier, from + QPoint(30, 0));
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(window.inspector().explained().has_value()) << "the picture was moved";
+}
+
 TEST_F(InspectWindowTest, WhatExplainsAPixelNeverCoversThePicture) {
     window.inspector().explain({20, 10});
     ASSERT_TRUE(settle());

@@ -304,8 +304,9 @@ TEST_F(LightHandlesTest, ADragIsShownAtOnceAndIsOneStep) {
     EXPECT_TRUE(window.action("undo")->text().contains("light 1 position"));
     press(place(widgets::LightHandle::centre));
     move(place(widgets::LightHandle::centre), {0, -40});
-    QTest::mouseRelease(&window.view(), Qt::LeftButton);
+    QTest::mouseRelease(&window.view(), Qt::LeftButton, Qt::ShiftModifier);
     EXPECT_EQ(steps(), before + 2) << "each drag is a step";
+    EXPECT_FALSE(window.inspector().explained().has_value()) << "no click on a pixel";
     trigger("undo");
     trigger("undo");
     EXPECT_EQ(light().position, glm::dvec3(0.1, 0.2, 0.3));
