@@ -4,6 +4,7 @@
 #include "renderers/passes/a_trous/a_trous.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/raytracing/trace_rays.h"
+#include "renderers/passes/reflection/reflection.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -17,7 +18,6 @@ enum class MicrofacetSampling { visible_normals, ggx, ggx_printed };
 enum class SplatResolution { full, half, quarter };
 enum class InsideTest { ellipsoid, linear_depth };
 enum class Precision { half_float, single_float };
-enum class Receiver { diffuse, mean_direction, widened };
 using FilterKernel = passes::a_trous::Kernel;
 
 /// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
@@ -64,12 +64,8 @@ struct Parameters {
     float sigma_depth = 1, sigma_normal = 32;
     float detail_clip = 0.045f;  ///< γ
     passes::LightParameters light;
-    Receiver receiver = Receiver::widened;
-    bool directional = true;  ///< the cosine to the shading normal by the mean direction of the photons
+    passes::ReceiverParameters receivers;
 };
-
-/// Of parameters of what no Lambert surface has.
-inline const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
 
 ParameterTable<Parameters> parameter_table();
 

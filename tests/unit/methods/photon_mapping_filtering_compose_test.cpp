@@ -68,7 +68,7 @@ TEST_F(ComposeTest, IndirectLightIsReflectedByTheDiffusePartOfEachModel) {
     const glm::vec3 e(1, 2, 3), base(material.base_colour);
     const auto expect = [&](Materials materials, glm::vec3 reflectance) {
         auto p = parameters(Paths::indirect, materials);
-        p.receiver = pm::Receiver::diffuse;
+        p.receivers.receiver = passes::Receiver::diffuse;
         compose(shot, light_from({0, 0, 1}), p);
         EXPECT_LT(glm::distance(middle("radiance"), reflectance * e / ir::pi), 1e-3f);
         EXPECT_LT(glm::distance(middle("irradiance"), e), 2e-3f);
@@ -91,13 +91,13 @@ class ReceiverTest : public ComposeTest {
         return material;
     }
     /// Of the estimate, whose mean direction is `length` long.
-    glm::vec3 reflected(const Shot& shot, Materials materials, pm::Receiver receiver, glm::vec3 l,
+    glm::vec3 reflected(const Shot& shot, Materials materials, passes::Receiver receiver, glm::vec3 l,
                         float length) {
         auto estimate = light_from(l);
         for (auto& value : estimate.value) value.a *= length;
         for (auto& d : estimate.direction) d *= length;
         auto p = parameters(Paths::indirect, materials);
-        p.receiver = receiver;
+        p.receivers.receiver = receiver;
         compose(shot, estimate, p);
         return middle("radiance");
     }
@@ -123,7 +123,7 @@ TEST_F(ReceiverTest, MeanDirectionsLightTheWholeBrdf) {
     const auto l = glm::normalize(glm::vec3(0.15f, -0.1f, 1));
     for (const auto materials : {Materials::gltf, Materials::metalness_blend})
         for (const float length : {1.0f, 0.5f}) {
-            const auto found = reflected(shot, materials, pm::Receiver::mean_direction, l, length);
+            const auto found = reflected(shot, materials, passes::Receiver::mean_direction, l, length);
             const auto expected = bsdf(materials).evaluate(to_viewer(shot), l) * glm::vec3(1, 2, 3) / l.z;
             EXPECT_LT(glm::distance(found, expected), 5e-3f * glm::length(expected)) << length;
         }
@@ -135,7 +135,7 @@ TEST_F(ReceiverTest, WidenedOnesReflectLightFromEverywhereByTheirAlbedo) {
     for (const float x : {0.0f, 2.0f, 5.0f}) {
         const Shot shot{square(0, metal()).scene(), looking({x, 0, 3}, {0, 0, 0}), compose_size,
                         compose_size};
-        const auto found = reflected(shot, Materials::gltf, pm::Receiver::widened, {0, 0, 1}, 2.0f / 3);
+        const auto found = reflected(shot, Materials::gltf, passes::Receiver::widened, {0, 0, 1}, 2.0f / 3);
         glm::dvec3 albedo(0);
         const int n = 20'000;
         for (int i = 0; i < n; ++i) {
@@ -155,12 +155,12 @@ TEST_F(ReceiverTest, WidenedOnesReflectNarrowLightAsTheBrdfDoes) {
     const auto shot = seen(square(0, metal()));
     for (const float lean : {0.0f, 0.3f, 0.6f}) {
         const auto l = glm::normalize(glm::vec3(lean, 0, 1));
-        const auto narrow = reflected(shot, Materials::gltf, pm::Receiver::widened, l, 0.999f);
-        const auto mean = reflected(shot, Materials::gltf, pm::Receiver::mean_direction, l, 1);
+        const auto narrow = reflected(shot, Materials::gltf, passes::Receiver::widened, l, 0.999f);
+        const auto mean = reflected(shot, Materials::gltf, passes::Receiver::mean_direction, l, 1);
         EXPECT_NEAR(narrow.g / mean.g, 1, 0.4) << lean << ": lobes have broader shoulders";
     }
-    const auto spread = reflected(shot, Materials::gltf, pm::Receiver::widened, {0, 0, 1}, 0.8f);
-    const auto peak = reflected(shot, Materials::gltf, pm::Receiver::mean_direction, {0, 0, 1}, 1);
+    const auto spread = reflected(shot, Materials::gltf, passes::Receiver::widened, {0, 0, 1}, 0.8f);
+    const auto peak = reflected(shot, Materials::gltf, passes::Receiver::mean_direction, {0, 0, 1}, 1);
     EXPECT_LT(spread.g, 0.8f * peak.g);
 }
 
@@ -170,7 +170,7 @@ TEST_F(ComposeTest, LambertReceiversHaveNoHighlights) {
     auto p = parameters(Paths::indirect);
     compose(shot, light_from({0, 0, 1}), p);
     const auto widened = middle("radiance");
-    p.receiver = pm::Receiver::diffuse;
+    p.receivers.receiver = passes::Receiver::diffuse;
     compose(shot, light_from({0, 0, 1}), p);
     EXPECT_EQ(middle("radiance"), widened);
 }
@@ -190,7 +190,7 @@ TEST_F(ComposeTest, TheDirectionalTermTurnsTheCosineToTheShadingNormal) {
         EXPECT_GT(glm::distance(middle("irradiance"), printed * glm::vec3(1, 2, 3)), 0.1f)
             << "the mutant passes at " << angle;
     }
-    p.directional = false;
+    p.receivers.directional = false;
     compose(shot, light_from({1, 0, 1}), p);
     EXPECT_LT(glm::distance(middle("irradiance"), {1, 2, 3}), 1e-6f);
 }

@@ -87,8 +87,8 @@ std::vector<OutputDescription> spatial_views() {
 
 }  // namespace
 
-Filtered filter_irradiance(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Splat& splat,
-                           const Parameters& parameters) {
+passes::ArrivedLight filter_irradiance(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                                       const Splat& splat, const Parameters& parameters) {
     const auto surfaces = passes::a_trous::pack_surfaces(builder, gbuffer);
     const auto averaged = accumulate(builder, gbuffer, surfaces, splat, parameters);
     const auto filtered = smooth(builder, surfaces, averaged, parameters);

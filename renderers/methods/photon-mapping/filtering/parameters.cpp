@@ -81,25 +81,7 @@ void add_filtering_parameters(ParameterTable<Parameters>& table) {
     add_temporal(table);
     add_edges(table);
     add_spatial(table);
-    table.add(
-        &Parameters::receiver,
-        {.key = "receiver",
-         .label = "Receivers",
-         .doc = "How the surfaces that are seen reflect the filtered light, of which each pixel knows "
-                "the irradiance and the mean direction.",
-         .citation = "Smal19 §8.3",
-         .choices = {{"diffuse", "Diffuse", "Without highlights; metals are black."},
-                     {"mean-direction", "Mean direction",
-                      "The whole BRDF, as if all light came from its mean direction. Highlights flicker."},
-                     {"widened", "Widened",
-                      "The same with highlights as wide as the directions of the light are apart."}},
-         .active_when = has_microfacets});
-    table.add(&Parameters::directional,
-              {.key = "directional",
-               .label = "Directional term",
-               .doc = "Turns the irradiance of the geometric surface into that of the shading normal, as if "
-                      "all light came from the mean direction of the photons.",
-               .citation = "Smal19 §7.4"});
+    table.include(&Parameters::receivers, passes::receiver_parameters());
     table.include(&Parameters::light, passes::light_parameters());
 }
 

@@ -36,7 +36,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                           {"ggx-printed", "GGX, as printed",
                            "Wrong: all normals of the distribution with the survival that belongs to visible "
                            "ones. Glossy surfaces reflect too much or too little."}},
-              .active_when = has_microfacets})
+              .active_when = passes::has_microfacets})
         .add(&Parameters::culling,
              {.key = "culling",
               .label = "Culling",

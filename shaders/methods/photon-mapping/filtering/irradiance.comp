@@ -1,7 +1,7 @@
 // The final irradiance; with FLICKER how far apart the directions are from which it comes.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-#include "methods/photon-mapping/filtering/directional.glsl"
+#include "passes/reflection/directional.glsl"
 
 #ifdef FLICKER
 layout(r32f) uniform writeonly image2D result;
