@@ -16,21 +16,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Ten pictures a second follow a hand; some of each tenth is for sending and showing them.
-constexpr double hand_ms = 85;
-/// A coarser picture that takes more of the finer one's time than this comes too late to be looked at.
-constexpr double worth_of_finer = 0.6;
-/// The first frame of an execution compiles and uploads; about so much of it is what later ones take.
-constexpr double first_frame_share = 1.0 / 3;
 /// Memory that drafts may hold while the full picture is looked at.
 constexpr std::uint64_t kept_bytes = std::uint64_t{256} << 20;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-Fineness finer(Fineness fineness) {
-    return static_cast<Fineness>(static_cast<int>(fineness) + 1);
 }
 
 int divisor_of(Fineness fineness) {
@@ -95,32 +85,17 @@ double Drafts::steady_ms(const FrameReport& report, double ms) {
     return std::max(0.0, ms);
 }
 
-bool Drafts::is_quick(Fineness fineness) {
-    const auto ms = ms_of(fineness);
-    return ms && *ms <= hand_ms;
-}
-
-bool Drafts::is_worth(Fineness fineness) {
-    const auto ms = ms_of(fineness);
-    for (auto other = finer(fineness); ms && other <= Fineness::full; other = finer(other))
-        if (const auto others = ms_of(other); others && *ms > worth_of_finer * *others) return false;
-    return true;
-}
-
 void Drafts::begin(const Experiment& experiment) {
     const Subject subject{experiment.method, experiment.composition(), experiment.width, experiment.height};
     const auto sight = sight_of(experiment);
     const bool is_seen_already = subject == subject_ && sight == seen_;
-    if (subject != subject_) ms_ = {};
+    if (subject != subject_) {
+        choice_.forget();
+        coarse_was_ = Fineness::full;
+    }
     subject_ = subject;
     seen_ = sight;
-    // Where the old picture shows the same surfaces, a preview says nothing new.
-    next_ = is_seen_already ? Fineness::quarter : Fineness::preview;
-    for (const auto fineness : {Fineness::full, Fineness::half, Fineness::quarter})
-        if (is_quick(fineness)) {
-            next_ = fineness;
-            break;
-        }
+    next_ = choice_.first(is_seen_already);
 }
 
 Execution& Drafts::execution_for(std::unique_ptr<Execution>& execution, Experiment experiment) {
@@ -165,27 +140,29 @@ LiveResult Drafts::render(Fineness fineness, const LiveRequest& request, graph::
 std::optional<LiveResult> Drafts::render(const LiveRequest& request, const graph::FrameOptions& options) {
     while (next_ < Fineness::full) {
         const auto fineness = next_;
-        if (!is_worth(fineness)) {
-            next_ = finer(fineness);
-            continue;
-        }
-        const bool is_first = !(fineness == Fineness::preview ? preview_ : coarse_);
+        const bool is_preview = fineness == Fineness::preview;
+        const bool is_first = !(is_preview ? preview_ : coarse_);
+        // What is kept and was built again, though only the camera moved, is built for each picture.
+        const bool is_moved_only = !is_first && (is_preview || coarse_was_ == fineness);
         const auto start = Clock::now();
         try {
             auto result = render(fineness, request, options);
-            const double ms = steady_ms(result.report, ms_since(start));
-            ms_of(fineness) = is_first ? first_frame_share * ms : ms;
-            next_ = finer(fineness);
-            while (next_ < Fineness::full && !is_worth(next_)) next_ = finer(next_);
+            const double wall_ms = ms_since(start);
+            const double ms = is_moved_only ? wall_ms : steady_ms(result.report, wall_ms);
+            if (is_first)
+                choice_.note_first(fineness, ms);
+            else
+                choice_.note(fineness, ms);
+            if (!is_preview) coarse_was_ = fineness;
+            next_ = choice_.after(fineness);
             result.drafts_left = next_ < Fineness::full;
             return result;
         } catch (const Cancelled&) {
             // So long at least; where that is too much, the next one begins coarser.
-            const double ms = ms_since(start);
-            if (ms > hand_ms) ms_of(fineness) = std::max(ms, ms_of(fineness).value_or(0));
+            choice_.note_given_up(fineness, ms_since(start));
             throw;
         } catch (const std::exception&) {
-            next_ = finer(fineness);
+            next_ = choice_.after(fineness);
         }
     }
     return {};

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 
+#include "app/engine/draft_choice.h"
 #include "app/engine/execution.h"
 #include "app/engine/live.h"
 
@@ -25,7 +25,9 @@ class Drafts {
     /// say why. Throws Cancelled.
     std::optional<LiveResult> render(const LiveRequest& request, const graph::FrameOptions& options);
     /// Tells how long the full picture takes while nothing but the camera moves.
-    void note_full(const FrameReport& report) { ms_of(Fineness::full) = steady_ms(report, report.wall_ms); }
+    void note_full(const FrameReport& report) {
+        choice_.note(Fineness::full, steady_ms(report, report.wall_ms));
+    }
     /// Frees what is not worth its memory while the full picture is looked at.
     void rest();
     void free();
@@ -38,9 +40,6 @@ class Drafts {
         int width = 0, height = 0;
         bool operator==(const Subject&) const = default;
     };
-    std::optional<double>& ms_of(Fineness fineness) { return ms_[static_cast<std::size_t>(fineness)]; }
-    bool is_quick(Fineness fineness);
-    bool is_worth(Fineness fineness);
     static double steady_ms(const FrameReport& report, double ms);
     LiveResult render(Fineness fineness, const LiveRequest& request, graph::FrameOptions options);
     Execution& execution_for(std::unique_ptr<Execution>& execution, Experiment experiment);
@@ -50,8 +49,9 @@ class Drafts {
     std::unique_ptr<Execution> preview_, coarse_;
     Subject subject_;
     std::string seen_;  ///< from where the newest picture sees the scene
+    DraftChoice choice_;
     Fineness next_ = Fineness::full;
-    std::array<std::optional<double>, 4> ms_;  ///< by fineness, as far as known
+    Fineness coarse_was_ = Fineness::full;  ///< as which the coarse execution rendered this subject last
 };
 
 }  // namespace ir::engine
