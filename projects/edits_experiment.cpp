@@ -45,9 +45,8 @@ void put_value(Experiment& experiment, const std::string& key, const Value& valu
 
 const ParameterDescription& parameter_of(const MethodDescription& method, const std::string& key) {
     if (const auto* parameter = find(method.parameters, key)) return *parameter;
-    std::vector<std::string> keys;
-    for (const auto& known : method.parameters) keys.push_back(known.key);
-    throw UsageError("unknown parameter '" + printable(key) + "'; known are " + listed(keys));
+    throw UsageError("unknown parameter '" + printable(key) + "'" +
+                     known_are(key, words_of(method.parameters, &ParameterDescription::key)));
 }
 
 std::string label_of(const MethodDescription& method, const Settings& values) {

@@ -17,12 +17,6 @@ std::string printable(std::string_view text, std::size_t longest) {
     return result + "…";
 }
 
-std::string listed(const std::vector<std::string>& words) {
-    std::string result;
-    for (const auto& word : words) result += (result.empty() ? "" : ", ") + word;
-    return result;
-}
-
 std::string pointer_to(const std::string& parent, std::string_view key) {
     std::string result = parent + "/";
     for (const char c : key) {

@@ -4,14 +4,15 @@
 #include <string_view>
 #include <vector>
 
+#include "renderers/core/words.h"
+
 namespace ir::projects {
 
 /// Text from a file or user, fit for one line of a message: control characters become '?', and what is longer
 /// than `longest` bytes is cut.
 std::string printable(std::string_view text, std::size_t longest = 160);
 
-/// "a, b, c"
-std::string listed(const std::vector<std::string>& words);
+using ir::listed;
 
 /// One more step of a JSON pointer, escaped as RFC 6901 wants it.
 std::string pointer_to(const std::string& parent, std::string_view key);

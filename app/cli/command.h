@@ -24,6 +24,8 @@ void add_describe(CLI::App& app, Run& run);
 void add_scene(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
+void add_rerun(CLI::App& app, Run& run);
+void add_diff(CLI::App& app, Run& run);
 void add_project(CLI::App& app, Run& run);
 void add_reference(CLI::App& app, Run& run);
 void add_plot(CLI::App& app, Run& run);

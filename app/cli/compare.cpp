@@ -12,6 +12,7 @@
 #include "app/engine/number_text.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/image/metrics.h"
@@ -37,12 +38,6 @@ std::vector<std::string> split(const std::string& text) {
     return words;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option,
                             const std::string& form) {
     const auto words = split(text);
@@ -64,7 +59,7 @@ std::vector<std::string> chosen_metrics(const CompareFlags& flags) {
     if (flags.metrics == "all") return metric_names();
     auto names = split(flags.metrics);
     if (names.empty())
-        throw UsageError("--metric names no metric; give 'all' or some of " + joined(metric_names()));
+        throw UsageError("--metric names no metric; give 'all' or some of " + listed(metric_names()));
     for (const auto& name : names) metric(name);
     return names;
 }
@@ -108,7 +103,7 @@ std::vector<std::string> parse_allowed(const std::string& text) {
     const auto& known = mismatch_kinds();
     for (const auto& word : words)
         if (std::find(known.begin(), known.end(), word) == known.end())
-            throw UsageError("--allow-different '" + word + "' is unknown; known are " + joined(known));
+            throw UsageError("--allow-different '" + word + "' is unknown" + known_are(word, known));
     return words;
 }
 
@@ -231,22 +226,22 @@ void add_compare(CLI::App& app, Run& run) {
     command->add_option("IMAGE", flags->image, "EXR, PNG or another image")->required();
     command->add_option("REFERENCE", flags->reference, "What it is compared with")->required();
     command->add_option("--layer", flags->layer, "EXR layer (default: the main one)");
-    command->add_option("--metric", flags->metrics, "Comma-separated, or all: " + joined(metric_names()));
+    command->add_option("--metric", flags->metrics, "Comma-separated, or all: " + listed(metric_names()));
     command->add_option("--rect", flags->rectangle, "x,y,width,height: only these pixels count");
     command->add_option("--mask", flags->mask, "FILE[:LAYER]: only pixels above 0.5 count");
     command->add_option("--pixels-per-degree", flags->pixels_per_degree,
                         "For flip: pixels per degree of visual angle (default: 67, a desktop screen)");
     command->add_option("--diff", flags->difference.file, "Difference: .exr for values, .png for colours");
-    command->add_option("--diff-kind", flags->difference.kind, joined(difference_kind_names()));
+    command->add_option("--diff-kind", flags->difference.kind, listed(difference_kind_names()));
     command->add_option("--alpha", flags->difference.alpha,
                         "For significant: probability that a pixel without error shows one (default: 1e-4)");
-    command->add_option("--colour-map", flags->difference.colour_map, joined(colour_map_names()));
+    command->add_option("--colour-map", flags->difference.colour_map, listed(colour_map_names()));
     command->add_option("--range", flags->range, "lo,hi: values that the colours span");
     command->add_option(
         "--fail-above", flags->limits,
         "metric=value: exit with status 4 beyond it (psnr, ssim: below it; bias: in either direction)");
     command->add_option("--allow-different", flags->allowed,
-                        "Comma-separated: compare although these differ: " + joined(mismatch_kinds()));
+                        "Comma-separated: compare although these differ: " + listed(mismatch_kinds()));
     add_json_flag(*command, flags->json);
     command->callback([flags, &run] { run = [flags] { return compare(*flags); }; });
 }

@@ -6,6 +6,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/value.h"
+#include "renderers/core/words.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/colour_map.h"
 
@@ -13,12 +14,10 @@ namespace ir::cli {
 namespace {
 
 const DifferenceText& kind_named(const std::string& name) {
-    std::string known;
-    for (const auto& kind : difference_kinds()) {
+    for (const auto& kind : difference_kinds())
         if (kind.key == name) return kind;
-        known += (known.empty() ? "" : ", ") + std::string(kind.key);
-    }
-    throw UsageError("--diff-kind '" + name + "' is unknown; known are " + known);
+    throw UsageError("--diff-kind '" + name + "' is unknown" +
+                     known_are(name, words_of(difference_kinds(), &DifferenceText::key)));
 }
 
 /// One number a pixel: the mean over the channels.

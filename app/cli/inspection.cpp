@@ -6,6 +6,7 @@
 
 #include "app/engine/execution.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 
 namespace ir::cli {
 namespace {
@@ -28,9 +29,8 @@ void parse_pick(const std::string& text, Inspection& inspection) {
 }
 
 std::string known_selectors(const MethodDescription& method) {
-    std::string known;
-    for (const auto& selector : method.selectors) known += (known.empty() ? "" : ", ") + selector.key;
-    return known.empty() ? "it has none" : "it has " + known;
+    const auto keys = words_of(method.selectors, &SelectorDescription::key);
+    return keys.empty() ? "it has none" : "it has " + listed(keys);
 }
 
 void parse_choose(const std::string& text, const MethodDescription& method, const Settings& settings,

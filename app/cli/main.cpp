@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 
@@ -6,6 +7,7 @@
 #include "app/engine/interruption.h"
 #include "app/engine/run_frames.h"
 #include "app/engine/version.h"
+#include "renderers/core/words.h"
 
 namespace {
 
@@ -16,13 +18,28 @@ int fail(const std::string& line, int status) {
 
 /// Commands that write nothing have nothing to put away: signals end them as if they were not watched.
 bool writes(const CLI::App& app) {
-    for (const char* name : {"info", "list", "describe", "scene"})
+    for (const char* name : {"info", "list", "describe", "scene", "diff"})
         if (app.got_subcommand(name)) return false;
     if (!app.got_subcommand("project")) return true;
     const auto& project = *app.get_subcommand("project");
     for (const char* action : {"--pack", "--unpack", "--prune", "--upgrade", "--verify"})
         if (project.count(action) > 0) return true;
     return false;
+}
+
+/// For the first option that the chosen command does not have.
+std::string suggestion(const CLI::App& app, int argc, char** argv) {
+    std::vector<std::string> known;
+    for (const auto* command : app.get_subcommands())
+        for (const auto* option : command->get_options()) known.push_back("--" + option->get_single_name());
+    for (int i = 1; i < argc; ++i) {
+        const std::string word(argv[i], std::string_view(argv[i]).find('=') == std::string_view::npos
+                                            ? std::string_view(argv[i]).size()
+                                            : std::string_view(argv[i]).find('='));
+        if (word.rfind("--", 0) == 0 && std::find(known.begin(), known.end(), word) == known.end())
+            return ir::did_you_mean(word, known);
+    }
+    return {};
 }
 
 }  // namespace
@@ -41,6 +58,8 @@ int main(int argc, char** argv) {
     add_scene(app, run);
     add_render(app, run);
     add_compare(app, run);
+    add_rerun(app, run);
+    add_diff(app, run);
     add_project(app, run);
     add_reference(app, run);
     add_plot(app, run);
@@ -56,11 +75,16 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& shown) {
         return app.exit(shown);
     } catch (const CLI::RequiredError& error) {
+        std::vector<std::string> commands;
+        for (const auto* command : app.get_subcommands({})) commands.push_back(command->get_name());
         if (argc > 1 && argv[1][0] != '-' &&
-            app.get_subcommands([&](CLI::App* command) { return command->get_name() == argv[1]; }).empty())
-            return fail(std::string("unknown command '") + argv[1] + "' (--help lists the commands)",
+            std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
+            return fail(std::string("unknown command '") + argv[1] + "'" + ir::known_are(argv[1], commands),
                         wrong_usage);
         return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);
+    } catch (const CLI::ExtrasError& error) {
+        return fail(error.what() + suggestion(app, argc, argv) + "; --help lists what is allowed",
+                    wrong_usage);
     } catch (const CLI::ParseError& error) {
         return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);
     } catch (const ir::InputError& error) {

@@ -14,6 +14,7 @@
 #include "app/engine/error_study.h"
 #include "app/engine/kept_study.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/metrics.h"
 
@@ -26,12 +27,9 @@ std::vector<projects::ErrorPlot> chosen_plots(const projects::Project& project, 
     std::vector<projects::ErrorPlot> plots;
     for (const auto& id : job.plots) {
         const auto* plot = find_item(project.plots, id);
-        if (!plot) {
-            std::string known;
-            for (const auto& each : project.plots) known += (known.empty() ? "" : ", ") + each.id;
-            throw UsageError("no plot '" + id + "' in the project; there are " +
-                             (known.empty() ? "none" : known));
-        }
+        if (!plot)
+            throw UsageError("no plot '" + id + "' in the project" +
+                             known_are(id, words_of(project.plots, &projects::ErrorPlot::id)));
         plots.push_back(*plot);
     }
     if (job.plots.empty()) plots = project.plots;
@@ -39,11 +37,8 @@ std::vector<projects::ErrorPlot> chosen_plots(const projects::Project& project, 
     if (!job.csv.empty() && plots.size() > 1)
         throw UsageError("--csv holds one plot; give its id behind the project");
     const auto& metrics = metric_names();
-    if (!job.metric.empty() && std::find(metrics.begin(), metrics.end(), job.metric) == metrics.end()) {
-        std::string known;
-        for (const auto& name : metrics) known += (known.empty() ? "" : ", ") + name;
-        throw UsageError("--metric '" + job.metric + "': known are " + known);
-    }
+    if (!job.metric.empty() && std::find(metrics.begin(), metrics.end(), job.metric) == metrics.end())
+        throw UsageError("--metric '" + job.metric + "' is unknown" + known_are(job.metric, metrics));
     for (auto& plot : plots)
         if (!job.metric.empty()) plot.metric = job.metric;
     return plots;

@@ -158,7 +158,7 @@ class References {
         if (flags_.out.empty()) return;
         const auto stem = (fs::path(flags_.out) / id).string();
         write_exr(stem + ".exr", layers(execution, {execution.method().variance}), attributes(execution));
-        write_file(stem + ".json", engine::statistics_json(report) + "\n");
+        write_file(stem + ".json", engine::statistics_json(execution, report) + "\n");
     }
 
     void tell(const std::string& id, const engine::Execution& execution, const KeptRun& run) {

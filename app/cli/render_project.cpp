@@ -8,13 +8,13 @@
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
 #include "app/cli/output_files.h"
+#include "app/cli/picture_file.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
-#include "app/engine/pictures.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
-#include "renderers/image/channels.h"
 
 namespace ir::cli {
 namespace {
@@ -22,12 +22,9 @@ namespace {
 std::vector<std::string> chosen_ids(const projects::Project& project, const std::vector<std::string>& asked) {
     if (!asked.empty()) {
         for (const auto& id : asked)
-            if (!projects::find_item(project.experiments, id)) {
-                std::string known;
-                for (const auto& experiment : project.experiments)
-                    known += (known.empty() ? "" : ", ") + experiment.id;
-                throw UsageError("no experiment '" + id + "' in the project; there are " + known);
-            }
+            if (!projects::find_item(project.experiments, id))
+                throw UsageError("no experiment '" + id + "' in the project" +
+                                 known_are(id, words_of(project.experiments, &projects::Experiment::id)));
         return asked;
     }
     std::vector<std::string> ids;
@@ -81,14 +78,14 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
     warn_of_unmatched(job.dumps, report);
-    write_exr(with(".exr"), layers(execution, job.dumps), attributes(execution));
-    Image colours;  // a result's fourth channel is no opacity
-    write_png(with(".png"), values_of(main_result(execution), Semantic::radiance, colours));
-    write_file(with(".json"), engine::statistics_json(report) + "\n");
+    write_picture(with(".exr"), execution, job.dumps);
+    write_picture(with(".png"), execution, {});
+    const auto statistics = engine::statistics_json(execution, report);
+    write_file(with(".json"), statistics + "\n");
     print_messages(execution, report);
     (job.json == "-" ? std::cerr : std::cout) << experiment.id << "  " << with(".exr").string() << "  "
                                               << static_cast<long>(report.wall_ms) << " ms\n";
-    return engine::statistics_json(report);
+    return statistics;
 }
 
 double frames_of(const projects::Experiment& experiment) {
@@ -109,8 +106,13 @@ int render_project(const ProjectRender& job) {
     engine::Machine machine(machine_options(job.machine));
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     int status = done;
+    auto project = loaded.project;
     double frames = 0;
-    for (const auto& id : ids) frames += frames_of(*projects::find_item(loaded.project.experiments, id));
+    for (const auto& id : std::set(ids.begin(), ids.end())) {
+        auto& experiment = *projects::find_item(project.experiments, id);
+        if (job.changes != ExperimentFlags{}) apply(job.changes, project, experiment);
+        frames += frames_of(experiment);
+    }
     ProgressLine line(job.show_progress, frames);
     const auto write_statistics = [&] {
         if (job.json == "-")
@@ -119,9 +121,9 @@ int render_project(const ProjectRender& job) {
             write_file(job.json, all.dump(2) + "\n");
     };
     for (const auto& id : ids) {
-        const auto& experiment = *projects::find_item(loaded.project.experiments, id);
+        const auto& experiment = *projects::find_item(project.experiments, id);
         try {
-            const auto statistics = render_one(job, machine, loaded.project, experiment, loaded.folder, line);
+            const auto statistics = render_one(job, machine, project, experiment, loaded.folder, line);
             all[id] = nlohmann::ordered_json::parse(statistics);
         } catch (const Cancelled&) {
             write_statistics();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/experiment_flags.h"
 #include "app/cli/inspection.h"
 #include "app/cli/progress_line.h"
 #include "app/engine/run_frames.h"
@@ -19,6 +20,7 @@ struct ProjectRender {
     bool keep = false, show_progress = true;
     std::string json = {};  ///< file for all statistics, by experiment; "-": standard output
     double checkpoint = engine::Checkpoints::usual_seconds;  ///< of what is kept
+    ExperimentFlags changes = {};                            ///< of every experiment
 };
 
 /// Renders an experiment to OUT/ID.exr, OUT/ID.png and OUT/ID.json, and keeps the result in `folder` where

@@ -5,6 +5,7 @@
 
 #include "app/engine/interruption.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::cli {
@@ -31,9 +32,8 @@ void warn_of_unmatched(const std::vector<std::string>& patterns, const FrameRepo
             std::any_of(report.resources.begin(), report.resources.end(),
                         [&](const auto& resource) { return graph::matches(pattern, resource.key); });
         if (matched) continue;
-        std::string known;
-        for (const auto& resource : report.resources) known += (known.empty() ? "" : ", ") + resource.key;
-        throw UsageError("--dump '" + pattern + "' matches no buffer; there are " + known);
+        throw UsageError("--dump '" + pattern + "' matches no buffer" +
+                         known_are(pattern, words_of(report.resources, &ResourceReport::key)));
     }
 }
 

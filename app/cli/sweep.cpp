@@ -28,12 +28,10 @@ struct SweepFlags {
 
 const projects::Sweep& chosen_sweep(const projects::Project& project, const std::string& name) {
     if (const auto* sweep = find_item(project.sweeps, name)) return *sweep;
-    std::string known;
-    for (const auto& sweep : project.sweeps) {
+    for (const auto& sweep : project.sweeps)
         if (sweep.name == name) return sweep;
-        known += (known.empty() ? "" : ", ") + sweep.id;
-    }
-    throw UsageError("no sweep '" + name + "' in the project; there are " + (known.empty() ? "none" : known));
+    throw UsageError("no sweep '" + name + "' in the project" +
+                     known_are(name, words_of(project.sweeps, &projects::Sweep::id)));
 }
 
 struct Shard {

@@ -28,9 +28,9 @@ const std::vector<NamedBenchmark>& benchmarks() {
 const NamedBenchmark& find_benchmark(const std::string& name) {
     for (const auto& named : benchmarks())
         if (named.benchmark.name == name) return named;
-    std::vector<std::string> known;
-    for (const auto& named : benchmarks()) known.push_back(named.benchmark.name);
-    throw UsageError("unknown benchmark '" + name + "'; there are " + projects::listed(known));
+    const auto names =
+        words_of(benchmarks(), [](const NamedBenchmark& named) { return named.benchmark.name; });
+    throw UsageError("unknown benchmark '" + name + "'" + known_are(name, names));
 }
 
 std::vector<graph::BenchmarkColumn> columns_of(const graph::Benchmark& benchmark) {

@@ -63,13 +63,11 @@ Experiment experiment_of(const NamedBenchmark& named, const BenchmarkOptions& op
 
 std::vector<Variant> chosen_variants(const graph::Benchmark& benchmark,
                                      const std::vector<std::string>& labels) {
-    std::vector<std::string> known;
-    for (const auto& variant : benchmark.variants) known.push_back("'" + variant.label + "'");
     for (const auto& label : labels)
         if (std::none_of(benchmark.variants.begin(), benchmark.variants.end(),
                          [&](const auto& variant) { return variant.label == label; }))
-            throw UsageError("the benchmark '" + benchmark.name + "' has no variant '" + label +
-                             "'; there are " + projects::listed(known));
+            throw UsageError("the benchmark '" + benchmark.name + "' has no variant '" + label + "'" +
+                             known_are(label, words_of(benchmark.variants, &Variant::label)));
     if (labels.empty()) return benchmark.variants;
     std::vector<Variant> chosen;
     for (const auto& variant : benchmark.variants)

@@ -11,6 +11,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/light_use.h"
 #include "renderers/core/limits.h"
+#include "renderers/core/words.h"
 #include "renderers/methods/all_methods.h"
 #include "renderers/passes/preview/preview.h"
 #include "renderers/scene/light_sources.h"
@@ -80,10 +81,8 @@ void Execution::load() {
         loaded = changed;
     }
     if (!experiment_.camera_name.empty() && !loaded->find_camera(experiment_.camera_name)) {
-        std::string known;
-        for (const auto& camera : loaded->cameras) known += (known.empty() ? "" : ", ") + camera.name;
-        throw UsageError("scene " + loaded->name + " has no camera '" + experiment_.camera_name +
-                         "'; its cameras are " + known);
+        throw UsageError("scene " + loaded->name + " has no camera '" + experiment_.camera_name + "'" +
+                         known_are(experiment_.camera_name, words_of(loaded->cameras, &scene::Camera::name)));
     }
     // Nothing throws from here on: an experiment that cannot be loaded leaves the old one as it was.
     method_ = &method;

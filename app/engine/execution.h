@@ -177,8 +177,8 @@ std::vector<UsedLight> used_lights(const Execution& execution);
 /// Of everything that a state of the experiment depends on, given the content hash of its scene.
 std::string state_fingerprint(const Experiment& experiment, const std::string& scene_hash);
 
-/// The statistics JSON of the command line (design contract): backend, device, wall_ms, passes, counters,
-/// memory_bytes, …
-std::string statistics_json(const FrameReport& report, int indent = 2);
+/// The statistics JSON of the command line (design contract): picture (method, values, scene, size, seed,
+/// camera), backend, device, wall_ms, passes, counters, memory_bytes, …
+std::string statistics_json(const Execution& execution, const FrameReport& report);
 
 }  // namespace ir::engine

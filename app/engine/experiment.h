@@ -47,6 +47,8 @@ struct Experiment {
     std::uint64_t seed = 0;
     int frames = 1;   ///< each 1/30 s after the one before, unless the method accumulates
     double time = 0;  ///< seconds, of the first frame
+    /// The project that it comes from, cut down to what it uses (projects::recipe_of), as JSON; empty: none.
+    std::string recipe = {};
 
     /// The parts, or `scene` as the only one.
     std::vector<scene::Part> composition() const {

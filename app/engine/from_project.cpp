@@ -6,7 +6,9 @@
 #include "app/engine/camera_pose.h"
 #include "app/engine/execution.h"
 #include "projects/document.h"
+#include "projects/document_json.h"
 #include "projects/motion.h"
+#include "projects/recipe.h"
 #include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
@@ -182,6 +184,9 @@ Experiment from_project(const projects::Project& project, const projects::Experi
     const bool lasts = !method || !projects::accumulates(*method);
     set_camera(result, project, experiment.camera, lasts);
     set_lights(result, project, experiment.lights, folder, lasts);
+    auto recipe = projects::recipe_of(project, chosen, folder);
+    recipe.experiments.front().values = result.settings;  // whatever defaults will be
+    result.recipe = projects::to_json(recipe).dump();
     return result;
 }
 

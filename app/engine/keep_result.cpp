@@ -76,7 +76,8 @@ void write_files(KeptResult& result, const Execution& execution, const FrameRepo
               layers(execution, variance.empty() ? std::vector<std::string>() : std::vector{variance}),
               attributes);
     add_file(result, projects::main_role, results, relative + "/main.exr");
-    write_atomically(files, results / relative / "statistics.json", statistics_json(report) + "\n");
+    write_atomically(files, results / relative / "statistics.json",
+                     statistics_json(execution, report) + "\n");
     add_file(result, projects::statistics_role, results, relative + "/statistics.json");
     const auto state = with_state ? execution.state() : std::nullopt;
     if (!state) return;

@@ -112,6 +112,8 @@ ImageAttributes attributes(const Execution& execution) {
                to_string(Value{double{v.z}});
     };
     result["interreflect.version"] = version();
+    result["interreflect.build"] = build();
+    if (!experiment.recipe.empty()) result[recipe_attribute] = experiment.recipe;
     result["interreflect.method"] = method.id;
     result["interreflect.method_version"] = std::to_string(method.version);
     if (const auto& variance = method.variance; !variance.empty()) result["interreflect.variance"] = variance;

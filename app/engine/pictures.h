@@ -14,7 +14,9 @@ Image main_result(const Execution& execution);
 /// images as they are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel per
 /// field, at most 4096 wide.
 std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std::string>& patterns);
-/// Parameters, seed, camera, scene hash, versions: for the EXR header.
+/// Holds Experiment::recipe, by which the picture can be rendered again.
+inline constexpr const char* recipe_attribute = "interreflect.recipe";
+/// Parameters, seed, camera, scene hash, versions, recipe: for the EXR header.
 ImageAttributes attributes(const Execution& execution);
 
 }  // namespace ir::engine

@@ -1,6 +1,8 @@
 #include <nlohmann/json.hpp>
 
+#include "app/engine/camera_pose.h"
 #include "app/engine/execution.h"
+#include "app/engine/version.h"
 #include "renderers/core/light_use.h"
 
 namespace ir::engine {
@@ -12,10 +14,42 @@ std::string severity_text(Severity severity) {
     return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
 }
 
+Json vector_json(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Json picture_json(const Execution& execution) {
+    const auto& experiment = execution.experiment();
+    const auto camera = pose_of(execution.camera());
+    Json json{{"scene", scene::composition_name(experiment.composition())},
+              {"scene_hash", execution.scene().content_hash},
+              {"method", execution.method().id},
+              {"method_version", execution.method().version}};
+    json["values"] = Json::object();
+    for (const auto& [key, value] : execution.settings())
+        std::visit([&](const auto& plain) { json["values"][key] = plain; }, value);
+    json["size"] = {experiment.width, experiment.height};
+    json["seed"] = experiment.seed;
+    json["frames"] = execution.committed_frames();
+    json["time"] = experiment.time;
+    json["camera"] = {{"eye", vector_json(camera.eye)},
+                      {"target", vector_json(camera.target)},
+                      {"up", vector_json(camera.up)}};
+    if (camera.orthographic)
+        json["camera"]["height"] = camera.height;
+    else
+        json["camera"]["fov_y_degrees"] = camera.fov_y_degrees;
+    return json;
+}
+
 }  // namespace
 
-std::string statistics_json(const FrameReport& report, int indent) {
+std::string statistics_json(const Execution& execution, const FrameReport& report) {
     Json json;
+    json["picture"] = picture_json(execution);
+    json["version"] = version();
+    json["build"] = build();
+    json["command"] = command_line();
     json["backend"] = report.backend;
     json["device"] = report.device;
     json["processor"] = report.processor;
@@ -53,7 +87,7 @@ std::string statistics_json(const FrameReport& report, int indent) {
         json["messages"].push_back({{"severity", severity_text(message.severity)},
                                     {"source", message.source},
                                     {"text", message.text}});
-    return json.dump(indent);
+    return json.dump(2);
 }
 
 }  // namespace ir::engine

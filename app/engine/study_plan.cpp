@@ -19,12 +19,6 @@ using projects::ErrorPlot;
 using projects::Json;
 using projects::Project;
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 std::string shown(const Json& json) {
     return projects::printable(json.is_string() ? json.get<std::string>() : projects::canonical_json(json),
                                60);
@@ -43,11 +37,11 @@ void check_plot(const Project& project, const ErrorPlot& plot) {
     const auto& metrics = metric_names();
     if (std::find(metrics.begin(), metrics.end(), plot.metric) == metrics.end())
         refuse(plot,
-               "unknown metric '" + projects::printable(plot.metric, 60) + "'; known are " + joined(metrics));
+               "unknown metric '" + projects::printable(plot.metric, 60) + "'; known are " + listed(metrics));
     const auto keys = projects::plot_keys(project, plot, registry());
     if (std::find(keys.begin(), keys.end(), plot.over) == keys.end())
         refuse(plot,
-               "cannot run over '" + projects::printable(plot.over, 60) + "'; give one of " + joined(keys));
+               "cannot run over '" + projects::printable(plot.over, 60) + "'; give one of " + listed(keys));
     if (plot.over != "frames" && plot.values.empty())
         refuse(plot, "has no values; give some of " + plot.over);
 }

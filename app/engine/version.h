@@ -6,5 +6,9 @@ namespace ir::engine {
 
 /// "0.1.0"
 std::string version();
+/// The compiler, and for what it built: "GNU 12.2.0 Release".
+std::string build();
+/// Of this process, one word after another, quoted where a shell needs it; empty: not known here.
+std::string command_line();
 
 }  // namespace ir::engine

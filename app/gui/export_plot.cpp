@@ -11,6 +11,7 @@
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
 #include "widgets/plot/plot_chart.h"
 
@@ -23,10 +24,8 @@ bool ends_with(const std::string& file, const char* suffix) {
 
 const projects::ErrorPlot& plot_of(const projects::Project& project, const std::string& id) {
     if (const auto* plot = projects::find_item(project.plots, id)) return *plot;
-    std::string known;
-    for (const auto& each : project.plots) known += (known.empty() ? "" : ", ") + each.id;
-    throw UsageError("--plot '" + id + "': the project has no such plot; there are " +
-                     (known.empty() ? "none" : known));
+    throw UsageError("--plot '" + id + "': the project has no such plot" +
+                     known_are(id, words_of(project.plots, &projects::ErrorPlot::id)));
 }
 
 engine::ErrorStudy numbers_of(const projects::LoadedProject& loaded, const projects::ErrorPlot& plot,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 
 namespace ir {
 
@@ -35,9 +36,8 @@ const MethodDescription* Registry::find(const std::string& id) const {
 
 const MethodDescription& Registry::at(const std::string& id) const {
     if (const auto* method = find(id)) return *method;
-    std::string known;
-    for (const auto* method : methods_) known += (known.empty() ? "" : ", ") + method->id;
-    throw UsageError("unknown method '" + id + "'; known are " + known);
+    throw UsageError("unknown method '" + id + "'" +
+                     known_are(id, words_of(methods_, &MethodDescription::id)));
 }
 
 }  // namespace ir

@@ -5,15 +5,10 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 
 namespace ir {
 namespace {
-
-std::string listed(const std::vector<std::string>& words) {
-    std::string result;
-    for (const auto& word : words) result += (result.empty() ? "" : ", ") + word;
-    return result;
-}
 
 std::vector<std::string> allowed_choices(const ParameterText& p) {
     if (!p.supported.empty()) return p.supported;
@@ -144,9 +139,8 @@ Settings completed(const std::vector<ParameterDescription>& parameters, const Se
     for (const auto& [key, value] : given) {
         const auto* p = find(parameters, key);
         if (!p) {
-            std::vector<std::string> keys;
-            for (const auto& known : parameters) keys.push_back(known.key);
-            throw UsageError("unknown parameter '" + key + "'; known are " + listed(keys));
+            throw UsageError("unknown parameter '" + key + "'" +
+                             known_are(key, words_of(parameters, &ParameterDescription::key)));
         }
         result[key] = p->checked(value);
     }

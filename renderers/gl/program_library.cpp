@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "renderers/core/words.h"
 #include "renderers/gl/preprocessor.h"
 #include "renderers/gl/program.h"
 #include "renderers/gl/shader_log.h"
@@ -21,12 +22,6 @@ GLenum stage_of(const std::string& file) {
     if (found == stages.end())
         throw Error(file + ": a program's files end in .vert, .tesc, .tese, .geom, .frag or .comp");
     return found->second;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
 }
 
 /// "FILE:LINE" where an error begins with it.
@@ -111,7 +106,7 @@ void link(const Api& api, const Handle& program, const ProgramSource& source) {
     api.LinkProgram(program.name);
     GLint linked = 0;
     api.GetProgramiv(program.name, GL_LINK_STATUS, &linked);
-    if (!linked) fail(program, joined(source.files), {});
+    if (!linked) fail(program, listed(source.files), {});
 }
 
 /// Adds the words of a source, from which a uniform's existence is judged.
@@ -175,7 +170,7 @@ std::vector<Message> ProgramLibrary::reload_changed(bool* changed) {
 
 void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
     if (source.files.empty()) throw Error("a program needs at least one shader file");
-    const std::string label = joined(source.files);
+    const std::string label = listed(source.files);
     if (on_compile) on_compile(label);
     const Api& api = context_.api();
     entry.files.clear();

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/image/colour_map_tables.h"
 
 namespace ir {
@@ -107,9 +108,7 @@ const std::map<std::string, ColourMap>& all_maps() {
 const ColourMap& colour_map(const std::string& name) {
     const auto found = all_maps().find(name);
     if (found != all_maps().end()) return found->second;
-    std::string known;
-    for (const auto& each : colour_map_names()) known += (known.empty() ? "" : ", ") + each;
-    throw UsageError("unknown colour map '" + name + "'; known are " + known);
+    throw UsageError("unknown colour map '" + name + "'" + known_are(name, colour_map_names()));
 }
 
 const std::vector<std::string>& colour_map_names() {
@@ -127,8 +126,7 @@ StepMap step_map(const std::vector<Category>& categories) {
     for (std::size_t i = 0; i < map.colours.size(); ++i) {
         const double number = map.low + (static_cast<double>(i) / 255.0) * (map.high - map.low);
         for (const auto& category : categories)
-            if (std::abs(number - category.value) <= 0.5)
-                map.colours[i] = category.colour;
+            if (std::abs(number - category.value) <= 0.5) map.colours[i] = category.colour;
     }
     return map;
 }

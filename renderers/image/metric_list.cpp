@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/image/metrics.h"
 
 namespace ir {
@@ -53,12 +54,9 @@ const std::vector<std::string>& metric_names() {
 }
 
 const MetricDescription& metric(const std::string& name) {
-    std::string known;
-    for (const auto& metric : metrics()) {
+    for (const auto& metric : metrics())
         if (metric.name == name) return metric;
-        known += (known.empty() ? "" : ", ") + metric.name;
-    }
-    throw UsageError("unknown metric '" + name + "'; known are " + known);
+    throw UsageError("unknown metric '" + name + "'" + known_are(name, metric_names()));
 }
 
 double badness(const MetricDescription& metric, double value) {

@@ -7,6 +7,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/hash.h"
+#include "renderers/core/words.h"
 #include "renderers/scene/opening_camera.h"
 #include "renderers/scene/part_motion.h"
 #include "renderers/scene/placement.h"
@@ -141,11 +142,9 @@ class Composer {
     }
 
     void warn_of_unknown(const Part& part, const std::string& name, const Scene& loaded) {
-        std::string known;
-        for (const auto& material : loaded.materials) known += (known.empty() ? "" : ", ") + material.name;
         result_.warnings.push_back({Severity::warning, "scene",
-                                    "part '" + part.source + "' has no material '" + name +
-                                        "' to override; its materials are " + known});
+                                    "part '" + part.source + "' has no material '" + name + "' to override" +
+                                        known_are(name, words_of(loaded.materials, &Material::name))});
     }
 
     /// Returns the index that the part's node 0 gets.

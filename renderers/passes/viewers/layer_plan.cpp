@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderers/core/words.h"
 #include "renderers/image/colour_map.h"
 
 namespace ir::passes::viewers {
@@ -41,9 +42,7 @@ std::int32_t floats(const std::vector<Field>& fields, const char* name, int coun
 }
 
 std::string names(const std::vector<Field>& fields) {
-    std::string list;
-    for (const auto& field : fields) list += (list.empty() ? "" : ", ") + field.name;
-    return list;
+    return listed(words_of(fields, &Field::name));
 }
 
 void add_note(LayerPlan& plan, const std::string& text) {

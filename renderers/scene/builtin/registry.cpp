@@ -7,6 +7,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/hash.h"
+#include "renderers/core/words.h"
 
 namespace ir::scene {
 namespace builtin {
@@ -35,13 +36,10 @@ Request split(const std::string& text) {
 }
 
 const Description& find_scene(const Request& request) {
-    std::string known;
-    for (const auto& each : descriptions()) {
+    for (const auto& each : descriptions())
         if (each.name == request.name) return each;
-        known += (known.empty() ? "" : ", ") + each.name;
-    }
-    throw UsageError(request.text + ": there is no built-in scene '" + request.name + "'; known are " +
-                     known);
+    throw UsageError(request.text + ": there is no built-in scene '" + request.name + "'" +
+                     known_are(request.name, words_of(descriptions(), &Description::name)));
 }
 
 void check_version(const Request& request, const Description& scene) {
@@ -57,13 +55,10 @@ std::string number_text(double value) {
 }
 
 const Option& find_option(const Request& request, const Description& scene, std::string_view key) {
-    std::string known;
-    for (const auto& each : scene.options) {
+    for (const auto& each : scene.options)
         if (each.key == key) return each;
-        known += (known.empty() ? "" : ", ") + each.key;
-    }
-    throw UsageError(request.text + ": scene '" + scene.name + "' has no option '" + std::string(key) +
-                     "'; " + (known.empty() ? "it has none" : "known are " + known));
+    throw UsageError(request.text + ": scene '" + scene.name + "' has no option '" + std::string(key) + "'" +
+                     known_are(std::string(key), words_of(scene.options, &Option::key)));
 }
 
 double checked_value(const Request& request, const Option& option, std::string_view text) {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/scene/gltf/check.h"
 #include "renderers/scene/gltf/source.h"
 
@@ -64,8 +65,8 @@ void check_asset(Checking& checking) {
 }
 
 void check_extensions(Checking& checking) {
-    std::string known;
-    for (const auto& name : supported_extensions()) known += (known.empty() ? "" : ", ") + name;
+    const auto& supported = supported_extensions();
+    const auto known = listed({supported.begin(), supported.end()});
     for (const auto& name : names_in(checking, "extensionsRequired"))
         if (!supported_extensions().contains(name))
             throw InputError(

@@ -81,8 +81,8 @@ TEST_F(BenchCommand, AVariantWithoutMemoryIsARow) {
 }
 
 TEST_F(BenchCommand, RefusesInOneLine) {
-    expect_refused("nonsense", 2, "there are ");
-    expect_refused("view-normals-defaults --variant fast", 2, "there are 'defaults'");
+    expect_refused("nonsense", 2, "known are ");
+    expect_refused("view-normals-defaults --variant fast", 2, "known are defaults");
     expect_refused("view-normals-defaults --size 12", 2, "--size");
     expect_refused("view-normals-defaults --scene " + (root_ / "none.glb").string(), 3, "none.glb");
     expect_refused("error --project x --csv y", 2, "do not belong");

@@ -96,11 +96,11 @@ TEST_F(PlotCommand, PrintsOneJsonObject) {
 }
 
 TEST_F(PlotCommand, RefusesInOneLine) {
-    expect_refused("plot " + path() + " nothing", 2, "there are directions");
+    expect_refused("plot " + path() + " nothing", 2, "known are directions");
     expect_refused("plot " + path() + " --metric beauty", 2, "known are rmse");
     expect_refused("plot " + file("nowhere"), 3, "nowhere");
     expect_refused("bench error", 2, "--project");
-    expect_refused("sweep " + path() + " nothing --out " + file("out"), 2, "there are directions");
+    expect_refused("sweep " + path() + " nothing --out " + file("out"), 2, "known are directions");
     expect_refused("sweep " + path() + " directions --out " + file("out") + " --shard 3/2", 2, "1/4");
     json["plots"][0]["over"] = "smaples";
     store();

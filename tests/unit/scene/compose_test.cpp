@@ -153,9 +153,10 @@ TEST(Compose, AnOverrideOfNoMaterialIsAWarningThatListsTheKnownOnes) {
     const auto scene = compose({part});
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0].severity, Severity::warning);
-    EXPECT_EQ(scene.warnings[0].text,
-              "part 'builtin:cornell' has no material 'rde' to override; its materials are white, red, "
-              "green, lamp");
+    EXPECT_EQ(
+        scene.warnings[0].text,
+        "part 'builtin:cornell' has no material 'rde' to override (did you mean 'red'?); known are white, red, "
+        "green, lamp");
 }
 
 TEST(Compose, LightsAndCamerasMoveAndGetNamesOfTheirOwn) {

@@ -1,0 +1,113 @@
+#include "app/cli/experiment_flags.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "app/engine/execution.h"
+#include "projects/document_fields.h"
+#include "projects/light_spec.h"
+#include "renderers/core/error.h"
+
+namespace ir::cli {
+namespace {
+
+std::uint64_t parse_seed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (result.ec != std::errc{} || result.ptr != text.data() + text.size())
+        throw UsageError("--seed '" + text + "' is not an integer from 0 to 18446744073709551615");
+    return seed;
+}
+
+void set(Settings& values, const MethodDescription& method, const std::vector<std::string>& sets) {
+    for (const auto& text : sets) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos)
+            throw UsageError("--set '" + text + "' is not of the form key=value");
+        const auto key = text.substr(0, equals);
+        const auto* parameter = find(method.parameters, key);
+        if (!parameter)
+            completed(method.parameters, {{key, Value{false}}});  // throws, listing the known keys
+        values[key] = parameter->parse(text.substr(equals + 1));
+    }
+}
+
+glm::dvec3 parse_point(const std::string& text, const std::string& option) {
+    const auto point = projects::parse_vec3(text, option);
+    for (int i = 0; i < 3; ++i)
+        if (!std::isfinite(static_cast<float>(point[i])))
+            throw UsageError(option + " is beyond what single precision holds");
+    return point;
+}
+
+CameraPose pose_of(const ExperimentFlags& flags) {
+    if (!flags.camera.empty()) throw UsageError("give --camera or --eye and --target, not both");
+    if (flags.eye.empty() || flags.target.empty()) throw UsageError("--eye and --target belong together");
+    CameraPose pose;
+    pose.eye = parse_point(flags.eye, "--eye");
+    pose.target = parse_point(flags.target, "--target");
+    if (!flags.up.empty()) pose.up = parse_point(flags.up, "--up");
+    if (flags.fov_y) pose.fov_y_degrees = *flags.fov_y;
+    const glm::vec3 view = glm::vec3(pose.target) - glm::vec3(pose.eye);
+    if (glm::length(view) < 1e-9f) throw UsageError("--eye and --target are the same point");
+    if (glm::length(glm::cross(view, glm::vec3(pose.up))) < 1e-9f)
+        throw UsageError("--up points along the view; give another direction");
+    return pose;
+}
+
+/// The project's own camera of that id, else the scene's of that name.
+void set_camera(const ExperimentFlags& flags, projects::Project& project, projects::Experiment& experiment) {
+    const bool is_posed = !flags.eye.empty() || !flags.target.empty();
+    if (!is_posed && (flags.fov_y || !flags.up.empty()))
+        throw UsageError(std::string(flags.fov_y ? "--fov-y" : "--up") +
+                         " cannot be used without --eye and --target");
+    if (!is_posed && flags.camera.empty()) return;
+    if (!is_posed && find_item(project.cameras, flags.camera)) {
+        experiment.camera = flags.camera;
+        return;
+    }
+    projects::Camera camera;
+    camera.name = is_posed ? "camera" : flags.camera;
+    if (is_posed)
+        camera.set_pose(pose_of(flags));
+    else
+        camera.scene_camera = flags.camera;
+    camera.id = free_id_in(project.cameras, camera.name);
+    experiment.camera = camera.id;
+    project.cameras.push_back(std::move(camera));
+}
+
+}  // namespace
+
+void add_experiment_flags(CLI::App& command, ExperimentFlags& flags) {
+    const auto camera_text = [](const char* key) {
+        return projects::field_of(projects::camera_fields(), key).text;
+    };
+    const auto text = [](const char* key) {
+        return projects::field_of(projects::experiment_fields(), key).text;
+    };
+    command.add_option("--set", flags.sets, "Parameter key=value; repeat for more");
+    command.add_option("--camera", flags.camera,
+                       "Id of one of the project's cameras, or name of one of the scene's");
+    command.add_option("--eye", flags.eye, camera_text("eye").doc);
+    command.add_option("--target", flags.target, camera_text("target").doc);
+    command.add_option("--up", flags.up, camera_text("up").doc + " (default 0,1,0)");
+    command.add_option("--fov-y", flags.fov_y, camera_text("fov_y_degrees").doc)
+        ->check(within(camera_text("fov_y_degrees")));
+    command.add_option("--size", flags.size, text("size").doc + ", as 800x600");
+    command.add_option("--seed", flags.seed, text("seed").doc);
+    command.add_option("--frames", flags.frames, text("frames").doc)->check(whole_within(text("frames")));
+    command.add_option("--time", flags.time, text("time").doc)->check(within(text("time")));
+}
+
+void apply(const ExperimentFlags& flags, projects::Project& project, projects::Experiment& experiment) {
+    experiment = effective(experiment);
+    if (!flags.sets.empty()) set(experiment.values, engine::registry().at(experiment.method), flags.sets);
+    set_camera(flags, project, experiment);
+    if (!flags.size.empty()) experiment.size = projects::parse_size(flags.size, "--size");
+    if (!flags.seed.empty()) experiment.seed = parse_seed(flags.seed);
+    if (flags.frames) experiment.frames = *flags.frames;
+    if (flags.time) experiment.time = *flags.time;
+}
+
+}  // namespace ir::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "projects/document.h"
+
+namespace ir::cli {
+
+/// What the command line says of an experiment. What is not given stays as it is.
+struct ExperimentFlags {
+    std::vector<std::string> sets;
+    std::string camera, eye, target, up, size, seed;
+    std::optional<double> fov_y, time;
+    std::optional<int> frames;
+    bool operator==(const ExperimentFlags&) const = default;
+};
+
+void add_experiment_flags(CLI::App& command, ExperimentFlags& flags);
+
+/// Changes an experiment of `project`; a camera of the command line becomes one of the project. Throws
+/// UsageError.
+void apply(const ExperimentFlags& flags, projects::Project& project, projects::Experiment& experiment);
+
+}  // namespace ir::cli

@@ -1,0 +1,285 @@
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/cli/command.h"
+#include "app/cli/experiment_flags.h"
+#include "app/cli/output_files.h"
+#include "app/cli/picture_file.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/run_frames.h"
+#include "app/engine/from_project.h"
+#include "app/engine/number_text.h"
+#include "app/engine/pictures.h"
+#include "app/engine/run_frames.h"
+#include "app/engine/version.h"
+#include "projects/document_json.h"
+#include "projects/scene_files.h"
+#include "renderers/core/error.h"
+
+namespace ir::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct RerunFlags {
+    MachineFlags machine;
+    ExperimentFlags changes;
+    std::string file, scene, environment, out;
+    bool json = false, quiet = false, is_exact = false;
+};
+
+/// A picture's file and the project in it.
+struct Original {
+    Image picture;
+    ImageAttributes attributes;
+    std::vector<std::string> dumps;  ///< keys of its other layers
+    projects::Project project;
+    projects::Experiment& experiment() { return project.experiments.front(); }
+    std::string attribute(const std::string& name) const {
+        const auto found = attributes.find("interreflect." + name);
+        return found == attributes.end() ? std::string() : found->second;
+    }
+};
+
+/// "ldm.depth" of the layer "ldm.depth.level1.layer3".
+std::string key_of_layer(std::string name) {
+    for (const char* part : {".layer", ".level"}) {
+        const auto at = name.rfind(part);
+        const auto number = at == std::string::npos ? at : at + std::string_view(part).size();
+        if (number < name.size() && name.find_first_not_of("0123456789", number) == std::string::npos)
+            name.resize(at);
+    }
+    return name;
+}
+
+Original read_original(const std::string& file) {
+    Original original;
+    std::set<std::string> dumps;
+    for (auto& layer : read_exr(file, &original.attributes)) {
+        if (layer.name.empty())
+            original.picture = std::move(layer.image);
+        else
+            dumps.insert(key_of_layer(layer.name));
+    }
+    original.dumps.assign(dumps.begin(), dumps.end());
+    const auto recipe = original.attributes.find(engine::recipe_attribute);
+    if (recipe == original.attributes.end())
+        throw InputError(file, "",
+                         "does not say how it was rendered; that is in .exr files that `render` writes since "
+                         "version 0.2");
+    original.project = projects::read_project(recipe->second, file, engine::registry()).project;
+    if (original.project.experiments.size() != 1)
+        throw InputError(file, engine::recipe_attribute, "must hold one experiment");
+    return original;
+}
+
+/// The scene's file where it lies today.
+void move_files(const RerunFlags& flags, Original& original) {
+    if (!flags.scene.empty()) {
+        auto* scene = find_item(original.project.scenes, original.experiment().scene);
+        if (!scene || scene->parts.size() != 1)
+            throw UsageError("--scene cannot be used: the scene of " + flags.file + " has several files");
+        scene->parts.front().source = flags.scene;
+    }
+    if (!flags.environment.empty()) {
+        auto* lights = find_item(original.project.lights, original.experiment().lights);
+        if (!lights || lights->environment.kind != projects::Environment::Kind::map)
+            throw UsageError("--env cannot be used: " + flags.file + " has no environment map");
+        lights->environment.source = flags.environment;
+    }
+    projects::for_each_file(original.project, [&](const std::string& source, const std::string&) {
+        if (!projects::is_builtin(source) && !std::filesystem::exists(source))
+            throw InputError(flags.file, "",
+                             "was rendered from " + source +
+                                 ", which is not there; --scene and --env say "
+                                 "where it is now");
+    });
+}
+
+/// In what today's run is not that of the file, though nobody asked for it.
+Json differences(const Original& original, const ImageAttributes& now) {
+    Json list = Json::array();
+    for (const char* what :
+         {"version", "build", "method_version", "scene_hash", "lighting", "backend", "device", "processor"}) {
+        const auto then = original.attribute(what);
+        const auto found = now.find(std::string("interreflect.") + what);
+        const auto today = found == now.end() ? std::string() : found->second;
+        if (then != today) list.push_back({{"what", what}, {"then", then}, {"now", today}});
+    }
+    return list;
+}
+
+struct Distance {
+    std::size_t pixels = 0, differ = 0;
+    double largest = 0, rmse = 0;
+};
+
+/// Of all channels. Values that are no numbers are equal where both are.
+Distance distance(const Image& a, const Image& b) {
+    Distance result;
+    result.pixels = std::size_t(a.width) * std::size_t(a.height);
+    double squares = 0;
+    for (std::size_t pixel = 0; pixel < result.pixels; ++pixel) {
+        bool is_equal = true;
+        for (int c = 0; c < a.channels; ++c) {
+            const auto i = pixel * std::size_t(a.channels) + std::size_t(c);
+            const float x = a.pixels[i], y = b.pixels[i];
+            if (x == y || (std::isnan(x) && std::isnan(y))) continue;
+            is_equal = false;
+            const double d = std::abs(double(x) - double(y));
+            result.largest = std::max(result.largest, std::isnan(d) ? HUGE_VAL : d);
+            squares += d * d;
+        }
+        result.differ += !is_equal;
+    }
+    result.rmse = std::sqrt(squares / double(std::max<std::size_t>(1, a.pixels.size())));
+    return result;
+}
+
+int rerun(const RerunFlags& flags) {
+    auto original = read_original(flags.file);
+    OutputFiles files;
+    files.reads("FILE", flags.file);
+    files.reads("--scene", flags.scene);
+    files.reads("--env", flags.environment);
+    files.writes("--out", flags.out);
+    const auto dumps =
+        std::filesystem::path(flags.out).extension() == ".png" ? std::vector<std::string>() : original.dumps;
+    if (!flags.out.empty()) require_picture(flags.out, dumps);
+    move_files(flags, original);
+    apply(flags.changes, original.project, original.experiment());
+    engine::Machine machine(machine_options(flags.machine));
+    engine::Execution execution(machine, engine::from_project(original.project, original.experiment(), {}));
+    auto options = frame_options(flags.machine, dumps);
+    ProgressLine line(!flags.quiet, 1);
+    line.begin({}, 1);
+    options.progress = line.callback();
+    FrameReport report;
+    try {
+        report = engine::run_frames(execution, options);
+    } catch (const Cancelled&) {
+        line.clear();
+        throw;
+    }
+    line.clear();
+    if (!flags.out.empty()) write_picture(flags.out, execution, dumps);
+    print_messages(execution, report);
+
+    const auto picture = engine::main_result(execution);
+    const bool is_comparable = picture.width == original.picture.width &&
+                               picture.height == original.picture.height &&
+                               picture.channels == original.picture.channels;
+    Json json{{"file", flags.file}, {"different", differences(original, engine::attributes(execution))}};
+    const auto apart = is_comparable ? distance(picture, original.picture) : Distance{};
+    if (is_comparable) {
+        json["pixels"] = apart.pixels;
+        json["pixels_that_differ"] = apart.differ;
+        json["largest_difference"] = engine::number_json(apart.largest);
+        json["rmse"] = engine::number_json(apart.rmse);
+    }
+    if (flags.json) {
+        std::cout << json.dump(2) << "\n";
+    } else {
+        for (const auto& each : json["different"])
+            std::cout << "different " << each["what"].get<std::string>() << ": "
+                      << each["then"].get<std::string>() << ", now " << each["now"].get<std::string>()
+                      << "\n";
+        if (!is_comparable)
+            std::cout << "the pictures have different sizes\n";
+        else if (apart.differ == 0)
+            std::cout << "all " << apart.pixels << " pixels are the same, bit for bit\n";
+        else
+            std::cout << apart.differ << " of " << apart.pixels << " pixels differ, by " << apart.largest
+                      << " at most, RMSE " << apart.rmse << "\n";
+    }
+    return flags.is_exact && (!is_comparable || apart.differ > 0) ? limit_exceeded : done;
+}
+
+/// All that two files say, but for what `--out` and the clock change.
+int print_differences(const std::string& a, const std::string& b, bool as_json) {
+    const auto flat = [](const std::string& file) {
+        ImageAttributes attributes;
+        read_exr(file, &attributes);
+        std::map<std::string, Json> all;
+        for (const auto& [key, value] : attributes) {
+            if (key.rfind("interreflect.", 0) != 0) continue;
+            if (key == engine::recipe_attribute) {
+                // What attributes do not tell one by one.
+                const auto recipe = projects::parse_json(value, file);
+                for (const char* list : {"scenes", "lights", "motion"})
+                    if (const auto found = recipe.find(list); found != recipe.end()) {
+                        const auto leaves = found->flatten();
+                        for (const auto& [place, leaf] : leaves.items()) all[list + place] = leaf;
+                    }
+                continue;
+            }
+            all[key.substr(std::string_view("interreflect.").size())] = value;
+        }
+        if (all.empty())
+            throw InputError(file, "", "does not say how it was rendered: no attribute interreflect.…");
+        return all;
+    };
+    const auto left = flat(a), right = flat(b);
+    std::set<std::string> keys;
+    for (const auto* side : {&left, &right})
+        for (const auto& [key, value] : *side) keys.insert(key);
+    Json json = Json::array();
+    const auto text = [](const Json& value) {
+        return value.is_null()     ? std::string("absent")
+               : value.is_string() ? value.get<std::string>()
+                                   : value.dump();
+    };
+    for (const auto& key : keys) {
+        const auto value = [&](const auto& side) {
+            const auto found = side.find(key);
+            return found == side.end() ? Json() : found->second;
+        };
+        const auto x = value(left), y = value(right);
+        if (x == y) continue;
+        json.push_back({{"what", key}, {"a", x}, {"b", y}});
+        if (!as_json) std::cout << key << ": " << text(x) << " | " << text(y) << "\n";
+    }
+    if (as_json)
+        std::cout << json.dump(2) << "\n";
+    else if (json.empty())
+        std::cout << "nothing differs\n";
+    return done;
+}
+
+}  // namespace
+
+void add_rerun(CLI::App& app, Run& run) {
+    auto flags = std::make_shared<RerunFlags>();
+    auto* command = app.add_subcommand(
+        "rerun", "Render a picture again by what its file says, and measure how far apart they are");
+    command->add_option("FILE", flags->file, "EXR file of `render`, `sweep` or the window")->required();
+    command->add_option("--scene", flags->scene, "Where the scene's file is now");
+    command->add_option("--env", flags->environment, "Where the environment map is now");
+    add_experiment_flags(*command, flags->changes);
+    command->add_option("--out", flags->out,
+                        "File.exr with the layers that FILE has, or .png (default: nothing is written)");
+    command->add_flag("--exact", flags->is_exact, "Exit with status 4 unless all pixels are the same");
+    add_json_flag(*command, flags->json);
+    add_quiet_flag(*command, flags->quiet);
+    add_machine_flags(*command, flags->machine);
+    command->callback([flags, &run] { run = [flags] { return rerun(*flags); }; });
+}
+
+void add_diff(CLI::App& app, Run& run) {
+    struct Flags {
+        std::string a, b;
+        bool json = false;
+    };
+    auto flags = std::make_shared<Flags>();
+    auto* command = app.add_subcommand("diff", "In which settings two pictures differ");
+    command->add_option("A", flags->a, "EXR file")->required();
+    command->add_option("B", flags->b, "EXR file")->required();
+    command->add_flag("--json", flags->json, "Print one JSON array");
+    command->callback(
+        [flags, &run] { run = [flags] { return print_differences(flags->a, flags->b, flags->json); }; });
+}
+
+}  // namespace ir::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ir {
+
+/// "a, b, c"
+std::string listed(const std::vector<std::string>& words);
+
+/// Of each item: `words_of(plots, &Plot::id)`.
+template <class Items, class Word>
+std::vector<std::string> words_of(const Items& items, Word word) {
+    std::vector<std::string> words;
+    for (const auto& item : items) words.emplace_back(std::invoke(word, item));
+    return words;
+}
+
+/// How a message ends that says that nobody knows `word`: " (did you mean 'b'?); known are a, b, c". The
+/// question is asked where one of them is spelt nearly so, or begins or ends so.
+std::string known_are(const std::string& word, const std::vector<std::string>& known);
+/// The question alone; empty: none is alike.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
+
+}  // namespace ir
