@@ -16,6 +16,12 @@ using engine::add_machine_flags, engine::machine_options, engine::parse_bytes, e
 /// The contract with scripts; engine::interruption_status() where a signal ended the work.
 enum ExitStatus { done = 0, failed = 1, wrong_usage = 2, bad_input = 3, limit_exceeded = 4 };
 
+/// What each status means, for the manual.
+struct ExitStatusText {
+    const char *value, *doc;
+};
+const std::vector<ExitStatusText>& exit_statuses();
+
 /// Each adds its subcommand; the chosen one's callback stores what main runs after parsing.
 using Run = std::function<int()>;
 void add_info(CLI::App& app, Run& run);
@@ -31,6 +37,7 @@ void add_reference(CLI::App& app, Run& run);
 void add_plot(CLI::App& app, Run& run);
 void add_sweep(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
+void add_shell(CLI::App& app, Run& run);
 
 /// Options and words that several commands have.
 inline void add_quiet_flag(CLI::App& command, bool& quiet) {
