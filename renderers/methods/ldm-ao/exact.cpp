@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/packing.hpp>
 
 #include "renderers/core/constants.h"
+#include "renderers/core/half_float.h"
 #include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
@@ -135,9 +135,8 @@ void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, M
                         std::fill(own.begin(), own.end(), 0u);
                         const auto normal = glm::vec3(geometric[i]);
                         if (normal == glm::vec3(0)) continue;
-                        tracer.run(
-                            {glm::vec3(positions[i]), normal, glm::vec3(glm::unpackHalf4x16(shading[i]))},
-                            own);
+                        tracer.run({glm::vec3(positions[i]), normal, glm::vec3(unpack_halves(shading[i]))},
+                                   own);
                     }
                 });
             });

@@ -1,9 +1,9 @@
 #include "renderers/methods/reference/passes.h"
 
 #include <chrono>
-#include <glm/gtc/packing.hpp>
 #include <memory>
 
+#include "renderers/core/half_float.h"
 #include "renderers/methods/reference/tiles.h"
 #include "renderers/methods/reference/visibility.h"
 
@@ -64,7 +64,7 @@ struct Points {
     bool is_background(std::size_t i) const { return glm::vec3(geometric_normals[i]) == glm::vec3(0); }
 
     SurfacePoint at(std::size_t i) const {
-        const auto normal = glm::vec3(glm::unpackHalf4x16(shading_normals[i]));
+        const auto normal = glm::vec3(unpack_halves(shading_normals[i]));
         const float length = glm::length(normal);  // half floats: not quite 1
         const auto geometric = glm::normalize(glm::vec3(geometric_normals[i]));
         return {glm::vec3(positions[i]), geometric, length > 0.5f ? normal / length : geometric};

@@ -1,8 +1,8 @@
 #include "renderers/methods/reference/passes.h"
 
-#include <glm/gtc/packing.hpp>
 #include <limits>
 
+#include "renderers/core/half_float.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/surface/surface.h"
@@ -42,8 +42,8 @@ class Row {
   private:
     void set(std::size_t pixel, const passes::Surface& s) const {
         positions_[pixel] = glm::vec4(s.position_ws, glm::distance(s.position_ws, eye_ws_));
-        normals_[pixel] = glm::packHalf4x16(glm::vec4(s.shading_normal_ws, 0));
-        albedos_[pixel] = glm::packHalf4x16(glm::vec4(s.base_colour, s.transmission));
+        normals_[pixel] = pack_halves(glm::vec4(s.shading_normal_ws, 0));
+        albedos_[pixel] = pack_halves(glm::vec4(s.base_colour, s.transmission));
     }
 
     std::size_t width_;

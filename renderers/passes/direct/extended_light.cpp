@@ -4,9 +4,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <glm/gtc/packing.hpp>
 #include <memory>
 
+#include "renderers/core/half_float.h"
 #include "renderers/core/threads.h"
 #include "renderers/passes/a_trous/a_trous.h"
 #include "renderers/passes/direct/light_estimate.h"
@@ -165,7 +165,7 @@ class LightSampling {
         const auto divisor = glm::max(reflectance, glm::vec3(least_reflectance));
         const float l = luminance(divisor);
         even_[i] = glm::vec4(mean.radiance / divisor, mean.variance / (l * l));
-        reflectance_[i] = glm::packHalf4x16(glm::vec4(divisor, 0));
+        reflectance_[i] = pack_halves(glm::vec4(divisor, 0));
     }
 
     /// Each frame and group has numbers of its own; within a group samples are stratified.

@@ -1,7 +1,8 @@
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
 
 #include <algorithm>
-#include <glm/gtc/packing.hpp>
+
+#include "renderers/core/half_float.h"
 
 namespace ir::passes {
 namespace {
@@ -32,8 +33,8 @@ void GBufferSurfaces::declare_reads(graph::PassBuilder& pass, const GBuffer& gbu
 }
 
 Surface GBufferSurfaces::at(std::size_t i) const {
-    const auto albedo = glm::unpackHalf4x16(albedos_[i]), material = glm::unpackHalf4x16(materials_[i]);
-    const auto normal = glm::vec3(glm::unpackHalf4x16(normals_[i]));
+    const auto albedo = unpack_halves(albedos_[i]), material = unpack_halves(materials_[i]);
+    const auto normal = glm::vec3(unpack_halves(normals_[i]));
     Surface s;
     s.position_ws = glm::vec3(positions_[i]);
     s.geometric_normal_ws = glm::normalize(glm::vec3(geometric_normals_[i]));
@@ -44,7 +45,7 @@ Surface GBufferSurfaces::at(std::size_t i) const {
     s.metallic = material.x, s.roughness = material.y;
     s.is_unlit = material.z > 0.5f;
     s.material = material_index(material.w, material_count_);
-    s.emission = glm::vec3(glm::unpackHalf4x16(emissions_[i]));
+    s.emission = glm::vec3(unpack_halves(emissions_[i]));
     return s;
 }
 

@@ -144,15 +144,22 @@ struct SurfaceLookup::Impl {
         }
     }
 
+    const LookedUpMaterial& material_of(std::uint32_t triangle) const {
+        return materials[triangle_materials[triangle]];
+    }
+
     Corners corners(std::uint32_t triangle, float u, float v) const {
         const auto* index = &indices[3 * static_cast<std::size_t>(triangle)];
         return {vertices[index[0]], vertices[index[1]], vertices[index[2]], u, v};
     }
 
-    void fill_geometry(const Corners& c, glm::vec3 direction_ws, Surface& s) const {
+    static glm::vec3 normal_of(const Corners& c) {
+        return triangle_normal(c.a.position, c.b.position, c.c.position);
+    }
+
+    void fill_geometry(const Corners& c, glm::vec3 plane_normal, glm::vec3 direction_ws, Surface& s) const {
         const auto &pa = c.a.position, &pb = c.b.position, &pc = c.c.position;
         s.position_ws = pa + c.u * (pb - pa) + c.v * (pc - pa);
-        const auto plane_normal = triangle_normal(pa, pb, pc);
         s.is_front = glm::dot(plane_normal, direction_ws) <= 0;
         s.geometric_normal_ws = s.is_front ? plane_normal : -plane_normal;
         if (plane_normal == glm::vec3(0)) s.geometric_normal_ws = -direction_ws;
@@ -176,14 +183,29 @@ struct SurfaceLookup::Impl {
         return n * ((glm::dot(vertex_normal, geometric_normal) < 0 ? -1.0f : 1.0f) / size);
     }
 
-    void fill_textured(const LookedUpMaterial& m, const Corners& c, glm::vec3 vertex_normal,
-                       const Footprint* footprint, Surface& s) const {
+    static Coordinates coordinates(const Corners& c, const Footprint* footprint) {
         Coordinates uv{{c.uv(0), c.uv(1)}};
-        if (footprint) {
-            uv.is_filtered = true;
-            c.uv_along(footprint->by_column_ws, uv.by_column);
-            c.uv_along(footprint->by_row_ws, uv.by_row);
-        }
+        if (!footprint) return uv;
+        uv.is_filtered = true;
+        c.uv_along(footprint->by_column_ws, uv.by_column);
+        c.uv_along(footprint->by_row_ws, uv.by_row);
+        return uv;
+    }
+
+    void fill_shading_normal(const LookedUpMaterial& m, const Corners& c, const Coordinates& uv,
+                             Surface& s) const {
+        const auto vertex_normal = c.mix(&Vertex::normal);
+        const auto normal = m.normal_slot ? mapped_normal(m, c, uv, vertex_normal) : vertex_normal;
+        s.shading_normal_ws = turned(normal, vertex_normal, s.geometric_normal_ws);
+    }
+
+    void fill_reflectance(const LookedUpMaterial& m, const Corners& c, const Coordinates& uv,
+                          Surface& s) const {
+        s.base_colour = m.base_colour;
+        s.metallic = m.metallic, s.roughness = m.roughness, s.transmission = m.transmission;
+        s.emission = m.emission;
+        s.is_unlit = m.is_unlit;
+        if (m.has_colours) s.base_colour *= c.colour();
         if (m.base_colour_slot) s.base_colour *= m.base_colour_slot.at(uv);
         if (m.metallic_roughness_slot) {
             const auto texel = m.metallic_roughness_slot.at(uv);
@@ -192,26 +214,18 @@ struct SurfaceLookup::Impl {
         }
         if (m.emission_slot) s.emission *= m.emission_slot.at(uv);
         if (m.transmission_slot) s.transmission *= m.transmission_slot.at(uv).r;
-        if (!m.normal_slot) return;
-        s.shading_normal_ws =
-            turned(mapped_normal(m, c, uv, vertex_normal), vertex_normal, s.geometric_normal_ws);
     }
 
     Surface at(const Hit& hit, glm::vec3 direction_ws, const Footprint* footprint) const {
         const auto c = corners(hit.triangle, hit.u, hit.v);
         const auto material = triangle_materials[hit.triangle];
         const auto& m = materials[material];
+        const auto uv = m.has_textures ? coordinates(c, footprint) : Coordinates{};
         Surface s;
-        fill_geometry(c, direction_ws, s);
         s.material = static_cast<int>(material);
-        s.base_colour = m.base_colour;
-        s.metallic = m.metallic, s.roughness = m.roughness, s.transmission = m.transmission;
-        s.emission = m.emission;
-        s.is_unlit = m.is_unlit;
-        const auto vertex_normal = c.mix(&Vertex::normal);
-        s.shading_normal_ws = turned(vertex_normal, vertex_normal, s.geometric_normal_ws);
-        if (m.has_colours) s.base_colour *= c.colour();
-        if (m.has_textures) fill_textured(m, c, vertex_normal, footprint, s);
+        fill_geometry(c, normal_of(c), direction_ws, s);
+        fill_shading_normal(m, c, uv, s);
+        fill_reflectance(m, c, uv, s);
         return s;
     }
 
@@ -254,13 +268,41 @@ Surface SurfaceLookup::at(const Hit& hit, glm::vec3 direction_ws, const Footprin
     return impl_->at(hit, direction_ws, &footprint);
 }
 
+bool SurfaceLookup::has_normal_map(std::uint32_t triangle) const {
+    return bool(impl_->material_of(triangle).normal_slot);
+}
+
+bool SurfaceLookup::has_textures(std::uint32_t triangle) const {
+    return impl_->material_of(triangle).has_textures;
+}
+
+Surface SurfaceLookup::shape(const Hit& hit, glm::vec3 direction_ws, const Footprint& footprint,
+                             glm::vec3 plane_normal) const {
+    const auto c = impl_->corners(hit.triangle, hit.u, hit.v);
+    const auto& m = impl_->material_of(hit.triangle);
+    Surface s;
+    impl_->fill_geometry(c, plane_normal, direction_ws, s);
+    impl_->fill_shading_normal(m, c, m.normal_slot ? Impl::coordinates(c, &footprint) : Coordinates{}, s);
+    return s;
+}
+
+Surface SurfaceLookup::reflectance(const Hit& hit, const Footprint& footprint) const {
+    const auto c = impl_->corners(hit.triangle, hit.u, hit.v);
+    const auto material = impl_->triangle_materials[hit.triangle];
+    const auto& m = impl_->materials[material];
+    Surface s;
+    s.material = static_cast<int>(material);
+    impl_->fill_reflectance(m, c, m.has_textures ? Impl::coordinates(c, &footprint) : Coordinates{}, s);
+    return s;
+}
+
 std::pair<glm::vec3, glm::vec3> SurfaceLookup::plane(std::uint32_t triangle) const {
     const auto c = impl_->corners(triangle, 0, 0);
-    return {triangle_normal(c.a.position, c.b.position, c.c.position), c.a.position};
+    return {Impl::normal_of(c), c.a.position};
 }
 
 glm::vec3 SurfaceLookup::emission(std::uint32_t triangle, float u, float v) const {
-    const auto& m = impl_->materials[impl_->triangle_materials[triangle]];
+    const auto& m = impl_->material_of(triangle);
     if (!m.emission_slot) return m.emission;
     const auto corners = impl_->corners(triangle, u, v);
     return m.emission * m.emission_slot.at({{corners.uv(0), corners.uv(1)}});

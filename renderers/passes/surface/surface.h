@@ -54,6 +54,14 @@ class SurfaceLookup {
     Surface at(const Hit& hit, glm::vec3 direction_ws) const;
     /// The same, filtered over a pixel.
     Surface at(const Hit& hit, glm::vec3 direction_ws, const Footprint& footprint) const;
+    /// Whether shape() and reflectance() look at the footprint.
+    bool has_normal_map(std::uint32_t triangle) const;
+    bool has_textures(std::uint32_t triangle) const;
+    /// Only place, side and normals, where the plane's normal is known.
+    Surface shape(const Hit& hit, glm::vec3 direction_ws, const Footprint& footprint,
+                  glm::vec3 plane_normal) const;
+    /// Only what the material says.
+    Surface reflectance(const Hit& hit, const Footprint& footprint) const;
     /// Normal of a triangle's plane, by its winding, and a corner.
     std::pair<glm::vec3, glm::vec3> plane(std::uint32_t triangle) const;
     /// Only the emission there; cheap.

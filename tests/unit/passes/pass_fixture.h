@@ -153,13 +153,14 @@ class PassTest : public DeviceTest {
         inputs.processor = processor();
         return run(inputs, setup);
     }
-    FrameReport run(const graph::FrameInputs& inputs, const Setup& setup) {
+    FrameReport run(const graph::FrameInputs& inputs, const Setup& setup,
+                    const std::vector<std::string>& wanted = {"*"}) {
         graph::Method method;
         method.description.id = "test";
         method.description.outputs = outputs();
         method.setup = [&](graph::GraphBuilder& builder, const Settings&) { setup(builder); };
         graph::FrameOptions options;
-        options.wanted = {"*"};
+        options.wanted = wanted;
         return run_method(method, {}, inputs, options);
     }
     /// `run`: what tests differ in, with wanted, initial_capacity and inspection.

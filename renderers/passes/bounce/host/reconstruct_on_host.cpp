@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/packing.hpp>
 
+#include "renderers/core/half_float.h"
 #include "renderers/core/threads.h"
 #include "renderers/graph/image_layers.h"
 #include "renderers/passes/bounce/host/filter_tile.h"
@@ -80,7 +80,7 @@ class HostReconstruction {
     void fill(FilterTile& tile, std::size_t at, std::size_t i) const {
         const glm::vec3 geometric_normal(geometric_normals_[i]);
         if (geometric_normal == glm::vec3(0)) return;
-        const glm::vec3 position(positions_[i]), stored(glm::unpackHalf4x16(normals_[i]));
+        const glm::vec3 position(positions_[i]), stored(unpack_halves(normals_[i]));
         const auto normal = shading_normal(stored, geometric_normal);
         if (rules_.light && !fill_scatterer(tile, at, i, position, normal)) return;
         tile.exists[at] = 1;
@@ -103,10 +103,10 @@ class HostReconstruction {
     /// make_scatterer and seen_from of lib/scattering.glsl. False of unlit surfaces.
     bool fill_scatterer(FilterTile& tile, std::size_t at, std::size_t i, glm::vec3 position,
                         glm::vec3 normal) const {
-        const auto material = glm::unpackHalf4x16(materials_[i]);
+        const auto material = unpack_halves(materials_[i]);
         if (material.z > 0.5f) return false;
         const auto& receivers = rules_.constants.receivers;
-        const glm::vec3 colour(glm::unpackHalf4x16(albedos_[i]));
+        const glm::vec3 colour(unpack_halves(albedos_[i]));
         const float metallic = material.x, roughness = std::max(material.y, receivers.min_roughness);
         const auto viewer = receivers.viewer.view_axis_ws == glm::vec3(0)
                                 ? glm::normalize(receivers.viewer.eye_ws - position)
