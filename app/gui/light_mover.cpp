@@ -8,6 +8,7 @@
 #include "projects/motion.h"
 #include "renderers/core/error.h"
 #include "widgets/document/project_nodes.h"
+#include "widgets/image/decimals.h"
 
 namespace ir::gui {
 
@@ -43,10 +44,13 @@ bool is_placed_by_motion(const projects::Motion* motion) {
 }
 
 void turn(LightSpec& light, const glm::dvec3& direction) {
-    if (light.target)
-        light.target = light.position + glm::length(*light.target - light.position) * direction;
-    else
+    if (!light.target) {
         light.direction = direction;
+        return;
+    }
+    const double distance = glm::length(*light.target - light.position);
+    light.target =
+        widgets::moved_in_decimals(light.position, light.position + distance * direction, distance);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "widgets/image/camera_motion.h"
+#include "widgets/image/decimals.h"
 
 namespace ir::gui {
 namespace {
@@ -23,6 +24,11 @@ double full_intensity(double distance, double exposure) {
     return std::numbers::pi * distance * distance * std::exp2(-exposure);
 }
 
+/// The camera's own place keeps its digits.
+glm::dvec3 seen_place(const CameraPose& camera, const glm::dvec3& place) {
+    return widgets::in_decimals(place, widgets::height_at(camera, place));
+}
+
 LightSpec point_light(const glm::dvec3& position, double intensity) {
     LightSpec light;
     light.position = position;
@@ -37,7 +43,8 @@ LightSpec light_before(const engine::SurfacePoint& surface, const CameraPose& ca
                        const scene::Bounds& bounds, double exposure) {
     double distance = std::min(surface.free_way / 2, widgets::height_at(camera, surface.position) / 4);
     if (!bounds.empty()) distance = std::min(distance, double(bounds.radius()) / 10);
-    return point_light(surface.position + distance * surface.normal, full_intensity(distance, exposure));
+    return point_light(seen_place(camera, surface.position + distance * surface.normal),
+                       full_intensity(distance, exposure));
 }
 
 LightSpec light_from_camera(const CameraPose& camera, double aspect, const glm::dvec3& aim, double exposure) {
@@ -47,7 +54,7 @@ LightSpec light_from_camera(const CameraPose& camera, double aspect, const glm::
     LightSpec light;
     light.type = LightSpec::Type::spot;
     light.position = camera.eye;
-    light.target = aim;
+    light.target = seen_place(camera, aim);
     light.outer =
         std::round(std::clamp(glm::degrees(std::atan2(half_diagonal, distance)), min_angle, max_angle));
     light.inner = light.outer / 2;
@@ -67,7 +74,8 @@ LightSpec light_for_view(const CameraPose& camera, const scene::Bounds& bounds) 
     const bool is_inside =
         glm::all(glm::greaterThan(eye, bounds.min)) && glm::all(glm::lessThan(eye, bounds.max));
     const auto off = is_inside ? 0.35 * axes.forward + 0.1 * up : 0.4 * up - 0.5 * axes.right;
-    return point_light(camera.eye + distance * off, full_intensity(distance, 0));
+    return point_light(widgets::in_decimals(camera.eye + distance * off, distance),
+                       full_intensity(distance, 0));
 }
 
 }  // namespace ir::gui

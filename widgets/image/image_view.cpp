@@ -44,7 +44,7 @@ ImageView::ImageView(QWidget* parent, Surface surface)
         state_.camera = camera_.pose();
         if (!state_.light) return;
         if (!state_.light->moves()) state_.light->position = state_.camera.target;
-        overlay_->update();
+        update_hint();
     });
     connect(&light_tool_, &LightTool::moved, this, &ImageView::light_moved);
     connect(&light_tool_, &LightTool::turned, this, &ImageView::light_turned);
@@ -209,7 +209,7 @@ void ImageView::update_hint() {
                       ? tr("Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster")
                   : tool_ == Tool::rectangle
                       ? tr("Rectangle: drag to draw, move or resize  ·  arrows nudge  ·  Esc clears")
-                      : QString();
+                      : light_tool_.hint();
     state_.region_edited = tool_ == Tool::rectangle;
     repaint_all();
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "widgets/image/arrow_keys.h"
+#include "widgets/image/decimals.h"
 
 namespace ir::widgets {
 namespace {
@@ -93,9 +94,17 @@ void LightTool::drag(QPointF position) {
         sight_through(state_.camera, aspect_of(state_), {at.x() / size.width(), at.y() / size.height()});
     const auto light = drag_.to(sight);
     if (drag_.handle() == LightHandle::direction)
-        emit turned(light.direction);
+        turn_to(light.direction);
     else
-        emit moved(light.position);
+        move_to(light.position, drag_.start().position);
+}
+
+void LightTool::move_to(const glm::dvec3& position, const glm::dvec3& from) {
+    emit moved(moved_in_decimals(from, position, height_at(state_.camera, position)));
+}
+
+void LightTool::turn_to(const glm::dvec3& direction) {
+    emit turned(moved_in_decimals(state_.light->direction, direction, 1));
 }
 
 void LightTool::release() {
@@ -116,8 +125,10 @@ QString LightTool::hint() const {
         case LightHandle::direction:
             return tr("Drag turns the light; over the edge and back, to the other side  ·  Alt+arrows nudge");
         default:
-            return {};
+            break;
     }
+    if (!is_active() || seen_at(state_, state_.light->position)) return {};
+    return tr("%1 is at the camera or behind it  ·  Ctrl+↑ moves it ahead").arg(state_.light->name);
 }
 
 bool LightTool::takes(const QKeyEvent& event) const {
@@ -142,13 +153,12 @@ void LightTool::press_key(const QKeyEvent& event) {
     const double times = event.modifiers() & Qt::ShiftModifier ? nudge_large : 1;
     if (event.modifiers() & Qt::AltModifier) {
         const auto by = times * nudge_turn * arrow;
-        emit turned(widgets::turned(*state_.light, state_.camera, by.x, by.y).direction);
-        return;
+        return turn_to(widgets::turned(*state_.light, state_.camera, by.x, by.y).direction);
     }
     const auto by = times * nudge_step * arrow;
     const bool is_depth = event.modifiers() & Qt::ControlModifier;
     const auto along = is_depth ? glm::dvec3(0, 0, by.y) : glm::dvec3(by, 0);
-    emit moved(nudged(*state_.light, state_.camera, along).position);
+    move_to(nudged(*state_.light, state_.camera, along).position, state_.light->position);
 }
 
 void LightTool::finish_keys() {

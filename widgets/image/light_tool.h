@@ -24,7 +24,7 @@ class LightTool : public QObject {
     void press(QPointF position);
     void drag(QPointF position);
     void release();
-    /// How the handle under the cursor is used; empty: there is none.
+    /// How the handle under the cursor is used, or why there is none in sight; else empty.
     QString hint() const;
 
     /// Escape takes a drag back. Arrows move parallel to the picture, with Ctrl up and down nearer and
@@ -43,6 +43,8 @@ class LightTool : public QObject {
   private:
     bool is_active() const { return state_.light && state_.has_image(); }
     double length() const;
+    void move_to(const glm::dvec3& position, const glm::dvec3& from);
+    void turn_to(const glm::dvec3& direction);
 
     CanvasState& state_;
     QWidget& view_;

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "widgets/image/decimals.h"
 #include "widgets/image/image_view.h"
 
 namespace ir::widgets {
@@ -236,7 +237,7 @@ TEST_F(LightToolTest, ArrowsNudgeAndTurn) {
     EXPECT_GT(glm::dot(gone(Qt::Key_Up, Qt::NoModifier), axes.up), 0.01);
     EXPECT_NEAR(glm::dot(gone(Qt::Key_Up, Qt::ShiftModifier), axes.up) /
                     glm::dot(gone(Qt::Key_Up, Qt::NoModifier), axes.up),
-                10, 1e-6);
+                10, 0.5);
     EXPECT_GT(glm::dot(gone(Qt::Key_Up, Qt::ControlModifier), axes.forward), 0.01);
     QTest::mouseMove(&view, {20, 20});
     QTest::mouseMove(&view, place(centre));
@@ -248,6 +249,52 @@ TEST_F(LightToolTest, ArrowsNudgeAndTurn) {
     EXPECT_NE(light().direction, spot().direction);
     EXPECT_EQ(finished.count(), 7);
     EXPECT_TRUE(view.accessibleDescription().contains("Spot"));
+}
+
+TEST_F(LightToolTest, AHandLeavesNoMoreDecimalsThanAreSeen) {
+    view.setFocus();
+    const double height = height_at(camera_in_front(), spot().position);
+    ASSERT_TRUE(height > 1 && height < 10) << "so that millimetres are less than a pixel";
+    const auto are_few = [](const glm::dvec3& v) {
+        return glm::all(glm::lessThan(glm::abs(1000.0 * v - glm::round(1000.0 * v)), glm::dvec3(1e-9)));
+    };
+    auto odd = spot();
+    odd.position = {0.123456, 0.25, 1};
+    view.set_light(odd);
+    const auto from = place(y);
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from - QPoint(0, 7 * i));
+    QTest::mouseRelease(&view, Qt::LeftButton);
+    EXPECT_GT(light().position.y, 0.3);
+    EXPECT_EQ(light().position.x, 0.123456) << "what did not move keeps what was typed";
+    QTest::keyClick(&view, Qt::Key_Right, Qt::ShiftModifier);
+    QTest::keyClick(&view, Qt::Key_Up, Qt::ControlModifier);
+    EXPECT_TRUE(are_few(light().position)) << light().position.x << ' ' << light().position.z;
+    QTest::keyClick(&view, Qt::Key_Left, Qt::AltModifier);
+    EXPECT_TRUE(are_few(light().direction)) << light().direction.x;
+    EXPECT_EQ(in_decimals(0.30000001, 2), 0.3);
+    EXPECT_EQ(in_decimals(1234567, 8e6), 1235000);
+    EXPECT_EQ(in_decimals(0.5, 0), 0.5);
+}
+
+TEST_F(LightToolTest, ALightAtTheCameraSaysHowToBringItIntoSight) {
+    view.setFocus();
+    EXPECT_TRUE(view.state().hint.isEmpty());
+    auto light_of_camera = spot();
+    light_of_camera.position = camera_in_front().eye;
+    view.set_light(light_of_camera);
+    EXPECT_TRUE(view.state().hint.contains("Spot is at the camera"));
+    EXPECT_TRUE(view.state().hint.contains(QStringLiteral("Ctrl+↑")));
+    QTest::keyClick(&view, Qt::Key_Up, Qt::ControlModifier);
+    EXPECT_TRUE(seen_at(view.state(), light().position)) << "as the hint promises";
+    EXPECT_TRUE(view.state().hint.isEmpty());
+    view.set_light(light_of_camera);
+    view.camera().set_pose(orbited(camera_in_front(), 0.5, 0));
+    EXPECT_FALSE(view.state().hint.contains("behind")) << "the camera moved and sees it";
+    view.camera().set_pose(dollied(camera_in_front(), 0.5));
+    EXPECT_TRUE(view.state().hint.contains("behind"));
+    view.set_light({});
+    EXPECT_TRUE(view.state().hint.isEmpty());
 }
 
 TEST_F(LightToolTest, HandlesFollowTheCameraAndKeepTheirLength) {
