@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
-#include <QBuffer>
 #include <QElapsedTimer>
 #include <QLoggingCategory>
 #include <QSocketNotifier>
@@ -13,6 +12,7 @@
 
 #include "app/engine/interruption.h"
 #include "app/engine/version.h"
+#include "app/gui/card_picture.h"
 #include "app/gui/export_plot.h"
 #include "app/gui/exports.h"
 #include "app/gui/main_window.h"
@@ -28,8 +28,6 @@ namespace {
 /// Nothing was under way for so long before the window is grabbed; so often it is looked at.
 constexpr int settle_ms = 400, look_ms = 50;
 constexpr int failed = 1, bad_input = 3;
-/// Of a thumbnail: pixels across, bytes that its file may have, and quality of JPEG in percent.
-constexpr int card_width = 400, max_card_bytes = 60'000, card_quality = 88;
 
 struct Arguments {
     std::string project, layout, screenshot, thumbnail, size, plot, plot_file;
@@ -82,33 +80,6 @@ QStringList missing(MainWindow& window) {
     return reasons;
 }
 
-/// Of the first view that shows a picture, as a card of the start page has it: small, also as a file.
-QByteArray thumbnail_of(MainWindow& window) {
-    QImage picture;
-    for (const int view : window.workspace().area().open_views()) {
-        auto* pane = window.workspace().pane(view);
-        if (!pane || pane->content() == widgets::ViewPane::Content::table) continue;
-        picture = pane->snapshot(false);
-        if (pane->content() == widgets::ViewPane::Content::picture) {  // without what surrounds it
-            const auto& t = pane->compare().main_view().transform();
-            picture = picture.copy(QRectF(t.offset(), t.image_size() * t.zoom()).toRect() & picture.rect());
-        }
-        if (!picture.isNull()) break;
-    }
-    QByteArray bytes;
-    for (int width = card_width; !picture.isNull() && width > 32; width = width * 7 / 8) {
-        const QSize size(width, width * 9 / 16);
-        QImage small = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-        small = small.copy(
-            QRect(QPoint((small.width() - width) / 2, (small.height() - size.height()) / 2), size));
-        bytes.clear();
-        QBuffer buffer(&bytes);
-        small.save(&buffer, "JPEG", card_quality);
-        if (bytes.size() <= max_card_bytes) break;
-    }
-    return bytes;
-}
-
 /// Saves the window once nothing has been under way for a while, and ends the program. The state is looked at
 /// again and again: whatever forgot to say that it is done would be waited for in vain.
 void take_screenshot(MainWindow& window, const Arguments& arguments) {
@@ -128,7 +99,7 @@ void take_screenshot(MainWindow& window, const Arguments& arguments) {
                                  write_picture(QString::fromStdString(arguments.screenshot),
                                                window.grab().toImage());
                              if (!arguments.thumbnail.empty()) {
-                                 write_file(arguments.thumbnail, thumbnail_of(window).toStdString());
+                                 write_file(arguments.thumbnail, card_of(window.workspace()).toStdString());
                                  std::cout << double(begun.elapsed() - still.elapsed()) / 1000 << "\n";
                              }
                          } catch (const Error& error) {

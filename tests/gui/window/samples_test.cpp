@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/gui/card_picture.h"
 #include "app/gui/dialog_folder.h"
 #include "app/gui/known_projects.h"
 #include "tests/gui/window/window_fixture.h"
@@ -178,6 +179,34 @@ TEST(DialogFolder, ExportsGoWhereTheLastOneWent) {
     remember_export(last.path() + "/b.png");
     EXPECT_EQ(export_proposal("(a) LDMs", ".csv"), last.path() + "/a-LDMs.csv");
     QSettings().remove("export/folder");
+}
+
+TEST(CardPicture, IsTheWidePartWhereMostIsSeen) {
+    QImage picture(40, 80, QImage::Format_RGB32);
+    picture.fill(Qt::yellow);
+    const auto row_of = [&](int y) {
+        auto drawn = picture;
+        for (int x = 0; x < 40; x += 2) drawn.setPixelColor(x, y, Qt::blue);
+        const auto card = with_shape(drawn, {40, 20});
+        EXPECT_EQ(card.size(), QSize(40, 20));
+        for (int row = 0; row < 20; ++row)
+            if (card.pixelColor(0, row) == Qt::blue) return row;
+        return -1;
+    };
+    EXPECT_EQ(row_of(40), 10) << "the middle, where it will do";
+    EXPECT_GE(row_of(75), 0);
+    EXPECT_GE(row_of(3), 0);
+    EXPECT_EQ(with_shape(picture, {40, 10}).size(), QSize(40, 10));
+}
+
+TEST_F(WindowTest, ACardHasThePictureAndNothingAroundIt) {
+    open_scene();
+    window.view().set_legend(true);
+    const auto picture = picture_of(window.workspace().active_pane());
+    EXPECT_EQ(picture.size(), QSize(window.view().image().width, window.view().image().height));
+    for (int x : {0, picture.width() - 1})
+        EXPECT_NE(picture.pixelColor(x, 0), widgets::surround_colour) << "grey beside the picture";
+    EXPECT_FALSE(card_of(window.workspace()).isEmpty());
 }
 
 }  // namespace

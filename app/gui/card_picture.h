@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+
+#include "app/gui/workspace.h"
+
+namespace ir::gui {
+
+/// Without what surrounds it; what is not a picture, as it is seen. Null: a table.
+QImage picture_of(widgets::ViewPane& pane);
+/// The part of a picture with the shape of `size`, as large as it may be, where most is seen.
+QImage with_shape(const QImage& picture, QSize size);
+/// The first view that shows a picture as a card of the start page has it: small, also as a file. Empty where
+/// there is none.
+QByteArray card_of(Workspace& workspace);
+
+}  // namespace ir::gui
