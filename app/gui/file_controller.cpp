@@ -8,6 +8,7 @@
 #include <QMessageBox>
 #include <optional>
 
+#include "app/gui/card_picture.h"
 #include "app/gui/dialog_folder.h"
 #include "app/gui/exports.h"
 #include "projects/store.h"
@@ -102,8 +103,12 @@ void FileController::take(const QString& file) {
         notices_.attempt([&] { session_.files().add_scene(path); }, tr("Add scene"));
     else if (writable && ends_with(file, {".exr", ".png", ".hdr", ".jpg", ".jpeg", ".tif", ".tiff"}))
         notices_.attempt([&] { session_.files().add_image(path); }, tr("Add image"));
-    else if (may_discard())
-        open(file);
+    else
+        go_to(file);
+}
+
+void FileController::go_to(const QString& path) {
+    if (may_discard()) open(path);
 }
 
 void FileController::say_copy(const QString& sample, const projects::SampleCopy& copy) {
@@ -214,7 +219,7 @@ bool FileController::may_discard() {
 void FileController::save_thumbnail() {
     const auto shown = workspace_.active_pane().picture_at(0);
     if (shown && !shown->draft.isEmpty()) return;
-    const QImage picture = workspace_.active_pane().snapshot(false);
+    const QImage picture = picture_of(workspace_.active_pane());
     if (picture.isNull()) return;
     const QString file = thumbnail_file(QString::fromStdString(session_.open_project().folder().string()));
     QDir().mkpath(QFileInfo(file).path());
@@ -228,9 +233,7 @@ void FileController::save_thumbnail() {
 void FileController::update_recent() {
     recent_menu_->clear();
     for (const QString& path : recent_.paths())
-        recent_menu_->addAction(path, this, [this, path] {
-            if (may_discard()) open(path);
-        });
+        recent_menu_->addAction(path, this, [this, path] { go_to(path); });
     recent_menu_->setEnabled(!recent_menu_->isEmpty());
     welcome_.set_recent(recent_.all());
     welcome_.set_samples(samples_.all());

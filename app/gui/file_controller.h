@@ -26,6 +26,10 @@ class FileController : public QObject {
     bool open(const QString& path);
     /// A scene or an image becomes a part of the open project, everything else is opened.
     void take(const QString& file);
+    /// Opens it where what is open may go.
+    void go_to(const QString& path);
+    /// That come with the program, without their pictures.
+    std::vector<widgets::SampleProject> samples() const { return samples_.all(false); }
     bool save_as();
     /// Whether what is open may go: asks where something would be lost.
     bool may_discard();

@@ -155,7 +155,7 @@ projects::Json sample_index() {
     return projects::parse_json(list.readAll().toStdString(), file.string());
 }
 
-widgets::SampleProject sample_at(const std::filesystem::path& folder) {
+widgets::SampleProject sample_at(const std::filesystem::path& folder, bool with_picture) {
     widgets::SampleProject sample;
     sample.path = QString::fromStdString(folder.string());
     const auto document = peek(sample.path);
@@ -165,13 +165,13 @@ widgets::SampleProject sample_at(const std::filesystem::path& folder) {
     const auto colon = notes.indexOf(QStringLiteral(": "));
     sample.description = colon > 0 && colon < 80 ? notes.mid(colon + 2) : notes;
     if (!sample.description.isEmpty()) sample.description[0] = sample.description[0].toUpper();
-    sample.thumbnail = thumbnail_of(sample.path);
+    if (with_picture) sample.thumbnail = thumbnail_of(sample.path);
     return sample;
 }
 
 }  // namespace
 
-std::vector<widgets::SampleProject> Samples::all() const {
+std::vector<widgets::SampleProject> Samples::all(bool with_pictures) const {
     std::vector<widgets::SampleProject> samples;
     try {
         const auto index = sample_index();
@@ -179,7 +179,8 @@ std::vector<widgets::SampleProject> Samples::all() const {
         for (const auto& group : member_or_null(index, "groups"))
             for (const auto& id : member_or_null(group, "samples")) {
                 const auto name = id.get<std::string>();
-                auto sample = sample_at(samples_directory() / (name + projects::folder_suffix));
+                auto sample =
+                    sample_at(samples_directory() / (name + projects::folder_suffix), with_pictures);
                 sample.group = QString::fromStdString(field_or(group, "name", std::string()));
                 sample.seconds = field_or(seconds, name.c_str(), 0.0);
                 samples.push_back(std::move(sample));

@@ -39,7 +39,7 @@ class Samples {
     /// Without `remember` copies go with the program, and none of the user's is looked at.
     explicit Samples(bool remember);
     /// In the order of the samples' index; name and description are the project's own.
-    std::vector<widgets::SampleProject> all() const;
+    std::vector<widgets::SampleProject> all(bool with_pictures = true) const;
     static bool contains(const std::filesystem::path& path);
     projects::SampleCopy copy(const std::filesystem::path& sample) const;  ///< throws Error
 

@@ -18,6 +18,7 @@
 #include "app/gui/display_dock.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
+#include "renderers/core/resources_path.h"
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/style/icons.h"
 
@@ -80,7 +81,8 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       project_banners_(*this, session_, live_, *banners_),
       lights_(session_, renderer_, scenes_, workspace_, inspector_, actions_),
       light_mover_(session_, workspace_, *document_, actions_),
-      light_offer_(session_, scenes_, lights_, *banners_) {
+      light_offer_(session_, scenes_, lights_, *banners_),
+      finder_(*this, session_, workspace_, *document_, *parameters_, docks_, files_, actions_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
     setAcceptDrops(true);
@@ -117,6 +119,8 @@ void MainWindow::add_actions() {
                         [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     actions_.add("shortcuts", tr("&Keyboard shortcuts …"), nullptr, {K(Qt::Key_F1)},
                  [this] { show_shortcuts(); });
+    actions_.add("manual", tr("&Manual"), nullptr, {K(Qt::SHIFT | Qt::Key_F1)},
+                 [this] { show_page(text_of((data_directory() / "README.md").string())); });
     actions_.add("about", tr("&About Interreflect"), nullptr, {}, [this] { show_about(); });
 }
 
@@ -183,9 +187,10 @@ void MainWindow::make_menus() {
     actions_.fill(file, "| save save-as |");
     actions_.fill(file->addMenu(tr("&Export")), "export-view export-buffer export-values | export-all");
     actions_.fill(file, "| close quit");
-    add_menu(tr("&Edit"),
-             "undo redo | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
-             "scene-add image-add bookmark comparison-add | light-here light-camera headlight | preferences")
+    add_menu(
+        tr("&Edit"),
+        "undo redo find | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
+        "scene-add image-add bookmark comparison-add | light-here light-camera headlight | preferences")
         ->setToolTipsVisible(true);
     auto* experiment = new QMenu(this);
     actions_.fill(experiment,
@@ -213,7 +218,7 @@ void MainWindow::make_menus() {
                             "view-open view-close view-next view-previous |");
     docks_.fill(window);
     actions_.fill(window, "| layout-default full-screen");
-    add_menu(tr("&Help"), "shortcuts about");
+    add_menu(tr("&Help"), "manual shortcuts about");
 }
 
 void MainWindow::make_toolbar() {
@@ -274,6 +279,7 @@ void MainWindow::join_panels() {
         docks_.raise("project");
         document_->select(light);
     });
+    connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
     connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
     connect(&document_->tree(), &widgets::ProjectPanel::item_activated, &joins_,
@@ -433,6 +439,11 @@ void MainWindow::show_shortcuts() {
     auto* dialog = new widgets::ShortcutsDialog(actions_.in_order(), gestures, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->show();
+}
+
+void MainWindow::show_page(const QString& file) {
+    if (!manual_) manual_ = new widgets::ManualWindow(this);
+    manual_->show_page(file);
 }
 
 void MainWindow::show_about() {

@@ -7,6 +7,7 @@
 #include "app/gui/edit_controller.h"
 #include "app/gui/export_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/finder.h"
 #include "app/gui/frame_lists.h"
 #include "app/gui/light_controller.h"
 #include "app/gui/light_mover.h"
@@ -20,6 +21,7 @@
 #include "app/gui/scene_dock.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
+#include "widgets/panels/manual_window.h"
 #include "widgets/panels/notes_strip.h"
 
 class QLabel;
@@ -93,6 +95,7 @@ class MainWindow : public QMainWindow {
     void edit_in_document();
     void go_to(const Message& message);
     void end_work();
+    void show_page(const QString& file);
     void show_shortcuts();
     void show_about();
 
@@ -140,6 +143,8 @@ class MainWindow : public QMainWindow {
     LightController lights_;
     LightMover light_mover_;
     LightOffer light_offer_;
+    Finder finder_;
+    widgets::ManualWindow* manual_ = nullptr;
     QObject joins_;  ///< ends the connections between parts before the first of them goes
 };
 

@@ -29,17 +29,18 @@ ParameterDock::ParameterDock(Session& session, SceneShelf& scenes, Notices& noti
       scenes_(scenes),
       notices_(notices),
       experiment_(new widgets::ExperimentPanel),
-      parameters_(new widgets::ParameterPanel) {
-    auto* filter = new QLineEdit;
-    filter->setPlaceholderText(tr("Filter parameters"));
-    filter->setClearButtonEnabled(true);
-    connect(filter, &QLineEdit::textChanged, parameters_, &widgets::ParameterPanel::set_filter);
+      parameters_(new widgets::ParameterPanel),
+      filter_(new QLineEdit) {
+    filter_->setObjectName(QStringLiteral("parameter-filter"));
+    filter_->setPlaceholderText(tr("Filter parameters"));
+    filter_->setClearButtonEnabled(true);
+    connect(filter_, &QLineEdit::textChanged, parameters_, &widgets::ParameterPanel::set_filter);
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
     layout->addWidget(experiment_);
-    layout->addWidget(filter);
+    layout->addWidget(filter_);
     layout->addWidget(parameters_);
     layout->addStretch(1);
     setWidget(content);
@@ -134,6 +135,14 @@ void ParameterDock::use_scene_camera(const QString& name) {
         steps.push_back(edits::set_camera_of(after, id, camera.id));
         return edits::group("Use camera " + wanted, std::move(steps));
     });
+}
+
+void ParameterDock::show_parameter(const std::string& key) {
+    filter_->clear();
+    auto* row = parameters_->show_row(key);
+    if (!row) return;
+    widget()->layout()->activate();  // rows that were hidden have no place yet
+    ensureWidgetVisible(row, 0, height() / 3);
 }
 
 widgets::ExperimentFields ParameterDock::fields() const {

@@ -7,6 +7,8 @@
 #include "widgets/document/experiment_panel.h"
 #include "widgets/parameters/parameter_panel.h"
 
+class QLineEdit;
+
 namespace ir::gui {
 
 /// The experiment that is worked on: what it is made of and its method's parameters, joined to the session.
@@ -18,6 +20,8 @@ class ParameterDock : public QScrollArea {
     void set_menu(QMenu* menu) { experiment_->set_menu(menu); }
     /// A camera of the scene's file, by way of a camera of the document that stands for it.
     void use_scene_camera(const QString& name);
+    /// Scrolls to a parameter of the method and gives it the keyboard.
+    void show_parameter(const std::string& key);
 
   private:
     void connect_experiment();
@@ -39,6 +43,7 @@ class ParameterDock : public QScrollArea {
     Notices& notices_;
     widgets::ExperimentPanel* experiment_;
     widgets::ParameterPanel* parameters_;
+    QLineEdit* filter_;
 };
 
 }  // namespace ir::gui

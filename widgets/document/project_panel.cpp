@@ -49,12 +49,14 @@ ProjectPanel::ProjectPanel(QWidget* parent)
         [this](const ItemRef& item, int position) { move_to(item, position); },
         Qt::QueuedConnection);  // a drag must be over before the tree changes
     connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] { announce(); });
-    connect(view_, &QTreeView::activated, this, [this](const QModelIndex& at) {
-        const ItemRef item = model_->item(filter_->mapToSource(at));
-        if (item.is_valid()) emit item_activated(item);
-    });
+    connect(view_, &QTreeView::activated, this,
+            [this](const QModelIndex& at) { activate(model_->item(filter_->mapToSource(at))); });
     connect(view_, &QWidget::customContextMenuRequested, this, &ProjectPanel::show_menu);
     update_actions();
+}
+
+void ProjectPanel::activate(const ItemRef& item) {
+    if (item.is_valid()) emit item_activated(item);
 }
 
 void ProjectPanel::set_project(const projects::Project& project, const Registry& registry, bool read_only,

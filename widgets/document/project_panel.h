@@ -38,6 +38,8 @@ class ProjectPanel : public QWidget {
     /// Selects it in the tree, as a click does.
     void select(const ItemRef& item);
     ItemRef selected() const;
+    /// As a double click does.
+    void activate(const ItemRef& item);
     ProjectModel& model() { return *model_; }
     ProjectTree* view() { return view_; }
 

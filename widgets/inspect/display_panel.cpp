@@ -67,6 +67,7 @@ DisplayPanel::DisplayPanel(QWidget* parent) : QWidget(parent) {
 void DisplayPanel::make_histogram(QBoxLayout* page) {
     title_ = new QLabel(this);
     title_->setMinimumWidth(1);
+    title_->setWordWrap(true);
     page->addWidget(title_);
     histogram_ = new HistogramView(this);
     page->addWidget(histogram_);

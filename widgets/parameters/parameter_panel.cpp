@@ -95,6 +95,15 @@ void ParameterPanel::set_filter(const QString& text) {
     update_rows();
 }
 
+QWidget* ParameterPanel::show_row(const std::string& key) {
+    const auto found = rows_.find(key);
+    if (found == rows_.end()) return nullptr;
+    auto* editor = found->second.editor;
+    unfold_section_of(*editor);
+    editor->setFocus(Qt::ShortcutFocusReason);
+    return editor;
+}
+
 void ParameterPanel::update_rows() {
     for (const auto& parameter : parameters_) {
         FormRow& row = rows_.at(parameter.key);

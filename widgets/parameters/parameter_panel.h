@@ -33,6 +33,9 @@ class ParameterPanel : public QWidget {
     void set_fixed(const std::map<std::string, QString>& reasons);
     /// Hides the rows whose label, key or doc does not contain the text.
     void set_filter(const QString& text);
+    /// Unfolds the section of a parameter and gives its editor the keyboard. Returns the editor; null: there
+    /// is no such row.
+    QWidget* show_row(const std::string& key);
 
   signals:
     void value_chosen(const std::string& key, const ir::Value& value);

@@ -6,6 +6,11 @@
 #include <QWidget>
 
 namespace ir::widgets {
+namespace {
+
+constexpr const char* header_property = "section-header";
+
+}  // namespace
 
 QGridLayout* make_section(const QString& title, QWidget* parent) {
     auto* header = new QToolButton(parent);
@@ -21,6 +26,7 @@ QGridLayout* make_section(const QString& title, QWidget* parent) {
                        "3px; padding: 4px; "
                        "text-align: left; font-weight: bold; }"));
     auto* body = new QWidget(parent);
+    body->setProperty(header_property, QVariant::fromValue(header));
     auto* grid = new QGridLayout(body);
     grid->setContentsMargins(8, 4, 4, 8);
     grid->setHorizontalSpacing(8);
@@ -34,6 +40,12 @@ QGridLayout* make_section(const QString& title, QWidget* parent) {
     parent->layout()->addWidget(header);
     parent->layout()->addWidget(body);
     return grid;
+}
+
+void unfold_section_of(const QWidget& row) {
+    auto* body = row.parentWidget();
+    auto* header = body ? body->property(header_property).value<QToolButton*>() : nullptr;
+    if (header) header->setChecked(true);
 }
 
 }  // namespace ir::widgets

@@ -1,0 +1,121 @@
+#include "app/gui/finder.h"
+
+#include <QAction>
+
+#include "app/gui/text_of.h"
+#include "renderers/core/resources_path.h"
+#include "renderers/scene/builtin/registry.h"
+#include "widgets/document/project_nodes.h"
+#include "widgets/panels/action_text.h"
+#include "widgets/panels/manual_window.h"
+
+namespace ir::gui {
+
+using widgets::Findable;
+using widgets::ItemKind;
+
+Finder::Finder(QWidget& window, Session& session, Workspace& workspace, DocumentDock& document,
+               ParameterDock& parameters, DockLayout& docks, FileController& files, Actions& actions)
+    : window_(window),
+      session_(session),
+      workspace_(workspace),
+      document_(document),
+      parameters_(parameters),
+      docks_(docks),
+      files_(files),
+      actions_(actions) {
+    actions_.add("find", tr("&Find anything …"), nullptr, {QKeySequence(Qt::CTRL | Qt::Key_P)},
+                 [this] { open(); });
+}
+
+void Finder::open() {
+    auto* dialog = new widgets::FinderDialog(all(), &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+std::vector<Findable> Finder::all() {
+    std::vector<Findable> all;
+    if (session_.has_project()) {
+        add_buffers(all);
+        add_parameters(all);
+        add_items(all);
+    }
+    add_actions(all);
+    add_samples(all);
+    add_pages(all);
+    return all;
+}
+
+void Finder::add_buffers(std::vector<Findable>& all) {
+    auto& views = workspace_.views();
+    const auto& pictures = views.pictures();
+    const auto owner = views.active_state().a.owner;
+    for (const auto& output : pictures.outputs(owner)) {
+        const auto key = text_of(output.key);
+        all.push_back({tr("Buffer"), output.label, output.group, key + QLatin1Char('\n') + output.doc});
+        all.back().go = [this, key = output.key] { workspace_.views().show_output(key); };
+    }
+}
+
+void Finder::add_parameters(std::vector<Findable>& all) {
+    const auto* method = session_.method();
+    if (!method) return;
+    for (const auto& parameter : method->parameters) {
+        all.push_back(
+            {tr("Parameter"), text_of(parameter.label), text_of(parameter.key), text_of(parameter.doc)});
+        all.back().go = [this, key = parameter.key] {
+            docks_.raise("parameters");
+            parameters_.show_parameter(key);
+        };
+    }
+}
+
+/// With what a double click on them in the tree does.
+void Finder::add_items(std::vector<Findable>& all) {
+    const auto nodes = widgets::project_nodes(session_.document(), session_.registry());
+    for (const auto& group : nodes->children)
+        for (const auto& node : group->children) {
+            if (!node->item.is_valid()) continue;
+            auto kind = widgets::kind_word(node->item.kind);
+            kind[0] = kind[0].toUpper();
+            all.push_back({kind, node->name, node->detail, node->tooltip});
+            all.back().go = [this, item = node->item] {
+                docks_.raise("project");
+                document_.select(item);
+                document_.tree().activate(item);
+            };
+        }
+}
+
+void Finder::add_actions(std::vector<Findable>& all) {
+    for (auto* action : actions_.in_order()) {
+        if (action->objectName() == QLatin1String("find")) continue;
+        Findable found{tr("Action"), widgets::plain_text(action->text()), widgets::menu_title(*action),
+                       action->toolTip(), widgets::keys_of(*action)};
+        if (!action->isEnabled()) found.why_not = tr("cannot be done now");
+        found.go = [action] { action->trigger(); };
+        all.push_back(std::move(found));
+    }
+}
+
+void Finder::add_samples(std::vector<Findable>& all) {
+    for (const auto& scene : scene::builtin::descriptions()) {
+        const auto source = QStringLiteral("builtin:") + text_of(scene.name);
+        all.push_back({tr("Scene"), source, tr("new project"), text_of(scene.doc)});
+        all.back().go = [this, source] { files_.go_to(source); };
+    }
+    for (const auto& sample : files_.samples()) {
+        all.push_back({tr("Sample"), sample.name, sample.group, sample.description});
+        all.back().go = [this, path = sample.path] { files_.go_to(path); };
+    }
+}
+
+void Finder::add_pages(std::vector<Findable>& all) {
+    for (const auto& page : widgets::manual_pages(text_of(data_directory().string()))) {
+        all.push_back({tr("Manual"), page.title, page.place, page.headings});
+        all.back().go = [this, file = page.file] { emit page_wanted(file); };
+    }
+}
+
+}  // namespace ir::gui

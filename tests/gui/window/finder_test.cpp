@@ -1,0 +1,186 @@
+#include <QLineEdit>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTreeWidget>
+
+#include "tests/gui/window/window_fixture.h"
+#include "widgets/panels/finder_dialog.h"
+#include "widgets/panels/manual_window.h"
+
+namespace ir::gui {
+namespace {
+
+class FinderTest : public WindowTest {
+  protected:
+    widgets::FinderDialog* box() {
+        for (auto* each : window.findChildren<widgets::FinderDialog*>())
+            if (each->isVisible()) return each;
+        return nullptr;
+    }
+    /// By its key, then the words.
+    void find(const char* words) {
+        QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
+        ASSERT_TRUE(box());
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(box()));
+        QTest::keyClicks(box()->findChild<QLineEdit*>(), words);
+    }
+    QTreeWidget& list() { return *box()->findChild<QTreeWidget*>(); }
+    std::string first(int column = 1) {
+        const auto* item = list().topLevelItem(0);
+        return item ? item->text(column).toStdString() : "nothing";
+    }
+    void enter() {
+        QTest::keyClick(box()->findChild<QLineEdit*>(), Qt::Key_Return);
+        EXPECT_FALSE(box());
+        ASSERT_TRUE(settle());
+    }
+};
+
+TEST_F(FinderTest, GoesToABufferInTheActiveView) {
+    open_scene();
+    find("dep buf");
+    EXPECT_EQ(first(), "Depth");
+    enter();
+    EXPECT_EQ(window.views().shown_key(), "depth");
+    EXPECT_TRUE(window.view().hasFocus() || window.isActiveWindow());
+}
+
+TEST_F(FinderTest, GivesAParameterTheKeyboard) {
+    open_scene();
+    window.docks().raise("project");
+    window.findChild<QLineEdit*>("parameter-filter")->setText("items");
+    find("maxdist");
+    EXPECT_EQ(first(), "Maximum distance") << "with letters left out";
+    enter();
+    EXPECT_TRUE(window.docks().is_seen("parameters"));
+    auto* editor = window.findChild<QWidget*>("editor:max_distance");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return editor->isAncestorOf(QApplication::focusWidget()); }));
+    EXPECT_TRUE(editor->isVisible()) << "the filter does not hide it";
+}
+
+TEST_F(FinderTest, LooksAtExperimentsAndThroughCameras) {
+    open_scene();
+    add_second_experiment(0.75);
+    const auto second = window.session().document().experiments.back();
+    const auto name = QString::fromStdString(second.name);
+    trigger("bookmark");
+    find((name + " experiment").toUtf8().constData());
+    EXPECT_EQ(first(0), "Experiment");
+    EXPECT_EQ(first(), second.name);
+    enter();
+    EXPECT_EQ(window.session().experiment()->id, second.id);
+    EXPECT_EQ(window.views().active_state().a.owner, second.id);
+    const auto camera = window.session().document().cameras.back();
+    find(("camera " + camera.name).c_str());
+    EXPECT_EQ(first(0), "Camera");
+    enter();
+    EXPECT_EQ(window.session().experiment()->camera, camera.id);
+    EXPECT_TRUE(window.docks().is_seen("project"));
+}
+
+TEST_F(FinderTest, CarriesActionsOutAndShowsTheirKeys) {
+    find("full screen");
+    EXPECT_EQ(first(), "Full screen");
+    EXPECT_EQ(first(3), "F11");
+    EXPECT_EQ(first(2), "Window");
+    QTest::keyClick(box(), Qt::Key_Escape);
+    EXPECT_FALSE(box());
+    find("duplicate experiment");
+    ASSERT_NE(first(), "nothing");
+    QTest::keyClick(box()->findChild<QLineEdit*>(), Qt::Key_Return);
+    EXPECT_TRUE(box()) << "without a project it cannot be done, and the line says so";
+    EXPECT_EQ(first(2), "cannot be done now");
+    QTest::keyClick(box(), Qt::Key_Escape);
+    open_scene();
+    find("duplicate experiment");
+    enter();
+    EXPECT_EQ(window.session().document().experiments.size(), 2u);
+}
+
+TEST_F(FinderTest, ArrowsAndTheMouseChoose) {
+    open_scene();
+    find("buffer");
+    ASSERT_GT(list().topLevelItemCount(), 3);
+    auto* line = box()->findChild<QLineEdit*>();
+    QTest::keyClick(line, Qt::Key_Down);
+    QTest::keyClick(line, Qt::Key_Down);
+    QTest::keyClick(line, Qt::Key_Up);
+    EXPECT_EQ(list().currentItem(), list().topLevelItem(1));
+    auto* chosen = list().topLevelItem(2);
+    const auto name = chosen->text(1);
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(chosen).center());
+    EXPECT_FALSE(box());
+    ASSERT_TRUE(settle());
+    const auto outputs = window.views().pictures().outputs(window.session().experiment()->id);
+    const auto* shown = window.views().pictures().find(outputs, window.views().active_state().a.output);
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->label, name);
+}
+
+TEST_F(FinderTest, OpensSamplesAndPagesOfTheManual) {
+    find("sample conference room");
+    EXPECT_EQ(first(0), "Sample");
+    QTest::keyClick(box(), Qt::Key_Escape);
+    find("scene cornell");
+    EXPECT_EQ(first(), "builtin:cornell");
+    enter();
+    EXPECT_TRUE(window.session().has_project());
+    find("manual metrics");
+    EXPECT_EQ(first(), "Metrics");
+    enter();
+    auto* manual = window.findChild<widgets::ManualWindow*>();
+    ASSERT_TRUE(manual);
+    EXPECT_TRUE(manual->isVisible());
+    EXPECT_EQ(manual->page().fileName(), "metrics.md");
+    EXPECT_TRUE(manual->findChild<QTextBrowser*>()->toPlainText().contains("RMSE"));
+    manual->close();
+}
+
+TEST_F(FinderTest, NothingFitsIsSaid) {
+    find("xyzzy qqq");
+    EXPECT_EQ(list().topLevelItemCount(), 0);
+    QTest::keyClick(box()->findChild<QLineEdit*>(), Qt::Key_Return);
+    ASSERT_TRUE(box());
+    QTest::keyClick(box(), Qt::Key_Escape);
+}
+
+TEST(Manual, LinksLeadFromPageToPage) {
+    const auto pages = widgets::manual_pages(SOURCE_ROOT);
+    ASSERT_GT(pages.size(), 20u);
+    EXPECT_EQ(pages.front().title, "Interreflect");
+    for (const auto& page : pages) EXPECT_FALSE(page.title.isEmpty()) << page.file.toStdString();
+    widgets::ManualWindow manual(nullptr);
+    manual.show_page(pages.front().file);
+    auto* browser = manual.findChild<QTextBrowser*>();
+    emit browser->anchorClicked(QUrl("docs/methods/ldm-ao.md"));
+    EXPECT_EQ(manual.page().fileName(), "ldm-ao.md");
+    emit browser->anchorClicked(QUrl("../accuracy.md#light-of-whole-rooms"));
+    EXPECT_EQ(manual.page().fileName(), "accuracy.md");
+    EXPECT_EQ(browser->textCursor().block().text(), "Light of whole rooms");
+    browser->backward();
+    EXPECT_EQ(manual.page().fileName(), "ldm-ao.md");
+}
+
+TEST(Finder, OrdersWhatFitsByHowWell) {
+    const std::vector<widgets::Findable> all{
+        {"Buffer", "Shading normal", "G-buffer", "gbuffer.normal"},
+        {"Buffer", "Normals of photons", "splatting"},
+        {"Action", "Abnormal", "View"},
+        {"Parameter", "Nominal resolution", "size", "of maps"},
+        {"Sample", "Fig. 9", "normal maps"},
+    };
+    const auto names = [&](const char* query) {
+        QStringList list;
+        for (const auto i : widgets::found(query, all)) list << all[i].name;
+        return list;
+    };
+    EXPECT_EQ(names("normal"), QStringList({"Normals of photons", "Shading normal", "Abnormal", "Fig. 9"}));
+    EXPECT_EQ(names("normal buffer"), QStringList({"Normals of photons", "Shading normal"}));
+    EXPECT_EQ(names("GBUFFER.N"), QStringList({"Shading normal"})) << "by its key";
+    EXPECT_EQ(names("nomres"), QStringList({"Nominal resolution"}));
+    EXPECT_EQ(names("").size(), 5);
+    EXPECT_EQ(names("normal x").size(), 0);
+}
+
+}  // namespace
+}  // namespace ir::gui

@@ -1,0 +1,117 @@
+#include "widgets/panels/manual_window.h"
+
+#include <QAction>
+#include <QDesktopServices>
+#include <QDir>
+#include <QStyle>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace ir::widgets {
+namespace {
+
+ManualPage page_of(const QString& file, const QString& place) {
+    ManualPage page{file, QFileInfo(file).completeBaseName(), place, {}};
+    QFile text(file);
+    if (!text.open(QIODevice::ReadOnly)) return page;
+    QStringList headings;
+    bool in_code = false;
+    for (const auto& line : QString::fromUtf8(text.readAll()).split(QLatin1Char('\n'))) {
+        if (line.startsWith(QLatin1String("```"))) in_code = !in_code;
+        if (in_code) continue;
+        if (line.startsWith(QLatin1String("# "))) page.title = line.sliced(2);
+        if (line.startsWith(QLatin1String("## "))) headings << line.sliced(3);
+    }
+    page.headings = headings.join(QLatin1Char('\n'));
+    return page;
+}
+
+/// As GitHub names headings.
+QString name_of(const QString& heading) {
+    QString name;
+    for (const QChar letter : heading.toLower())
+        if (letter.isLetterOrNumber() || letter == QLatin1Char('-') || letter == QLatin1Char('_'))
+            name += letter;
+        else if (letter == QLatin1Char(' '))
+            name += QLatin1Char('-');
+    return name;
+}
+
+}  // namespace
+
+std::vector<ManualPage> manual_pages(const QString& folder) {
+    std::vector<ManualPage> pages;
+    const auto add = [&](const QString& place) {
+        const QDir files(place.isEmpty() ? folder : folder + QLatin1Char('/') + place);
+        for (const auto& name : files.entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name)) {
+            const bool is_first = name == QLatin1String("README.md");
+            pages.insert(is_first ? pages.begin() : pages.end(), page_of(files.filePath(name), place));
+        }
+    };
+    for (const char* place : {"docs", "docs/methods", ""}) add(QLatin1String(place));
+    return pages;
+}
+
+ManualWindow::ManualWindow(QWidget* parent) : QWidget(parent, Qt::Window), browser_(new QTextBrowser(this)) {
+    setWindowTitle(tr("Manual"));
+    setObjectName(QStringLiteral("manual"));
+    resize(860, 760);
+    auto* bar = new QToolBar(this);
+    const auto add = [&](QStyle::StandardPixmap drawing, const QString& text, QKeySequence::StandardKey key,
+                         auto slot) {
+        auto* action = bar->addAction(style()->standardIcon(drawing), text, browser_, slot);
+        action->setShortcuts(key);
+        return action;
+    };
+    auto* back = add(QStyle::SP_ArrowBack, tr("Back"), QKeySequence::Back, &QTextBrowser::backward);
+    auto* forward =
+        add(QStyle::SP_ArrowForward, tr("Forward"), QKeySequence::Forward, &QTextBrowser::forward);
+    for (auto* action : {back, forward}) action->setEnabled(false);
+    connect(browser_, &QTextBrowser::backwardAvailable, back, &QAction::setEnabled);
+    connect(browser_, &QTextBrowser::forwardAvailable, forward, &QAction::setEnabled);
+    browser_->setOpenLinks(false);
+    browser_->setFrameShape(QFrame::NoFrame);
+    browser_->document()->setDocumentMargin(16);
+    connect(browser_, &QTextBrowser::anchorClicked, this, &ManualWindow::follow);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar);
+    layout->addWidget(browser_);
+}
+
+void ManualWindow::show_page(const QString& file) {
+    follow(QUrl::fromLocalFile(file));
+    show();
+    raise();
+    activateWindow();
+}
+
+QUrl ManualWindow::page() const {
+    return browser_->source();
+}
+
+void ManualWindow::follow(const QUrl& link) {
+    const auto target = browser_->source().resolved(link);
+    if (!target.isLocalFile() || !target.path().endsWith(QLatin1String(".md"))) {
+        QDesktopServices::openUrl(target);
+        return;
+    }
+    const auto page = target.adjusted(QUrl::RemoveFragment);
+    if (page != browser_->source()) browser_->setSource(page, QTextDocument::MarkdownResource);
+    setWindowTitle(tr("%1 – Manual").arg(page_of(page.toLocalFile(), {}).title));
+    if (target.hasFragment()) go_to_heading(target.fragment());
+}
+
+void ManualWindow::go_to_heading(const QString& name) {
+    for (auto block = browser_->document()->begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0 || name_of(block.text()) != name) continue;
+        browser_->setTextCursor(QTextCursor(browser_->document()->lastBlock()));
+        browser_->setTextCursor(QTextCursor(block));  // so that it stands at the top
+        return;
+    }
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QUrl>
+#include <QWidget>
+#include <vector>
+
+class QAction;
+class QTextBrowser;
+
+namespace ir::widgets {
+
+/// A page of the manual, a Markdown file.
+struct ManualPage {
+    QString file, title;
+    QString place;     ///< folder below the manual's, empty at the top
+    QString headings;  ///< those below the title, by lines
+};
+/// README.md, then docs/, its folders and the other pages beside it, below `folder`. Empty where there are
+/// none.
+std::vector<ManualPage> manual_pages(const QString& folder);
+
+/// Shows pages of the manual. Links lead from page to page, and others to the desktop's browser.
+class ManualWindow : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ManualWindow(QWidget* parent);
+    void show_page(const QString& file);
+    QUrl page() const;
+
+  private:
+    void follow(const QUrl& link);
+    /// To the heading that a link calls by its words: "what-to-expect".
+    void go_to_heading(const QString& name);
+
+    QTextBrowser* browser_;
+};
+
+}  // namespace ir::widgets
