@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/hbao/host/march_on_host.h"
 
 namespace ir::methods::hbao {
 namespace {
@@ -23,6 +24,22 @@ void march_directions(graph::PassContext& context, graph::ImageRef sums, int fir
     const auto shape = context.shape(sums);
     program.dispatch(shape.width, shape.height);
     context.barrier();
+}
+
+void march_on_device(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                     const Parameters& parameters, graph::ImageRef sums) {
+    const int at_once = std::max(1, steps_per_dispatch / parameters.steps), all = parameters.directions;
+    builder.pass("march")
+        .has_two_bodies()
+        .reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
+        .writes("sums", sums)
+        .execute_sliced((all + at_once - 1) / at_once,
+                        [=](graph::PassContext& context, graph::Slice slice) {
+                            for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end); ++i)
+                                march_directions(context, sums, i * at_once,
+                                                 std::min(all, (i + 1) * at_once));
+                        },
+                        1);
 }
 
 void resolve(graph::GraphBuilder& builder, const Marched& marched) {
@@ -60,16 +77,10 @@ Marched march(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, cons
          .format = gl::Format::rgba32f});
     marched.raw = builder.output("hbao.raw", {.format = gl::Format::r32f});
     marched.cut = builder.output("hbao.cut", {.format = gl::Format::r32f});
-    const int at_once = std::max(1, steps_per_dispatch / parameters.steps), all = parameters.directions;
-    auto pass = builder.pass("march");
-    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes("sums", marched.sums);
-    pass.execute_sliced((all + at_once - 1) / at_once,
-                        [sums = marched.sums, at_once, all](graph::PassContext& context, graph::Slice slice) {
-                            for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end); ++i)
-                                march_directions(context, sums, i * at_once,
-                                                 std::min(all, (i + 1) * at_once));
-                        },
-                        1);
+    if (builder.inputs().processor == Processor::host)
+        march_on_host(builder, gbuffer, parameters, marched.sums);
+    else
+        march_on_device(builder, gbuffer, parameters, marched.sums);
     resolve(builder, marched);
     return marched;
 }

@@ -15,13 +15,14 @@ namespace {
 class HbaoTest : public PassTest {
   protected:
     Image render(const Shot& shot, const Settings& settings, const std::string& key = "accessibility",
-                 Inspection picked = {}) {
+                 Inspection picked = {}, Processor body = Processor::gl) {
         const auto& all = methods::all_methods();
         const auto method =
             std::find_if(all.begin(), all.end(), [](const auto* m) { return m->description.id == "hbao"; });
         if (method == all.end()) throw std::runtime_error("hbao is not registered");
         auto inputs = shot.inputs();
         inputs.inspection = std::move(picked);
+        inputs.processor = body;
         graph::FrameOptions options;
         options.wanted = {"*"};
         report =
@@ -50,8 +51,44 @@ TEST_F(HbaoTest, OfAnOpenPlaneIsExactlyOne) {
                     settings["weighting"] = std::string(weighting);
                     settings["angle_bias"] = bias;
                     settings["turning"] = std::string("pattern");
-                    const auto image = render({"builtin:plane", name, 48, 48}, settings);
-                    for (const float value : image.pixels) ASSERT_EQ(value, 1) << name << weighting << bias;
+                    for (const auto body : {Processor::gl, Processor::host}) {
+                        const auto image =
+                            render({"builtin:plane", name, 48, 48}, settings, "accessibility", {}, body);
+                        for (const float value : image.pixels)
+                            ASSERT_EQ(value, 1) << name << weighting << bias;
+                    }
+                }
+}
+
+/// Both march through what rays found, so that only rounding is between them. It may put a sample into the
+/// next pixel, which changes one direction of some.
+TEST_F(HbaoTest, TheHostMarchesAsTheDevice) {
+    for (const char* weighting : {"cosine", "published"})
+        for (const char* turning : {"none", "pattern", "hash"})
+            for (const double radius : {0.0, 1.0})
+                for (const char* falloff : {"hard", "smooth"}) {
+                    const std::string what =
+                        std::string(weighting) + ' ' + turning + ' ' + falloff + ' ' + std::to_string(radius);
+                    const Settings settings{{"weighting", std::string(weighting)},
+                                            {"turning", std::string(turning)},
+                                            {"falloff", std::string(falloff)},
+                                            {"max_distance", radius},
+                                            {"directions", std::int64_t{7}},
+                                            {"steps", std::int64_t{9}},
+                                            {"blur", false}};
+                    const Shot shot("builtin:still-life", "", 61, 43);
+                    const auto device = render(shot, settings, "hbao.sums");
+                    const auto host = render(shot, settings, "hbao.sums", {}, Processor::host);
+                    for (const auto& pass : report.passes)
+                        if (pass.name == "march") EXPECT_EQ(pass.queue, "cpu");
+                    std::size_t apart = 0;
+                    double mean[2] = {};
+                    for (std::size_t i = 0; i < host.pixels.size(); ++i) {
+                        apart += !(std::abs(host.pixels[i] - device.pixels[i]) <= 0.02f);
+                        mean[0] += device.pixels[i], mean[1] += host.pixels[i];
+                    }
+                    EXPECT_LT(double(apart), 0.02 * double(host.pixels.size())) << what;
+                    EXPECT_NEAR(mean[1] / mean[0], 1, 1e-3) << what;
                 }
 }
 

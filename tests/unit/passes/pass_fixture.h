@@ -153,14 +153,13 @@ class PassTest : public DeviceTest {
         inputs.processor = processor();
         return run(inputs, setup);
     }
-    FrameReport run(const graph::FrameInputs& inputs, const Setup& setup,
-                    const std::vector<std::string>& wanted = {"*"}) {
+    FrameReport run(const graph::FrameInputs& inputs, const Setup& setup) {
         graph::Method method;
         method.description.id = "test";
         method.description.outputs = outputs();
         method.setup = [&](graph::GraphBuilder& builder, const Settings&) { setup(builder); };
         graph::FrameOptions options;
-        options.wanted = wanted;
+        options.wanted = {"*"};
         return run_method(method, {}, inputs, options);
     }
     /// `run`: what tests differ in, with wanted, initial_capacity and inspection.

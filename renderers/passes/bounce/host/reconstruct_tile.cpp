@@ -10,7 +10,7 @@
 #define HWY_TARGET_INCLUDE "renderers/passes/bounce/host/reconstruct_tile.cpp"
 #include <hwy/foreach_target.h>
 
-#include "renderers/passes/vectors/floats.inl"
+#include "renderers/passes/vectors/vectors3.inl"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -19,48 +19,17 @@ namespace ir::passes::bounce::HWY_NAMESPACE {
 namespace {
 
 using namespace vectors::HWY_NAMESPACE;
+using vectors::HWY_NAMESPACE::set;
 
 static_assert(FilterTile::width % lanes == 0);
 constexpr float one_over_pi = std::numbers::inv_pi_v<float>;
 
-Floats set(float value) {
-    return hn::Set(f, value);
-}
 Floats load(const Plane& plane, std::size_t at) {
     return hn::LoadU(f, plane.data() + at);
 }
 
-struct Vector3 {
-    Floats x, y, z;
-};
 Vector3 load(const Planes& planes, std::size_t at) {
     return {load(planes[0], at), load(planes[1], at), load(planes[2], at)};
-}
-HWY_INLINE Floats dot(const Vector3& a, const Vector3& b) {
-    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
-}
-HWY_INLINE Vector3 plus(const Vector3& a, const Vector3& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-HWY_INLINE Vector3 minus(const Vector3& a, const Vector3& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-HWY_INLINE Vector3 times(const Vector3& a, Floats b) {
-    return {hn::Mul(a.x, b), hn::Mul(a.y, b), hn::Mul(a.z, b)};
-}
-HWY_INLINE Vector3 times(const Vector3& a, const Vector3& b) {
-    return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
-}
-HWY_INLINE Vector3 masked(Mask where, const Vector3& a) {
-    return {hn::IfThenElseZero(where, a.x), hn::IfThenElseZero(where, a.y), hn::IfThenElseZero(where, a.z)};
-}
-HWY_INLINE Vector3 add_product(const Vector3& a, Floats b, const Vector3& c) {
-    return {hn::MulAdd(a.x, b, c.x), hn::MulAdd(a.y, b, c.y), hn::MulAdd(a.z, b, c.z)};
-}
-HWY_INLINE Floats squared_cross(const Vector3& a, const Vector3& b) {
-    const Vector3 c{hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
-                    hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
-    return dot(c, c);
 }
 HWY_INLINE Mask is_positive(Floats a) {
     return hn::Gt(a, hn::Zero(f));
