@@ -126,7 +126,7 @@ TEST_F(FinderTest, OpensSamplesAndPagesOfTheManual) {
     enter();
     EXPECT_TRUE(window.session().has_project());
     find("manual metrics");
-    EXPECT_EQ(first(), "Metrics");
+    EXPECT_EQ(first(), "Metrics and differences");
     enter();
     auto* manual = window.findChild<widgets::ManualWindow*>();
     ASSERT_TRUE(manual);
