@@ -75,10 +75,17 @@ void paint_arrow(QPainter& painter, QPointF from, QPointF to, const QColor& colo
 void paint_outline(QPainter& painter, const CanvasState& state, double length, qreal ratio) {
     const auto outline = outline_of(*state.light, length);
     const auto count = outline.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto from = seen_at(state, outline[i]), to = seen_at(state, outline[(i + 1) % count]);
-        if (from && to) paint_line(painter, {*from, *to}, lamp_colour, 1, ratio);
-    }
+    QPolygonF line;
+    const auto finish = [&] {
+        if (line.size() > 1) paint_line(painter, line, lamp_colour, 1, ratio);
+        line.clear();
+    };
+    for (std::size_t i = 0; count > 0 && i <= count; ++i)
+        if (const auto at = seen_at(state, outline[i % count]))
+            line << *at;
+        else
+            finish();
+    finish();
     if (state.light->shape != PlacedLight::Shape::cone) return;
     const auto tip = seen_at(state, state.light->position);
     for (std::size_t i = 0; i < count; i += count / 4)

@@ -160,9 +160,10 @@ std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::stri
         }
         if (children.empty()) continue;
         rows.push_back(pass_row(pass, bytes));
-        // Passes that write lists only (the scene's upload) would push the pictures out of sight.
+        // Passes that write lists only, and the scene's textures, would push the pictures out of sight.
         rows.back().folded = std::none_of(children.begin(), children.end(), [&](const Row& child) {
-            return std::any_of(report.resources.begin(), report.resources.end(),
+            return !child.key.starts_with("scene.") &&
+                   std::any_of(report.resources.begin(), report.resources.end(),
                                [&](const auto& r) { return r.key == child.key && r.width > 0; });
         });
         rows.back().children = std::move(children);
