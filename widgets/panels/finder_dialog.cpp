@@ -94,6 +94,7 @@ FinderDialog::FinderDialog(std::vector<Findable> all, QWidget* parent)
     list_->header()->setStretchLastSection(false);
     list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(name, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(place, QHeaderView::Fixed);  // long ones leave room for names
     nothing_ = new QLabel(tr("Nothing has all of these words."), this);
     layout->addWidget(line_);
     layout->addWidget(nothing_);
@@ -104,6 +105,7 @@ FinderDialog::FinderDialog(std::vector<Findable> all, QWidget* parent)
     search({});
     const QSize room = parent->size();
     resize(std::min(usual_width, room.width() - 20), std::min(usual_height, room.height() - 20));
+    list_->setColumnWidth(place, size().width() / 3);
     move(parent->mapToGlobal(
         QPoint((room.width() - size().width()) / 2, std::min(80, (room.height() - size().height()) / 2))));
     line_->setFocus();
