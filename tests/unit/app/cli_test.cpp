@@ -224,8 +224,14 @@ TEST_F(Cli, ChecksEverySampleAndRendersOne) {
     EXPECT_TRUE(fs::exists(file("out/ldm.json")));
     const auto as_json = run("render " + sample + " --experiment ldm --quiet --json --out " + file("out"));
     EXPECT_TRUE(nlohmann::json::parse(as_json.out)["ldm"].contains("passes"));
-    expect_refused("render " + sample + " --size 8x8 --out " + file("out"), 2, "--size");
-    expect_refused("render " + sample + " --set directions=1 --out " + file("out"), 2, "--set");
+    expect_refused("render " + sample + " --env 1,1,1 --out " + file("out"), 2, "--env");
+    expect_refused("render " + sample + " --size 8x8 --keep --out " + file("out"), 2, "--keep");
+    expect_refused("render " + sample + " --set no_such_key=1 --out " + file("out"), 2, "no_such_key");
+    ASSERT_EQ(run("render " + sample + " --experiment ldm --size 8x6 --set directions=8 --quiet --out " +
+                  file("small"))
+                  .status,
+              0);
+    EXPECT_EQ(read_image(file("small/ldm.exr")).width, 8);
 }
 
 TEST_F(Cli, OneUnknownMethodKeepsNoOtherExperimentFromRendering) {
