@@ -16,33 +16,12 @@
 namespace ir {
 namespace {
 
-class Cli : public testing::Test {
+class Cli : public CommandTest {
   protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() / ("interreflect-cli-" + std::string(test->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
-    Outcome run(const std::string& arguments) const { return run_program(arguments, folder_); }
-
-    void expect_refused(const std::string& arguments, int status, const std::string& part) const {
-        const auto outcome = run(arguments);
-        EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.err;
-        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-    }
-
     std::string small(const std::string& method, const std::string& out) const {
         return "render --scene builtin:cornell --method " + method + " --size 24x16 --quiet --out " +
                file(out) + " ";
     }
-
-    fs::path folder_;
 };
 
 TEST_F(Cli, SaysWhatItIs) {

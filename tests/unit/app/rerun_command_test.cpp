@@ -5,31 +5,10 @@
 namespace ir {
 namespace {
 
-class RerunCommand : public testing::Test {
+class RerunCommand : public CommandTest {
   protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() / ("interreflect-rerun-" + std::string(test->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
-    Outcome run(const std::string& arguments) const { return run_program(arguments, folder_); }
-    void succeed(const std::string& arguments) const {
-        const auto outcome = run(arguments);
-        ASSERT_EQ(outcome.status, 0) << arguments << "\n" << outcome.err;
-    }
-    void expect_refused(const std::string& arguments, int status, const std::string& part) const {
-        const auto outcome = run(arguments);
-        EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.err;
-        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-    }
     Json rerun(const std::string& arguments) const {
-        const auto outcome = run("rerun " + arguments + " --quiet --json");
-        EXPECT_EQ(outcome.status, 0) << outcome.err;
-        return Json::parse(outcome.out);
+        return Json::parse(output("rerun " + arguments + " --quiet --json"));
     }
     /// Everything that a command line can say of a picture.
     std::string elaborate(const std::string& out, const std::string& scene = "builtin:cornell") const {
@@ -40,12 +19,10 @@ class RerunCommand : public testing::Test {
                "--light 'point:position=0.3,0.3,0.3;intensity=1' --quiet --out " +
                file(out);
     }
-
-    fs::path folder_;
 };
 
 TEST_F(RerunCommand, TheSamePictureComesOutBitForBit) {
-    succeed(elaborate("a.exr") + " --dump 'gbuffer.normal'");
+    output(elaborate("a.exr") + " --dump 'gbuffer.normal'");
     const auto again = rerun(file("a.exr") + " --exact --out " + file("b.exr"));
     EXPECT_EQ(again["pixels"], 24 * 16);
     EXPECT_EQ(again["pixels_that_differ"], 0);
@@ -65,7 +42,7 @@ TEST_F(RerunCommand, TheSamePictureComesOutBitForBit) {
 /// The current folder and the project may be gone.
 TEST_F(RerunCommand, AProjectsExperimentNeedsNoProject) {
     const auto project = std::string(SOURCE_ROOT) + "/projects/samples/corridor-lamp.interreflect";
-    succeed("render " + project + " --size 24x16 --frames 2 --quiet --out " + file("out"));
+    output("render " + project + " --size 24x16 --frames 2 --quiet --out " + file("out"));
     int pictures = 0;
     for (const auto& entry : fs::directory_iterator(file("out"))) {
         if (entry.path().extension() != ".exr") continue;
@@ -76,7 +53,7 @@ TEST_F(RerunCommand, AProjectsExperimentNeedsNoProject) {
 }
 
 TEST_F(RerunCommand, ChangesSayHowFarThePixelsAreApart) {
-    succeed(elaborate("a.exr"));
+    output(elaborate("a.exr"));
     const auto other = rerun(file("a.exr") + " --set max_distance=1 --out " + file("b.exr"));
     EXPECT_GT(other["pixels_that_differ"], 0);
     EXPECT_GT(other["rmse"], 0);
@@ -84,20 +61,20 @@ TEST_F(RerunCommand, ChangesSayHowFarThePixelsAreApart) {
     EXPECT_EQ(run("rerun " + file("a.exr") + " --set max_distance=1 --exact --quiet").status, 4);
     EXPECT_FALSE(rerun(file("a.exr") + " --size 12x8").contains("pixels")) << "nothing to compare";
 
-    const auto told = Json::parse(run("diff " + file("a.exr") + " " + file("b.exr") + " --json").out);
+    const auto told = Json::parse(output("diff " + file("a.exr") + " " + file("b.exr") + " --json"));
     ASSERT_EQ(told.size(), 1u) << told;
     EXPECT_EQ(told[0]["what"], "set.max_distance");
     EXPECT_EQ(told[0]["a"], "0.3");
     EXPECT_EQ(told[0]["b"], "1");
-    EXPECT_EQ(run("diff " + file("a.exr") + " " + file("a.exr")).out, "nothing differs\n");
+    EXPECT_EQ(output("diff " + file("a.exr") + " " + file("a.exr")), "nothing differs\n");
 }
 
 TEST_F(RerunCommand, DiffTellsLightsAndMaterialsOneByOne) {
-    succeed(elaborate("a.exr"));
+    output(elaborate("a.exr"));
     auto other = elaborate("b.exr");
     other.replace(other.find("intensity=2"), 11, "intensity=3");
-    succeed(other);
-    const auto told = run("diff " + file("a.exr") + " " + file("b.exr")).out;
+    output(other);
+    const auto told = output("diff " + file("a.exr") + " " + file("b.exr"));
     EXPECT_NE(told.find("lights/0/lights/0/intensity: 2.0 | 3.0\n"), std::string::npos) << told;
     EXPECT_EQ(told.find("scenes"), std::string::npos) << told;
 }
@@ -110,7 +87,7 @@ TEST_F(RerunCommand, FilesThatMovedAreNamed) {
                        "min": [0, 0, 0], "max": [1, 1, 0]}],
         "bufferViews": [{"buffer": 0, "byteLength": 36}],
         "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
-    succeed(elaborate("a.exr", file("triangle.gltf")));
+    output(elaborate("a.exr", file("triangle.gltf")));
     EXPECT_EQ(rerun(file("a.exr"))["pixels_that_differ"], 0);
     fs::rename(file("triangle.gltf"), file("moved.gltf"));
     expect_refused("rerun " + file("a.exr"), 3, "triangle.gltf, which is not there; --scene");
@@ -128,7 +105,7 @@ TEST_F(RerunCommand, RefusesWhatDoesNotSayHowItWasRendered) {
     expect_refused("rerun " + file("missing.exr"), 3, "missing.exr");
     write_exr(file("odd.exr"), {{"", {"Y"}, Image(2, 2, 1)}}, {{"interreflect.recipe", "{\"schema\": 6"}});
     expect_refused("rerun " + file("odd.exr"), 3, "odd.exr");
-    succeed(elaborate("a.exr"));
+    output(elaborate("a.exr"));
     expect_refused("rerun " + file("a.exr") + " --out " + file("a.exr"), 2, "is the file of FILE");
     expect_refused("rerun " + file("a.exr") + " --set max_distanse=1", 2, "did you mean 'max_distance'?");
     expect_refused("rerun " + file("a.exr") + " --sead 3", 2, "did you mean '--seed'?");
@@ -136,8 +113,7 @@ TEST_F(RerunCommand, RefusesWhatDoesNotSayHowItWasRendered) {
 }
 
 TEST_F(RerunCommand, StatisticsSayWhatWasRendered) {
-    const auto outcome = run(elaborate("a.exr") + " --json");
-    const auto all = Json::parse(outcome.out);
+    const auto all = Json::parse(output(elaborate("a.exr") + " --json"));
     const auto& picture = all["picture"];
     EXPECT_EQ(picture["method"], "ssdo");
     EXPECT_EQ(picture["scene"], "builtin:cornell");
@@ -152,7 +128,7 @@ TEST_F(RerunCommand, StatisticsSayWhatWasRendered) {
 }
 
 TEST_F(RerunCommand, APngHoldsTheMainResultAlone) {
-    succeed(elaborate("a.png"));
+    output(elaborate("a.png"));
     const auto image = read_image(file("a.png"));
     EXPECT_EQ(image.width, 24);
     EXPECT_EQ(image.height, 16);

@@ -7,21 +7,8 @@
 namespace ir {
 namespace {
 
-class ShellCommand : public testing::Test {
+class ShellCommand : public CommandTest {
   protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() / ("interreflect-shell-" + std::string(test->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string output(const std::string& arguments) const {
-        const auto outcome = run_program(arguments, folder_);
-        EXPECT_EQ(outcome.status, 0) << outcome.err;
-        return outcome.out;
-    }
     /// What bash offers for the last of `words`.
     std::vector<std::string> completed(const std::string& words, int index) const {
         const auto script = folder_ / "script", out = folder_ / "offered";
@@ -34,8 +21,6 @@ class ShellCommand : public testing::Test {
         for (std::string line; std::getline(text, line);) lines.push_back(line);
         return lines;
     }
-
-    fs::path folder_;
 };
 
 TEST_F(ShellCommand, BashCompletesCommandsOptionsAndValues) {
@@ -58,7 +43,7 @@ TEST_F(ShellCommand, EachShellHearsOfEveryCommand) {
             EXPECT_NE(script.find(command), std::string::npos) << shell << " " << command;
         EXPECT_NE(script.find("fail-above"), std::string::npos) << shell;
     }
-    EXPECT_EQ(run_program("completion csh", folder_).status, 2);
+    EXPECT_EQ(run("completion csh").status, 2);
 }
 
 TEST_F(ShellCommand, TheManualHasEveryCommandAndNoRequestByChance) {
