@@ -1,0 +1,109 @@
+#include "app/cli/command_line.h"
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+
+#include "app/cli/command.h"
+#include "app/cli/complain.h"
+#include "app/engine/interruption.h"
+#include "app/engine/run_frames.h"
+#include "app/engine/version.h"
+#include "renderers/core/words.h"
+
+namespace ir::cli {
+namespace {
+
+int fail(const std::string& line, int status) {
+    complain(line);
+    return status;
+}
+
+/// Commands that write nothing have nothing to put away: signals end them as if they were not watched.
+bool writes(const CLI::App& app) {
+    for (const char* name : {"info", "list", "describe", "scene", "diff", "completion", "manual"})
+        if (app.got_subcommand(name)) return false;
+    if (!app.got_subcommand("project")) return true;
+    const auto& project = *app.get_subcommand("project");
+    for (const char* action : {"--pack", "--unpack", "--prune", "--upgrade", "--verify"})
+        if (project.count(action) > 0) return true;
+    return false;
+}
+
+/// For the first option that the chosen command does not have.
+std::string suggestion(const CLI::App& app, int argc, char** argv) {
+    std::vector<std::string> known;
+    for (const auto* command : app.get_subcommands())
+        for (const auto* option : command->get_options()) known.push_back("--" + option->get_single_name());
+    for (int i = 1; i < argc; ++i) {
+        const std::string word(argv[i], std::string_view(argv[i]).find('=') == std::string_view::npos
+                                            ? std::string_view(argv[i]).size()
+                                            : std::string_view(argv[i]).find('='));
+        if (word.rfind("--", 0) == 0 && std::find(known.begin(), known.end(), word) == known.end())
+            return did_you_mean(word, known);
+    }
+    return {};
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error with a line, as a full disk is
+    CLI::App app{
+        "Interreflect on the command line: renders, compares and checks experiments without a window."};
+    app.set_version_flag("--version", "interreflect-cli " + engine::version());
+    app.require_subcommand(1);
+    Run run;
+    add_info(app, run);
+    add_list(app, run);
+    add_describe(app, run);
+    add_scene(app, run);
+    add_render(app, run);
+    add_compare(app, run);
+    add_rerun(app, run);
+    add_diff(app, run);
+    add_project(app, run);
+    add_reference(app, run);
+    add_plot(app, run);
+    add_sweep(app, run);
+    add_bench(app, run);
+    add_shell(app, run);
+    try {
+        app.parse(argc, argv);
+        if (writes(app)) engine::watch_interruptions();
+        const int status = run();
+        std::cout.flush();
+        if (!std::cout) return fail("standard output cannot be written", failed);
+        return status;
+    } catch (const CLI::Success& shown) {
+        return app.exit(shown);
+    } catch (const CLI::RequiredError& error) {
+        std::vector<std::string> commands;
+        for (const auto* command : app.get_subcommands({})) commands.push_back(command->get_name());
+        if (argc > 1 && argv[1][0] != '-' &&
+            std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
+            return fail(std::string("unknown command '") + argv[1] + "'" + known_are(argv[1], commands),
+                        wrong_usage);
+        return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);
+    } catch (const CLI::ExtrasError& error) {
+        return fail(error.what() + suggestion(app, argc, argv) + "; --help lists what is allowed",
+                    wrong_usage);
+    } catch (const CLI::ParseError& error) {
+        return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);
+    } catch (const InputError& error) {
+        return fail(error.what(), bad_input);
+    } catch (const UsageError& error) {
+        return fail(error.what(), wrong_usage);
+    } catch (const engine::NotKept& loss) {
+        complain(loss.what());
+        return fail("interrupted", engine::interruption_status());
+    } catch (const Cancelled&) {
+        return fail("interrupted", engine::interruption_status());
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory; lower the image size or the method's sizes", failed);
+    } catch (const std::exception& error) {
+        return fail(error.what(), failed);
+    }
+}
+
+}  // namespace ir::cli
