@@ -8,7 +8,7 @@
 
 namespace ir::widgets {
 
-inline void show(QWidget& widget, QSize size) {
+inline void show(QWidget& widget, QSize size = {320, 240}) {
     widget.resize(size);
     widget.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&widget));

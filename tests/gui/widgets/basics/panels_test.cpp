@@ -14,10 +14,12 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "widgets/image/picture.h"
 #include "widgets/panels/cards.h"
 #include "widgets/panels/messages_panel.h"
 #include "widgets/panels/notes_strip.h"
 #include "widgets/panels/shortcuts_dialog.h"
+#include "widgets/panels/value_strip.h"
 #include "widgets/panels/welcome_page.h"
 
 namespace ir::widgets {
@@ -257,6 +259,34 @@ TEST(ShortcutsDialog, ListsEveryActionByMenuAndFindsThem) {
             if (!tree->topLevelItem(g)->isHidden() && !tree->topLevelItem(g)->child(i)->isHidden())
                 shown << tree->topLevelItem(g)->child(i)->text(0);
     EXPECT_EQ(shown, QStringList{"Open …"});
+}
+
+/// Alpha is 1 in a black picture; four numbers of another meaning are four.
+TEST(ValueStrip, StatisticsLeaveAlphaOut) {
+    Image black(4, 4, 4);
+    for (std::size_t i = 3; i < black.pixels.size(); i += 4) black.pixels[i] = 1;
+    ValueStrip strip;
+    strip.set_picture(black, Semantic::radiance, "black", {});
+    EXPECT_TRUE(strip.text().contains("max 0  mean 0")) << strip.text().toStdString();
+    strip.set_picture(black, Semantic::count, "counts", {});
+    EXPECT_TRUE(strip.text().contains("max 1  mean 0.25")) << strip.text().toStdString();
+    EXPECT_EQ(display_for(Semantic::normal, "", black).high, 1);
+    EXPECT_EQ(display_for(Semantic::position, "", black).high, 0) << "the range is that of the values";
+}
+
+TEST(ValueStrip, SaysNothingOfPixelsThatASmallerPictureLacks) {
+    const auto shown = make_picture(Image(8, 8, 3), Semantic::radiance);
+    const auto& picture = *shown;
+    const int width = picture.image->width, height = picture.image->height;
+    ValueStrip strip;
+    strip.set_picture(*picture.image, Semantic::radiance, "black", {});
+    const auto summary = strip.text();
+    strip.show_pixel(picture, {width - 1, height - 1});
+    EXPECT_TRUE(strip.text().startsWith("x")) << strip.text().toStdString();
+    for (const QPoint outside : {QPoint(-1, -1), QPoint(width, 0)}) {
+        strip.show_pixel(picture, outside);
+        EXPECT_EQ(strip.text(), summary);
+    }
 }
 
 }  // namespace
