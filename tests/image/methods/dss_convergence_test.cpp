@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/engine/pictures.h"
+#include "tests/image/methods/bare_surfels.h"
 #include "tests/image/methods/every_method.h"
 
 namespace ir::test {
@@ -22,25 +23,11 @@ engine::Experiment experiment(const std::string& method, Settings settings, std:
     return e;
 }
 
-/// Nothing but the surfels is approximate: no thinning, no coarser levels, no blur, an estimator without
-/// bias.
+/// With an estimator without bias.
 Settings surfels(double radius, double coverage) {
-    return {{"samples", std::int64_t{8}},
-            {"distribution", std::string("cosine")},
-            {"estimator", std::string("published")},
-            {"blur", false},
-            {"placement", std::string("random")},
-            {"sub_images", std::string("independent")},
-            {"discs", std::string("above")},
-            {"level0", std::string("discs")},
-            {"backs", std::string("lit")},
-            {"last_shell", std::string("ends")},
-            {"shells", std::string("full-discs")},
-            {"thinning", false},
-            {"levels", std::int64_t{1}},
-            {"influence", std::string("constant")},
-            {"surfel_radius", radius},
-            {"coverage", coverage}};
+    return with(bare_surfels(radius, coverage), {{"samples", std::int64_t{8}},
+                                                 {"distribution", std::string("cosine")},
+                                                 {"estimator", std::string("published")}});
 }
 
 Image picture(const engine::Experiment& e) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "app/engine/pictures.h"
+#include "tests/image/methods/bare_surfels.h"
 #include "tests/image/methods/every_method.h"
 
 namespace ir::test {
@@ -87,21 +88,7 @@ Image wall(Floor floor, const std::string& method, Settings settings, std::uint6
 
 /// Discs of seven areas leave e^-7 = 0.1 % of the floor open.
 Settings surfels() {
-    return {{"samples", std::int64_t{16}},
-            {"blur", false},
-            {"placement", std::string("random")},
-            {"sub_images", std::string("independent")},
-            {"discs", std::string("above")},
-            {"level0", std::string("discs")},
-            {"backs", std::string("lit")},
-            {"last_shell", std::string("ends")},
-            {"shells", std::string("full-discs")},
-            {"thinning", false},
-            {"levels", std::int64_t{1}},
-            {"influence", std::string("constant")},
-            {"shell_radius", 4.0},
-            {"surfel_radius", 0.7},
-            {"coverage", 7.0}};
+    return with(bare_surfels(0.7, 7), {{"samples", std::int64_t{16}}, {"shell_radius", 4.0}});
 }
 
 /// Means of all channels over stripes of 8 rows, and last over the picture.

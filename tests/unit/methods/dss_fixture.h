@@ -5,6 +5,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
+#include "renderers/methods/deep-screen-space/splatting/host/splat_rules.h"
 #include "tests/unit/methods/dss_published.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
@@ -12,21 +13,7 @@
 namespace ir::test {
 
 namespace dss = methods::deep_screen_space;
-
-/// As pcg4d of shaders/lib/random.glsl.
-inline glm::uvec4 pcg4d(glm::uvec4 v) {
-    v = v * 1664525u + 1013904223u;
-    const auto mix = [&] {
-        v.x += v.y * v.w;
-        v.y += v.z * v.x;
-        v.z += v.x * v.y;
-        v.w += v.y * v.z;
-    };
-    mix();
-    v ^= v >> 16u;
-    mix();
-    return v;
-}
+using dss::pcg4d;
 
 /// A surfel and what it sends, as two buffers hold them.
 struct Disc : dss::Surfel {
