@@ -91,7 +91,9 @@ class BenchmarksWindowTest : public testing::Test {
     FakeBenchmarks fake;
     MainWindow window{renderer,
                       fake_registry(),
-                      {.remember = false, .benchmark_runner = [this](const auto& request, const auto& told) {
+                      {.remember = false,
+                       .surface = painted,
+                       .benchmark_runner = [this](const auto& request, const auto& told) {
                            return fake.run(request, told);
                        }}};
 };
@@ -196,7 +198,7 @@ TEST_F(BenchmarksWindowTest, WritesTheNumbers) {
 /// The real thing, without a fake.
 TEST(Benchmarks, ATinyOneRunsOnAMachineOfItsOwn) {
     FakeRenderer renderer;
-    MainWindow window{renderer, fake_registry(), {.remember = false}};
+    MainWindow window{renderer, fake_registry(), {.remember = false, .surface = painted}};
     window.show();
     ASSERT_TRUE(window.open_path("builtin:cornell"));
     window.docks().apply("benchmarks");

@@ -198,7 +198,7 @@ TEST_F(DraftsWindowTest, PinsKeepTheValuesOfTheFullPicture) {
 /// --screenshot and tests that count frames do without.
 TEST(DraftsOption, TurnedOffNobodyAsksForDrafts) {
     FakeRenderer renderer;
-    MainWindow window(renderer, fake_registry(), {.remember = false, .drafts = false});
+    MainWindow window(renderer, fake_registry(), {.remember = false, .surface = painted, .drafts = false});
     ASSERT_TRUE(window.open_path("builtin:cornell"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.requests.empty(); }, 5000));
     EXPECT_FALSE(renderer.requests.back().drafts);

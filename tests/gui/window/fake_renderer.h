@@ -9,8 +9,13 @@
 #include "app/gui/renderer.h"
 #include "renderers/core/method.h"
 #include "renderers/image/atlas.h"
+#include "widgets/image/image_view.h"
 
 namespace ir::gui {
+
+/// How windows on this renderer paint. OpenGL paints the same (tests/gui/widgets/basics), but without a
+/// graphics card each change then composes the whole window anew.
+inline constexpr auto painted = widgets::ImageView::Surface::raster;
 
 inline ParameterDescription fake_parameter(const char* key, const char* label, const char* doc,
                                            Value standard, ir::Range hard = {}, ir::Range soft = {}) {

@@ -26,8 +26,9 @@ class PreferencesWindowTest : public testing::Test {
     void start(const engine::MachineFlags& flags = {}) {
         close();
         renderer = std::make_unique<FakeRenderer>();
-        window = std::make_unique<MainWindow>(*renderer, fake_registry(),
-                                              MainWindow::Options{.remember = true, .machine = flags});
+        window = std::make_unique<MainWindow>(
+            *renderer, fake_registry(),
+            MainWindow::Options{.remember = true, .surface = painted, .machine = flags});
         window->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
         QApplication::setActiveWindow(window.get());

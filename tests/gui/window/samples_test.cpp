@@ -147,7 +147,7 @@ TEST_F(WindowTest, ARecentProjectIsFoundFromAnotherFolder) {
     window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
     window.session().files().close();
     FakeRenderer other_renderer;
-    MainWindow other(other_renderer, fake_registry(), {.remember = true});
+    MainWindow other(other_renderer, fake_registry(), {.remember = true, .surface = painted});
     const auto here = QDir::currentPath();
     QDir::setCurrent(folder.path());
     const bool opened = other.open_path("./kept.interreflect/");

@@ -96,7 +96,7 @@ TEST_F(WindowTest, ASmallScreenHasAnArrangementOfItsOwn) {
 
     for (const bool begins : {true, false}) {
         FakeRenderer another_renderer;
-        MainWindow another(another_renderer, fake_registry(), {.remember = true});
+        MainWindow another(another_renderer, fake_registry(), {.remember = true, .surface = painted});
         another.docks().fit(small);
         ASSERT_TRUE(another.open_path("builtin:cornell"));
         EXPECT_EQ(dock(another, "timings")->isHidden(), !begins) << "remembered";
@@ -141,7 +141,7 @@ TEST_F(WindowTest, OpensWithinTheScreen) {
             QSettings().setValue("window/geometry", window.saveGeometry());
         }
         FakeRenderer fresh_renderer;
-        MainWindow fresh(fresh_renderer, fake_registry(), {.remember = true});
+        MainWindow fresh(fresh_renderer, fake_registry(), {.remember = true, .surface = painted});
         fresh.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&fresh));
         EXPECT_TRUE(available.contains(fresh.frameGeometry()))

@@ -230,7 +230,7 @@ TEST_F(ViewsTest, WhatWasClosedStaysClosedInEveryProject) {
     EXPECT_EQ(area().open_views().size(), 1u);
     window.session().files().close();
     FakeRenderer fresh_renderer;
-    MainWindow fresh(fresh_renderer, fake_registry(), {.remember = false});
+    MainWindow fresh(fresh_renderer, fake_registry(), {.remember = false, .surface = painted});
     fresh.show();
     ASSERT_TRUE(fresh.open_path(path("one")));
     EXPECT_EQ(fresh.workspace().area().open_views().size(), 1u);

@@ -87,7 +87,9 @@ class WindowTest : public testing::Test {
     };
     MainWindow window{renderer,
                       fake_registry(),
-                      {.remember = false, .study_runner = [this](const auto& request, const auto& callbacks) {
+                      {.remember = false,
+                       .surface = painted,
+                       .study_runner = [this](const auto& request, const auto& callbacks) {
                            return on_study(request, callbacks);
                        }}};
 };

@@ -224,7 +224,7 @@ TEST_F(WindowTest, AHeldLockOpensReadOnlyWithABanner) {
     open_scene();
     window.session().files().save_as(path.toStdString());
     FakeRenderer other_renderer;
-    MainWindow other(other_renderer, fake_registry(), {.remember = false});
+    MainWindow other(other_renderer, fake_registry(), {.remember = false, .surface = painted});
     other.show();
     ASSERT_TRUE(other.open_path(path));
     EXPECT_TRUE(other.banners().names().contains("read-only"));
