@@ -8,6 +8,8 @@
 #include <fstream>
 #include <regex>
 
+#include "tests/small_sample.h"
+
 namespace ir {
 namespace {
 
@@ -37,14 +39,6 @@ class Screenshot : public testing::TestWithParam<Platform> {
     }
     ~Screenshot() override { fs::remove_all(root_); }
 
-    /// A sample, its experiments cut to one frame.
-    fs::path sample(const std::string& name) {
-        const auto folder = root_ / (name + ".interreflect");
-        fs::copy(fs::path(SOURCE_ROOT) / "projects/samples" / folder.filename(), folder,
-                 fs::copy_options::recursive);
-        replace(folder, R"("frames": \d+)", R"("frames": 1)");
-        return folder;
-    }
     static void replace(const fs::path& project, const std::string& what, const std::string& with) {
         const auto text = contents(project / "project.json");
         std::ofstream(project / "project.json") << std::regex_replace(text, std::regex(what), with);
@@ -70,14 +64,14 @@ class Screenshot : public testing::TestWithParam<Platform> {
 };
 
 TEST_P(Screenshot, EndsWithTheSampleOfFilterStages) {
-    const auto outcome = shot(sample("photon-fig7-2"));
+    const auto outcome = shot(test::small_sample("photon-fig7-2", root_));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_GE(outcome.picture.width(), 900);
 }
 
 TEST_P(Screenshot, OfAMissingSceneSaysSoAndIsWrittenNevertheless) {
-    const auto project = sample("photon-fig7-2");
+    const auto project = test::small_sample("photon-fig7-2", root_);
     replace(project, "builtin:conference@1[^\"]*", "gone.gltf");
     const auto outcome = shot(project);
     EXPECT_EQ(outcome.status, 1) << outcome.err;

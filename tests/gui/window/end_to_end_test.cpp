@@ -4,11 +4,10 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
-#include <filesystem>
 
 #include "app/engine/execution.h"
 #include "app/gui/main_window.h"
-#include "renderers/core/resources_path.h"
+#include "tests/small_sample.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/parameters/parameter_editor.h"
 
@@ -41,21 +40,6 @@ struct RealWindow {
     }
 };
 
-/// A sample whose scene is small.
-std::filesystem::path sample_copy(const std::filesystem::path& folder) {
-    const auto copy = folder / "sample.interreflect";
-    std::filesystem::copy(samples_directory() / "corner-closed-form.interreflect", copy,
-                          std::filesystem::copy_options::recursive);
-    return copy;
-}
-
-/// Small and quick, whatever the sample says.
-void shrink(Session& session) {
-    const std::string id = session.experiment()->id;
-    session.edit([&](const projects::Project& p) { return projects::edits::set_size(p, id, {96, 72}); });
-    session.edit([&](const projects::Project& p) { return projects::edits::set_frames(p, id, 1); });
-}
-
 /// The first number among the method's parameters that can be edited now and changes the picture.
 widgets::NumberField* editable_number(MainWindow& window) {
     for (const auto& parameter : window.session().method()->parameters) {
@@ -69,13 +53,12 @@ widgets::NumberField* editable_number(MainWindow& window) {
 
 TEST(EndToEnd, ChangeSaveReopenFindsTheSameStateAndPicture) {
     const QTemporaryDir folder;
-    const auto path = sample_copy(folder.path().toStdString());
+    const auto path = test::small_sample("corner-closed-form", folder.path().toStdString());
     projects::Project saved;
     Image picture;
     {
         RealWindow real;
         ASSERT_TRUE(real.window.open_path(QString::fromStdString(path.string())));
-        shrink(real.window.session());
         ASSERT_TRUE(real.wait());
         ASSERT_EQ(real.state(), LivePictures::State::done) << real.reason();
         const Image before = real.window.view().image();
@@ -107,9 +90,10 @@ TEST(EndToEnd, ChangeSaveReopenFindsTheSameStateAndPicture) {
 }
 
 TEST(EndToEnd, EveryBufferOfTheExperimentCanBeShown) {
+    const QTemporaryDir folder;
+    const auto path = test::small_sample("corner-closed-form", folder.path().toStdString());
     RealWindow real;
-    ASSERT_TRUE(real.window.open_path("builtin:cornell"));
-    shrink(real.window.session());
+    ASSERT_TRUE(real.window.open_path(QString::fromStdString(path.string())));
     ASSERT_TRUE(real.wait());
     const auto id = real.window.session().experiment()->id;
     ASSERT_NE(real.window.live().result(id), nullptr);

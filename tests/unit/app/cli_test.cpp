@@ -11,6 +11,7 @@
 
 #include "projects/document_fields.h"
 #include "renderers/image/exr.h"
+#include "tests/small_sample.h"
 #include "tests/unit/app/outcome.h"
 
 namespace ir {
@@ -196,7 +197,7 @@ TEST_F(Cli, ChecksEverySampleAndRendersOne) {
         if (entry.is_directory()) {
             EXPECT_EQ(run("project " + entry.path().string() + " --check").status, 0) << entry.path();
         }
-    const auto sample = (folder / "corner-closed-form.interreflect").string();
+    const auto sample = test::small_sample("corner-closed-form", file("")).string();
     const auto outcome = run("render " + sample + " --experiment ldm --quiet --out " + file("out"));
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(fs::exists(file("out/ldm.exr")));
@@ -214,13 +215,11 @@ TEST_F(Cli, ChecksEverySampleAndRendersOne) {
 }
 
 TEST_F(Cli, OneUnknownMethodKeepsNoOtherExperimentFromRendering) {
-    const auto sample = fs::path(SOURCE_ROOT) / "projects" / "samples" / "corner-closed-form.interreflect";
+    const auto sample = test::small_sample("corner-closed-form", file(""));
     auto json = nlohmann::ordered_json::parse(read(sample / "project.json"));
     json["experiments"][0]["method"] = "from-the-future";
-    json["experiments"][1]["values"]["samples"] = 4;
-    fs::create_directories(file("p.interreflect"));
-    std::ofstream(file("p.interreflect/project.json")) << json.dump(2);
-    const auto outcome = run("render " + file("p.interreflect") + " --quiet --out " + file("out"));
+    std::ofstream(sample / "project.json") << json.dump(2);
+    const auto outcome = run("render " + sample.string() + " --quiet --out " + file("out"));
     EXPECT_EQ(outcome.status, 3);
     EXPECT_NE(outcome.err.find("from-the-future"), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(file("out/ldm.exr")));
@@ -228,10 +227,7 @@ TEST_F(Cli, OneUnknownMethodKeepsNoOtherExperimentFromRendering) {
 }
 
 TEST_F(Cli, KeepsAndVerifiesResults) {
-    const auto sample = fs::path(SOURCE_ROOT) / "projects" / "samples" / "crevice-leaks.interreflect";
-    const auto project = file("copy.interreflect");
-    fs::create_directories(project);
-    fs::copy(sample / "project.json", fs::path(project) / "project.json");
+    const auto project = test::small_sample("crevice-leaks", file("")).string();
     ASSERT_EQ(run("render " + project + " --experiment thick --keep --quiet --out " + file("out")).status, 0);
     const auto verified = nlohmann::json::parse(run("project " + project + " --verify --json").out);
     ASSERT_TRUE(verified.is_object());

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderers/image/exr.h"
+#include "tests/small_sample.h"
 #include "tests/unit/app/outcome.h"
 
 namespace ir {
@@ -98,8 +99,7 @@ TEST_F(PickAndChoose, WarnsOfAPixelOutside) {
 }
 
 TEST_F(PickAndChoose, AlsoForProjects) {
-    const auto sample =
-        (fs::path(SOURCE_ROOT) / "projects" / "samples" / "corner-closed-form.interreflect").string();
+    const auto sample = test::small_sample("corner-closed-form", folder_).string();
     const auto start = "render " + sample + " --experiment ldm --quiet --out " + file("out.d") + " ";
     ASSERT_EQ(run(start + "--pick 8,8 --dump ldm.explain.hits"), 0) << err;
     EXPECT_FALSE(layer("out.d/ldm.exr", "ldm.explain.hits").empty());

@@ -1,5 +1,6 @@
 // What an interruption leaves behind, of every command, on the real program.
 #include <gtest/gtest.h>
+#include <termios.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,45 @@ namespace ir {
 namespace {
 
 using Words = std::vector<std::string>;
+
+/// What a program says to a terminal, where it tells of its progress at once and not after seconds.
+class Terminal {
+  public:
+    explicit Terminal(fs::path standard_error)
+        : link_(std::move(standard_error)), master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
+        EXPECT_TRUE(::grantpt(master_) == 0 && ::unlockpt(master_) == 0);
+        termios as_it_is;
+        ::tcgetattr(master_, &as_it_is);
+        ::cfmakeraw(&as_it_is);
+        ::tcsetattr(master_, TCSANOW, &as_it_is);
+        fs::remove(link_);
+        fs::create_symlink(::ptsname(master_), link_);
+    }
+    ~Terminal() {
+        fs::remove(link_);
+        ::close(master_);
+    }
+    Terminal(const Terminal&) = delete;
+
+    const std::string& text() {
+        char bytes[4096];
+        for (ssize_t count; (count = ::read(master_, bytes, sizeof bytes)) > 0;)
+            text_.append(bytes, static_cast<std::size_t>(count));
+        return text_;
+    }
+    bool has(const char* expression) { return std::regex_search(text(), std::regex(expression)); }
+    /// The program's status; it would wait for ever for someone to read.
+    int read_to_the_end(ChildProcess& child) {
+        EXPECT_FALSE(child.reaches([&] { return text().empty(); })) << "it ends";
+        text();
+        return child.wait();
+    }
+
+  private:
+    fs::path link_;
+    int master_;
+    std::string text_;
+};
 
 /// A project whose reference takes for ever, with plots and sweeps.
 class Signals : public testing::Test {
@@ -63,11 +103,8 @@ class Signals : public testing::Test {
         return {"render", path(), "--experiment", truth, "--keep", "--out", file("out")};
     }
 
-    /// Off a terminal a line tells how far it is; whether that is beyond the first samples.
-    static bool has_samples(const ChildProcess& child) {
-        const auto text = child.err();
-        return std::regex_search(text, std::regex("[1-9][0-9]* of [0-9]+ samples"));
-    }
+    static constexpr const char* some_samples = "[1-9][0-9]* of [0-9]+ samples";
+    fs::path err() const { return root_ / "stderr"; }
     /// Of the largest state that is kept.
     std::uint64_t kept_samples() const {
         std::uint64_t samples = 0;
@@ -174,12 +211,14 @@ TEST_F(Signals, KeepWhatAddsUp) {
         SCOPED_TRACE(command);
         fs::remove_all(project_ / "results");
         set_truth(endless, 1);
-        auto child = start(keeping(command));
-        ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
-        child.send(signal);
-        EXPECT_EQ(child.wait(), 128 + signal);
-        EXPECT_NE(child.err().find("samples of 'reference'; run it again to go on\n"), std::string::npos)
-            << child.err();
+        {
+            Terminal terminal(err());
+            auto child = start(keeping(command));
+            ASSERT_TRUE(child.reaches([&] { return terminal.has(some_samples); })) << terminal.text();
+            child.send(signal);
+            EXPECT_EQ(terminal.read_to_the_end(child), 128 + signal);
+            EXPECT_TRUE(terminal.has("samples of 'reference'; run it again to go on\n")) << terminal.text();
+        }
         EXPECT_FALSE(is_locked());
         EXPECT_FALSE(fs::exists(file("out/reference.exr")));
         expect_continues_to_the_same_bits();
@@ -199,44 +238,28 @@ TEST_F(Signals, WhatCouldNotBeKeptIsSaidAndNothingElseIsBegun) {
                                 Words{"reference", path(), "--samples", count}, Words{"plot", path()}}) {
         SCOPED_TRACE(command[0]);
         fs::remove_all(project_ / "results");
+        Terminal terminal(err());
         auto child = start(command);
-        ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
+        ASSERT_TRUE(child.reaches([&] { return terminal.has(some_samples); })) << terminal.text();
         fs::remove_all(project_ / "results");
         std::ofstream(project_ / "results") << "in the way";
         child.send(SIGTERM);
-        EXPECT_EQ(child.wait(), 128 + SIGTERM);
-        EXPECT_TRUE(
-            std::regex_search(child.err(), std::regex("could not keep [1-9][0-9]* samples: .*results")))
-            << child.err();
-        EXPECT_NE(child.err().find("interreflect-cli: interrupted\n"), std::string::npos) << child.err();
-        EXPECT_EQ(child.err().find("go on"), std::string::npos) << child.err();
+        EXPECT_EQ(terminal.read_to_the_end(child), 128 + SIGTERM);
+        EXPECT_TRUE(terminal.has("could not keep [1-9][0-9]* samples: .*results")) << terminal.text();
+        EXPECT_TRUE(terminal.has("interreflect-cli: interrupted\n")) << terminal.text();
+        EXPECT_FALSE(terminal.has("go on")) << terminal.text();
         EXPECT_FALSE(fs::exists(file("out/ldm-50.exr")));
         EXPECT_EQ(child.out(), "");
     }
 }
 
 TEST_F(Signals, WhatIsKeptIsSaidOnALineOfItsOwn) {
-    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
-    ASSERT_GE(terminal, 0);
-    ASSERT_EQ(::grantpt(terminal), 0);
-    ASSERT_EQ(::unlockpt(terminal), 0);
-    fs::remove(root_ / "stderr");
-    fs::create_symlink(::ptsname(terminal), root_ / "stderr");
+    Terminal terminal(err());
     auto child = start(keeping("render"));
-    std::string shown;
-    const auto look = [&] {
-        char bytes[4096];
-        for (ssize_t count; (count = ::read(terminal, bytes, sizeof bytes)) > 0;)
-            shown.append(bytes, static_cast<std::size_t>(count));
-        return shown;
-    };
-    const std::regex some("[1-9][0-9]* of [0-9]+ samples");
-    EXPECT_TRUE(child.reaches([&] { return std::regex_search(look(), some); })) << shown;
+    EXPECT_TRUE(child.reaches([&] { return terminal.has(some_samples); })) << terminal.text();
     child.send(SIGTERM);
-    EXPECT_FALSE(child.reaches([&] { return look().empty(); })) << "it ends";
-    look();
-    ::close(terminal);
-    EXPECT_NE(shown.find("\r\033[Kinterreflect-cli: kept "), std::string::npos) << shown;
+    terminal.read_to_the_end(child);
+    EXPECT_TRUE(terminal.has("\r\033\\[Kinterreflect-cli: kept ")) << terminal.text();
 }
 
 TEST_F(Signals, StatisticsOfWhatIsRenderedAreWritten) {
@@ -255,7 +278,11 @@ TEST_F(Signals, StatisticsOfWhatIsRenderedAreWritten) {
 
 TEST_F(Signals, APlotKeepsItsReference) {
     auto child = start({"plot", path()});
-    ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
+    const std::regex some(some_samples);  // off a terminal a line tells so, too
+    ASSERT_TRUE(child.reaches([&] {
+        const auto text = child.err();
+        return std::regex_search(text, some);
+    })) << child.err();
     child.send(SIGTERM);
     EXPECT_EQ(child.wait(), 128 + SIGTERM);
     EXPECT_FALSE(fs::exists(project_ / "results/plots")) << "half a plot is none";
@@ -284,24 +311,24 @@ TEST_F(Signals, ACheckpointOutlivesWhatNobodyCanCatch) {
 }
 
 TEST_F(Signals, ProgressIsOneTotalWithTheTimeLeft) {
-    for (const char* id : {"ldm-50", "ldm-200"})  // two of 1 frame before one of 6
+    for (const char* id : {"ldm-50", "ldm-200"})  // two of 100 frames before one of 600
         for (auto& experiment : json_["experiments"])
             if (experiment["id"] == id) {
                 experiment["method"] = "view-normals";
                 experiment["values"] = Json::object();
+                experiment["frames"] = 100;
             }
-    set_truth(endless / 4, 6);
+    set_truth(1000, 600);
+    Terminal terminal(err());
     auto child = start({"render", path(), "--out", file("out")});
-    const std::regex line(" *([0-9]+) % reference: .* samples/s, .* left");
-    std::smatch found;
-    std::string text;
     ASSERT_TRUE(child.reaches([&] {
-        text = child.err();
-        return std::regex_search(text, found, line);
-    })) << child.err();
-    EXPECT_GE(std::stoi(found[1]), 25) << "2 of 8 frames were those of other experiments";
+        return terminal.has("[0-9]+ % reference: [^\r]* samples/s, [^\r]* left");
+    })) << terminal.text();
     child.send(SIGTERM);
-    child.wait();
+    terminal.read_to_the_end(child);
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(terminal.text(), found, std::regex("([0-9]+) % reference: ")));
+    EXPECT_GE(std::stoi(found[1]), 25) << "a quarter of the frames were those of other experiments";
 }
 
 TEST_F(Signals, ASweepLeavesAListOfWhatIsDone) {
