@@ -25,7 +25,7 @@ Settings settings_of(bool visibility, const char* paths) {
 }
 
 /// Much of it is hidden, outside of the view, or beyond the reach of all that is seen.
-const Shot court{.scene = "builtin:atrium?detail=0.1"};
+const Shot court{.scene = "builtin:atrium?detail=0.1", .size = {36, 24}};
 
 struct Form {
     bool visibility;
@@ -57,7 +57,8 @@ TEST(DeepScreenSpace, BuffersThatBeginAThousandTimesTooSmallGiveTheSamePicture) 
         const auto large = render(deep_screen_space(), with(settings, {{"reserve", 100.0}}), court);
         const auto small = render(deep_screen_space(), with(settings, {{"reserve", 0.001}}), court);
         EXPECT_EQ(large.main.pixels, small.main.pixels) << form.paths << ", " << form.visibility;
-        EXPECT_GT(large.report.counters.at("surfels.kept"), 1000 * std::ceil(0.001 * 48 * 32));
+        EXPECT_GT(large.report.counters.at("surfels.kept"),
+                  1000 * std::ceil(0.001 * court.size.x * court.size.y));
     }
 }
 

@@ -59,7 +59,7 @@ Mean mean_of(const Frame& frame, const std::string& variance) {
 }
 
 TEST(DirectLight, OfRoomsAsTheyComeIsTheReferences) {
-    const Shot shot{.frames = 4, .size = {64, 64}};
+    const Shot shot{.frames = 4, .size = {48, 48}};
     int compared = 0;
     for (const auto& room : rooms()) {
         auto in_room = shot;

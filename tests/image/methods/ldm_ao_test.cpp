@@ -28,7 +28,7 @@ TEST_P(LdmAoOnBoth, OfAnOpenPlaneIsExactlyOne) {
         for (const double reach : {0.0, 0.5})
             for (const char* name : {"top", "above"}) {
                 const auto image =
-                    render(camera(name), 48, 48, with(ao_maps(directions, 100), "max_distance", reach));
+                    render(camera(name), 32, 32, with(ao_maps(directions, 100), "max_distance", reach));
                 for (const float value : image.pixels) ASSERT_EQ(value, 1) << directions << name;
             }
 }
@@ -70,12 +70,12 @@ TEST_F(LdmAo, BothProcessorsSeeTheSameSky) {
     load("builtin:atrium?detail=0.1");
     environment() = uneven_sky();
     const auto& view = world_.cameras.front();
-    auto settings = with(ao_maps(33, 270), "ambient_source", std::string("environment"));
+    auto settings = with(ao_maps(17, 270), "ambient_source", std::string("environment"));
     std::vector<Image> skies;
     for (const auto on : {Processor::gl, Processor::host, Processor::host}) {
         processor = on;
         threads = skies.size() == 1 ? 1 : 3;
-        skies.push_back(render(view, 61, 43, settings, {}, 0, "ldm.sky"));
+        skies.push_back(render(view, 41, 29, settings, {}, 0, "ldm.sky"));
     }
     EXPECT_EQ(skies[1].pixels, skies[2].pixels);
     double difference = 0;
@@ -112,9 +112,9 @@ TEST_F(LdmAo, UnderASecondPlaneTwoTexelsAboveIsNearZero) {
     const std::pair<const char*, const char*> ways[] = {
         {"arrays", "compute"}, {"arrays", "raster"}, {"linked-lists", "compute"}};
     for (const auto& [storage, builder] : ways) {
-        auto settings = with(ao_maps(128, 200), "storage", std::string(storage));
+        auto settings = with(ao_maps(48, 200), "storage", std::string(storage));
         settings = with(settings, "builder", std::string(builder));
-        const auto image = render(camera("under"), 48, 48, settings);
+        const auto image = render(camera("under"), 24, 24, settings);
         EXPECT_LT(*std::max_element(image.pixels.begin(), image.pixels.end()), 0.05f) << storage << builder;
     }
 }
@@ -165,7 +165,7 @@ TEST_P(LdmAoOnBoth, DoesNotLeakThroughWallsOfTwoTexels) {
     load("builtin:crevice");
     geometry = "crevice";
     for (const auto* name : {"wall-4", "wall-2", "wall-1", "wall-half"}) {
-        const double leaked = mean(render(camera(name), 64, 64, ao_maps(128, 200)));
+        const double leaked = mean(render(camera(name), 40, 40, ao_maps(128, 200)));
         std::printf("leaked through %s: %g\n", name, leaked);
         if (name == std::string("wall-4") || name == std::string("wall-2")) {
             EXPECT_EQ(leaked, 0) << name;
@@ -176,15 +176,15 @@ TEST_P(LdmAoOnBoth, DoesNotLeakThroughWallsOfTwoTexels) {
 TEST_P(LdmAoOnBoth, LeaksWhereRaysMayDipFarBelowTheSurface) {
     load("builtin:crevice");
     const auto settings = with(ao_maps(128, 200), "max_dip", 64.0);
-    EXPECT_GT(mean(render(camera("wall-2"), 64, 64, settings)), 0);
+    EXPECT_GT(mean(render(camera("wall-2"), 40, 40, settings)), 0);
 }
 
 TEST_F(LdmAo, BuildersGiveSimilarPictures) {
-    load("builtin:atrium?detail=0.3");
+    load("builtin:atrium?detail=0.1");
     const auto settings = with(ao_maps(16, 64), "max_distance", 2.0);
-    const auto compute = render(world_.cameras.front(), 64, 48, settings);
+    const auto compute = render(world_.cameras.front(), 48, 36, settings);
     const auto raster =
-        render(world_.cameras.front(), 64, 48, with(settings, "builder", std::string("raster")));
+        render(world_.cameras.front(), 48, 36, with(settings, "builder", std::string("raster")));
     EXPECT_GT(mean(compute), 0.02);
     double difference = 0;
     for (std::size_t i = 0; i < compute.pixels.size(); ++i)
@@ -195,7 +195,7 @@ TEST_F(LdmAo, BuildersGiveSimilarPictures) {
 TEST_F(LdmAo, StoragesGiveEqualPictures) {
     // Without a reach, any element of a sequence beyond the point may answer; with it, the nearest one does.
     for (const double reach : {0.0, 2.0}) {
-        load(reach > 0 ? "builtin:atrium?detail=0.3" : "builtin:cornell");
+        load(reach > 0 ? "builtin:atrium?detail=0.1" : "builtin:cornell");
         auto settings = with(ao_maps(8, 50), "max_distance", reach);
         const auto expected = render(world_.cameras.front(), 48, 36, settings);
         EXPECT_GT(mean(expected), 0.02);

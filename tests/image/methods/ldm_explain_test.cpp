@@ -6,6 +6,13 @@ namespace {
 
 const std::vector<glm::ivec2> pixels{{16, 28}, {4, 16}, {27, 12}, {16, 16}, {11, 21}};
 
+/// And what they are compared with: views of maps take far longer.
+const graph::FrameOptions only_explanations = [] {
+    graph::FrameOptions options;
+    options.wanted = {"ldm.explain.*", "ldm.directions", "gbuffer.position"};
+    return options;
+}();
+
 double sum_of(const Elements& elements, const std::string& field) {
     double sum = 0;
     for (std::size_t i = 0; i < elements.size(); ++i) sum += elements.number(i, field);
@@ -23,8 +30,9 @@ TEST_F(LdmExplain, ContributionsAddUpToTheAccessibility) {
                                                 {"self_hit", rule},
                                                 {"max_distance", reach},
                                                 {"falloff", falloff}});
+                    const auto picture = render(settings, choose(5, 0, 0), only_explanations);
                     for (const auto pixel : pixels) {
-                        const auto picture = render(settings, choose(5, pixel.x, pixel.y));
+                        ASSERT_TRUE(explain(settings, choose(5, pixel.x, pixel.y), only_explanations));
                         const auto expected = picture.at(pixel.x, pixel.y);
                         EXPECT_GT(expected, 0.01);
                         const auto hits = elements("ldm.explain.hits"), rays = elements("ldm.explain.rays");
@@ -116,7 +124,7 @@ TEST_F(LdmExplain, HitsLieOnTheFloorWhereTheClosedFormSays) {
     // Maps' sides are at most the diagonal of the scene.
     const double texel = std::sqrt(3.0) * 4 / resolution;
     for (const int row : {10, 20, 28}) {
-        render(maps(128, resolution), choose(0, 15, row));
+        render(maps(128, resolution), choose(0, 15, row), only_explanations);
         const auto x = vector_at("gbuffer.position", 15, row);
         const auto rays = elements("ldm.explain.rays");
         int hit = 0, wrong = 0;
@@ -150,12 +158,10 @@ TEST_F(LdmExplain, EntriesAreTheCrossingsOfTheTexelsLine) {
             load(scene);
             const int directions = 23, resolution = 80;
             const auto settings = maps(directions, resolution, {{"storage", storage}});
-            const auto x = [&] {
-                render(settings, {});
-                return vector_at("gbuffer.position", 13, 22);
-            }();
+            render(settings, choose(0, 13, 22), only_explanations);
+            const auto x = vector_at("gbuffer.position", 13, 22);
             for (int map = 0; map < directions; ++map) {
-                render(settings, choose(map, 13, 22));
+                ASSERT_TRUE(explain(settings, choose(map, 13, 22), only_explanations));
                 const auto entries = elements("ldm.explain.entries"), outline = elements("ldm.explain.texel");
                 const auto v = elements("ldm.directions").vector(2 * map, "centre");
                 ASSERT_EQ(outline.size(), 1u);
@@ -197,7 +203,7 @@ TEST_F(LdmExplain, TheWalkEndsWhereTheGatherFindsItsHit) {
                 const std::string storage = place.x % 2 == 0 ? "arrays" : "linked-lists";
                 const auto settings =
                     maps(40, 80, {{"self_hit", rule}, {"storage", storage}, {"max_distance", reach}});
-                render(settings, choose(Inspection::all, place.x, place.y));
+                render(settings, choose(Inspection::all, place.x, place.y), only_explanations);
                 const auto rays = elements("ldm.explain.rays"), walk = elements("ldm.explain.walk"),
                            entries = elements("ldm.explain.entries");
                 std::map<int, int> roles[4];

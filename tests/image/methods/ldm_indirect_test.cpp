@@ -155,7 +155,7 @@ Setting room(const std::string& scene, const std::string& method, const Settings
 }
 double light_over_reference(const std::function<Setting(const std::string&, const Settings&)>& of,
                             const Settings& more = indirect_maps(128, 200, 64)) {
-    const auto truth = render(of("reference", {{"samples", std::int64_t{512}}}));
+    const auto truth = render(of("reference", {{"samples", std::int64_t{128}}}));
     return mean(render(of("ldm-indirect", more)).image) / mean(truth.image);
 }
 

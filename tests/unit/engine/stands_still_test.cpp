@@ -13,8 +13,8 @@ class StandsStill : public testing::Test {
         Experiment experiment;
         experiment.scene = "builtin:cornell";
         experiment.method = method.id;
-        experiment.width = 48;
-        experiment.height = 36;
+        experiment.width = 32;
+        experiment.height = 24;
         experiment.settings = coarse(method.parameters, defaults(method.parameters));
         return experiment;
     }
