@@ -1,9 +1,7 @@
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/image_layers.h"
 #include "renderers/methods/ambient-occlusion-volumes/volumes.h"
 #include "renderers/passes/raytracing/bvh.h"
@@ -41,13 +39,10 @@ void find_nearest_on_host(graph::GraphBuilder& builder, const Volumes& volumes,
                 distances[layer][i] = hit.is_hit() ? hit.distance : -1;
                 depths[layer][i] = hit.is_hit() ? hit.distance * hit.distance / (reach * reach) : 1;
             };
-            tbb::task_arena arena(arena_size(context.inputs().threads));
-            arena.execute([&] {
-                tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t item) {
-                    const auto layer = static_cast<std::size_t>(item / blocks);
-                    const auto first = static_cast<std::size_t>(item % blocks * block);
-                    for (auto i = first; i < std::min(positions.size(), first + block); ++i) trace(layer, i);
-                });
+            parallel_for(context.inputs().threads, slice.begin, slice.end, [&](std::int64_t item) {
+                const auto layer = static_cast<std::size_t>(item / blocks);
+                const auto first = static_cast<std::size_t>(item % blocks * block);
+                for (auto i = first; i < std::min(positions.size(), first + block); ++i) trace(layer, i);
             });
         });
 }

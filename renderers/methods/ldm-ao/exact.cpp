@@ -1,14 +1,11 @@
 #include "renderers/methods/ldm-ao/passes.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "renderers/core/constants.h"
 #include "renderers/core/half_float.h"
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
@@ -125,20 +122,16 @@ void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, M
             const auto bvh = p.object<passes::Bvh>(exact.bvh);
             const PixelTracer tracer(*bvh, *maps, batch, exact, transport);
             const int threads = p.inputs().threads;
-            tbb::task_arena arena(arena_size(threads));
-            arena.execute([&] {
-                tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t row) {
-                    if (p.cancel().is_cancelled()) return;
-                    for (int column = 0; column < width; ++column) {
-                        const auto i = static_cast<std::size_t>(row * width + column);
-                        const auto own = words.subspan(i * per_pixel, per_pixel);
-                        std::fill(own.begin(), own.end(), 0u);
-                        const auto normal = glm::vec3(geometric[i]);
-                        if (normal == glm::vec3(0)) continue;
-                        tracer.run({glm::vec3(positions[i]), normal, glm::vec3(unpack_halves(shading[i]))},
-                                   own);
-                    }
-                });
+            parallel_for(threads, slice.begin, slice.end, [&](std::int64_t row) {
+                if (p.cancel().is_cancelled()) return;
+                for (int column = 0; column < width; ++column) {
+                    const auto i = static_cast<std::size_t>(row * width + column);
+                    const auto own = words.subspan(i * per_pixel, per_pixel);
+                    std::fill(own.begin(), own.end(), 0u);
+                    const auto normal = glm::vec3(geometric[i]);
+                    if (normal == glm::vec3(0)) continue;
+                    tracer.run({glm::vec3(positions[i]), normal, glm::vec3(unpack_halves(shading[i]))}, own);
+                }
             });
             p.cancel().check();
         });

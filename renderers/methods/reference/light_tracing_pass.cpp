@@ -1,13 +1,10 @@
 #include "renderers/methods/reference/light_tracing_pass.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <chrono>
 #include <cmath>
 #include <memory>
 
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/reference/light_tracer.h"
 #include "renderers/methods/reference/tiles.h"
@@ -75,15 +72,12 @@ class SplatTracer {
     void trace(std::int64_t begin, std::int64_t end, std::int64_t of_sample) {
         splats_.resize(static_cast<std::size_t>(end - begin));
         const int threads = context_.inputs().threads;
-        tbb::task_arena arena(arena_size(threads));
-        arena.execute([&] {
-            tbb::parallel_for(begin, end, [&](std::int64_t item) {
-                auto& splats = splats_[static_cast<std::size_t>(item - begin)];
-                splats.clear();
-                if (!context_.cancel().is_cancelled())
-                    trace_item(samples_.begin + static_cast<std::uint64_t>(item / of_sample),
-                               static_cast<std::uint64_t>(item % of_sample), splats);
-            });
+        parallel_for(threads, begin, end, [&](std::int64_t item) {
+            auto& splats = splats_[static_cast<std::size_t>(item - begin)];
+            splats.clear();
+            if (!context_.cancel().is_cancelled())
+                trace_item(samples_.begin + static_cast<std::uint64_t>(item / of_sample),
+                           static_cast<std::uint64_t>(item % of_sample), splats);
         });
         context_.cancel().check();
         for (auto item = begin; item < end; ++item)

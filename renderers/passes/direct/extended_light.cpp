@@ -1,13 +1,10 @@
 #include "renderers/passes/direct/extended_light.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <memory>
 
 #include "renderers/core/half_float.h"
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/passes/a_trous/a_trous.h"
 #include "renderers/passes/direct/light_estimate.h"
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
@@ -119,11 +116,8 @@ class LightSampling {
 
     void run(graph::Slice slice) const {
         const int threads = context_.inputs().threads;
-        tbb::task_arena arena(arena_size(threads));
-        arena.execute([&] {
-            tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t i) {
-                if (!context_.cancel().is_cancelled()) fill_tile(static_cast<int>(i));
-            });
+        parallel_for(threads, slice.begin, slice.end, [&](std::int64_t i) {
+            if (!context_.cancel().is_cancelled()) fill_tile(static_cast<int>(i));
         });
         context_.cancel().check();
         if (!slice.last) return;

@@ -1,8 +1,5 @@
 #include "renderers/passes/gbuffer/gbuffer_on_host.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,7 +7,7 @@
 #include <vector>
 
 #include "renderers/core/half_float.h"
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/glass.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
@@ -219,15 +216,6 @@ class HostMaterials {
     std::span<std::uint32_t> velocity_;
 };
 
-/// In as many threads as the frame may have.
-template <class Run>
-void for_each(const graph::PassContext& context, graph::Slice slice, Run run) {
-    tbb::task_arena arena(arena_size(context.inputs().threads));
-    arena.execute([&] {
-        tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t index) { run(static_cast<int>(index)); });
-    });
-}
-
 }  // namespace
 
 bool has_host_body(const graph::FrameInputs& inputs, const GBufferOptions& options) {
@@ -256,8 +244,9 @@ void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& g, const GBuff
             const auto lookup = context.object<SurfaceLookup>(surfaces);
             const auto found = context.object<std::vector<Hit>>(hits);
             const HostGBuffer filled(context, g, *tree, *lookup, *found);
-            for_each(context, slice, [&](int block) {
-                filled.fill_rows(block * side, std::min((block + 1) * side, height));
+            parallel_for(context.inputs().threads, slice.begin, slice.end, [&](std::int64_t block) {
+                const int first = static_cast<int>(block) * side;
+                filled.fill_rows(first, std::min(first + side, height));
             });
         });
     builder.pass("G-buffer, materials", graph::Queue::cpu)
@@ -268,7 +257,8 @@ void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& g, const GBuff
             const auto lookup = context.object<SurfaceLookup>(surfaces);
             const auto found = context.object<std::vector<Hit>>(hits);
             const HostMaterials filled(context, g, *lookup, *found);
-            for_each(context, slice, [&](int row) { filled.fill_row(row); });
+            parallel_for(context.inputs().threads, slice.begin, slice.end,
+                         [&](std::int64_t row) { filled.fill_row(static_cast<int>(row)); });
         });
 }
 

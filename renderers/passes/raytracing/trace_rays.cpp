@@ -1,12 +1,9 @@
 #include "renderers/passes/raytracing/trace_rays.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/device_bvh.h"
@@ -54,13 +51,10 @@ void trace_packets(const graph::PassContext& context, graph::ObjectRef bvh, cons
     const auto hits = context.elements<RayHitRecord>(buffers.hits);
     const auto scene = context.object<Bvh>(bvh);
     const int threads = context.inputs().threads;
-    tbb::task_arena arena(arena_size(threads));
-    arena.execute([&] {
-        tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t packet) {
-            const auto first = static_cast<std::size_t>(packet * lanes);
-            const auto count = std::min<std::size_t>(lanes, buffers.capacity - first);
-            trace_packet(*scene, rays.subspan(first, count), hits.subspan(first, count));
-        });
+    parallel_for(threads, slice.begin, slice.end, [&](std::int64_t packet) {
+        const auto first = static_cast<std::size_t>(packet * lanes);
+        const auto count = std::min<std::size_t>(lanes, buffers.capacity - first);
+        trace_packet(*scene, rays.subspan(first, count), hits.subspan(first, count));
     });
 }
 

@@ -41,10 +41,19 @@ HWY_INLINE Vector3 masked(Mask where, const Vector3& a) {
 HWY_INLINE Vector3 add_product(const Vector3& a, Floats b, const Vector3& c) {
     return {hn::MulAdd(a.x, b, c.x), hn::MulAdd(a.y, b, c.y), hn::MulAdd(a.z, b, c.z)};
 }
+HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
+    return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
+            hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
+}
 HWY_INLINE Floats squared_cross(const Vector3& a, const Vector3& b) {
-    const Vector3 c{hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
-                    hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
+    const auto c = cross(a, b);
     return dot(c, c);
+}
+HWY_INLINE Floats length(const Vector3& v) {
+    return hn::Sqrt(dot(v, v));
+}
+HWY_INLINE Vector3 normalized(const Vector3& v) {
+    return times(v, hn::Div(set(1), length(v)));
 }
 
 }  // namespace

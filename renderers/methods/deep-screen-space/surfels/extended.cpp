@@ -1,9 +1,7 @@
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <glm/gtc/packing.hpp>
 
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
@@ -96,14 +94,11 @@ std::optional<graph::BufferRef> sample_sources(graph::GraphBuilder& builder, con
                 if (slice.first) context.add(irradiance.count, counts[0].made);
                 const auto count =
                     static_cast<std::int64_t>(std::min<std::size_t>(counts[0].stored, lights.size()));
-                tbb::task_arena arena(arena_size(inputs.threads));
-                arena.execute([&] {
-                    tbb::parallel_for(count * slice.begin / packing_parts, count * slice.end / packing_parts,
-                                      [&](std::int64_t i) {
-                                          const auto at = static_cast<std::size_t>(i);
-                                          lights[at] = estimate.of(all[at]);
-                                      });
-                });
+                parallel_for(inputs.threads, count * slice.begin / packing_parts,
+                             count * slice.end / packing_parts, [&](std::int64_t i) {
+                                 const auto at = static_cast<std::size_t>(i);
+                                 lights[at] = estimate.of(all[at]);
+                             });
                 context.cancel().check();
             },
             1);

@@ -1,23 +1,14 @@
 #include "renderers/methods/hbao/host/march_on_host.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <memory>
 
 #include "renderers/core/half_float.h"
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/hbao/host/march_pixels.h"
 
 namespace ir::methods::hbao {
 namespace {
-
-template <class Run>
-void for_each_row(const graph::PassContext& context, std::int64_t begin, std::int64_t end, Run run) {
-    tbb::task_arena arena(arena_size(context.inputs().threads));
-    arena.execute([&] { tbb::parallel_for(begin, end, run); });
-}
 
 std::shared_ptr<MarchedSurfaces> surfaces_of(const graph::PassContext& context,
                                              const passes::GBuffer& gbuffer) {
@@ -27,7 +18,7 @@ std::shared_ptr<MarchedSurfaces> surfaces_of(const graph::PassContext& context,
     const auto normals = context.pixels<const std::uint64_t>(gbuffer.normal);
     const auto made = std::make_shared<MarchedSurfaces>(view.width, view.height);
     const auto width = static_cast<std::size_t>(view.width);
-    for_each_row(context, 0, view.height, [&](std::int64_t y) {
+    parallel_for(context.inputs().threads, 0, view.height, [&](std::int64_t y) {
         for (auto i = static_cast<std::size_t>(y) * width; i < static_cast<std::size_t>(y + 1) * width; ++i)
             made->set(i, positions[i], glm::vec3(unpack_halves(normals[i])), glm::vec3(geometric_normals[i]));
     });
@@ -54,7 +45,7 @@ void march_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
             const auto planes = context.object<MarchedSurfaces>(surfaces);
             const auto out = context.pixels<glm::vec4>(sums);
             const auto width = static_cast<std::size_t>(rules.width);
-            for_each_row(context, slice.begin, slice.end, [&](std::int64_t y) {
+            parallel_for(context.inputs().threads, slice.begin, slice.end, [&](std::int64_t y) {
                 march_row(rules, *planes, static_cast<int>(y),
                           out.subspan(static_cast<std::size_t>(y) * width, width));
             });

@@ -36,16 +36,6 @@ Vector3 load(const MarchedSurfaces::Planes& planes, std::size_t at) {
     return {hn::LoadU(f, planes[0].data() + at), hn::LoadU(f, planes[1].data() + at),
             hn::LoadU(f, planes[2].data() + at)};
 }
-HWY_INLINE Floats length(const Vector3& v) {
-    return hn::Sqrt(dot(v, v));
-}
-HWY_INLINE Vector3 normalized(const Vector3& v) {
-    return times(v, hn::Div(set(1), length(v)));
-}
-HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
-    return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
-            hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
-}
 HWY_INLINE Vector3 select(Mask where, const Vector3& a, const Vector3& b) {
     return {hn::IfThenElse(where, a.x, b.x), hn::IfThenElse(where, a.y, b.y),
             hn::IfThenElse(where, a.z, b.z)};

@@ -1,14 +1,11 @@
 #include "renderers/methods/ldm-indirect/tracing/extended_emission.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "renderers/core/constants.h"
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/tracing/host/children.h"
 #include "renderers/methods/ldm-indirect/tracing/host/landings.h"
@@ -194,13 +191,10 @@ void emit_from_extended(graph::GraphBuilder& builder, const Primaries& primaries
                 const auto emitted = context.object<ExtendedEmission>(emission);
                 const auto all = context.elements<Primary>(primaries.records);
                 const int threads = context.inputs().threads;
-                tbb::task_arena arena(arena_size(threads));
-                arena.execute([&] {
-                    tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t i) {
-                        const auto number = static_cast<std::uint64_t>(i);
-                        const auto source = primaries.from_images + number;
-                        all[source] = emitted->photon(*traced, number, static_cast<std::uint32_t>(source));
-                    });
+                parallel_for(threads, slice.begin, slice.end, [&](std::int64_t i) {
+                    const auto number = static_cast<std::uint64_t>(i);
+                    const auto source = primaries.from_images + number;
+                    all[source] = emitted->photon(*traced, number, static_cast<std::uint32_t>(source));
                 });
             },
             first_emission_slice);

@@ -1,8 +1,5 @@
 #include "renderers/methods/photon-mapping/emission/traced.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -10,7 +7,7 @@
 #include <sstream>
 
 #include "renderers/core/constants.h"
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/passes/sampling/point_sequence.h"
 #include "shaders/methods/photon-mapping/emission/emitted.glsl.h"
 
@@ -115,12 +112,9 @@ void start_rays(graph::GraphBuilder& builder, const TracedEmission& traced, cons
                 const auto rays = context.elements<passes::RayRecord>(traced.rays.rays);
                 const auto emitted = context.elements<EmittedRay>(traced.emitted);
                 const int threads = context.inputs().threads;
-                tbb::task_arena arena(arena_size(threads));
-                arena.execute([&] {
-                    tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t i) {
-                        const auto at = static_cast<std::size_t>(i);
-                        (*made)->fill(at, rays[at], emitted[at]);
-                    });
+                parallel_for(threads, slice.begin, slice.end, [&](std::int64_t i) {
+                    const auto at = static_cast<std::size_t>(i);
+                    (*made)->fill(at, rays[at], emitted[at]);
                 });
                 if (!slice.last) return;
                 std::ranges::copy((*made)->rows(from_maps),

@@ -1,13 +1,11 @@
 #include "renderers/methods/deep-screen-space/splatting/host/light_on_host.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <glm/gtc/packing.hpp>
 #include <optional>
 
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/image_layers.h"
 #include "renderers/methods/deep-screen-space/splatting/level0_light.h"
 #include "renderers/methods/deep-screen-space/surfels/host/host_senders.h"
@@ -118,8 +116,7 @@ graph::ImageRef resolve_light_on_host(graph::GraphBuilder& builder, const passes
                 result = glm::vec4(light.sent(winner, directions[layer][i], distances[layer][i], ray), 1);
             }
         };
-        tbb::task_arena arena(arena_size(context.inputs().threads));
-        arena.execute([&] { tbb::parallel_for(slice.begin, slice.end, fill); });
+        parallel_for(context.inputs().threads, slice.begin, slice.end, fill);
     });
     return incoming;
 }

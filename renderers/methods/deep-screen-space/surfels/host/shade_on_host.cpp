@@ -1,13 +1,10 @@
 #include "renderers/methods/deep-screen-space/surfels/host/shade_on_host.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 #include <span>
 
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/methods/deep-screen-space/surfels/host/host_senders.h"
 #include "renderers/passes/surface/host_surfaces.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
@@ -51,15 +48,12 @@ void shade_on_host(graph::GraphBuilder& builder, const passes::ShadowMaps& shado
             if (slice.first) context.add(lights.count, counts.made);
             const auto count =
                 static_cast<std::int64_t>(std::min<std::size_t>(counts.stored, results.size()));
-            tbb::task_arena arena(arena_size(context.inputs().threads));
-            arena.execute([&] {
-                tbb::parallel_for(count * slice.begin / packing_parts, count * slice.end / packing_parts,
-                                  [&](std::int64_t i) {
-                                      const auto at = static_cast<std::size_t>(i);
-                                      results[at] = shaded(senders, records[at],
-                                                           given.empty() ? SurfelLight{} : given[at]);
-                                  });
-            });
+            parallel_for(context.inputs().threads, count * slice.begin / packing_parts,
+                         count * slice.end / packing_parts, [&](std::int64_t i) {
+                             const auto at = static_cast<std::size_t>(i);
+                             results[at] =
+                                 shaded(senders, records[at], given.empty() ? SurfelLight{} : given[at]);
+                         });
         },
         1);
 }
