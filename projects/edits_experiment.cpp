@@ -43,15 +43,9 @@ void put_value(Experiment& experiment, const std::string& key, const Value& valu
     experiment.extra_values.erase(key);
 }
 
-const ParameterDescription& parameter_of(const MethodDescription& method, const std::string& key) {
-    if (const auto* parameter = find(method.parameters, key)) return *parameter;
-    throw UsageError("unknown parameter '" + printable(key) + "'" +
-                     known_are(key, words_of(method.parameters, &ParameterDescription::key)));
-}
-
 std::string label_of(const MethodDescription& method, const Settings& values) {
     if (values.size() != 1) return "Change " + std::to_string(values.size()) + " values";
-    return "Change " + parameter_of(method, values.begin()->first).label;
+    return "Change " + parameter_named(method.parameters, values.begin()->first).label;
 }
 
 /// Of the experiment's method; none where this build lacks it.
@@ -82,7 +76,7 @@ EditPtr set_values(const Project& project, const Registry& registry, const std::
     const auto& method = registry.at(after.method);
     std::string keys;
     for (const auto& [key, value] : values) {
-        put_value(after, key, parameter_of(method, key).checked(value));
+        put_value(after, key, parameter_named(method.parameters, key).checked(value));
         keys += "," + key;
     }
     return changed(project, after, label_of(method, values), "values" + keys);
@@ -91,7 +85,7 @@ EditPtr set_values(const Project& project, const Registry& registry, const std::
 EditPtr reset_value(const Project& project, const Registry& registry, const std::string& experiment,
                     const std::string& key) {
     Experiment after = experiment_of(project, experiment);
-    const auto& parameter = parameter_of(registry.at(after.method), key);
+    const auto& parameter = parameter_named(registry.at(after.method).parameters, key);
     put_value(after, key, parameter.default_value);
     return changed(project, after, "Reset " + parameter.label, "");
 }

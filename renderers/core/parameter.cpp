@@ -134,16 +134,16 @@ Settings defaults(const std::vector<ParameterDescription>& parameters) {
     return result;
 }
 
+const ParameterDescription& parameter_named(const std::vector<ParameterDescription>& parameters,
+                                            const std::string& key) {
+    if (const auto* parameter = find(parameters, key)) return *parameter;
+    throw UsageError("unknown parameter '" + key + "'" +
+                     known_are(key, words_of(parameters, &ParameterDescription::key)));
+}
+
 Settings completed(const std::vector<ParameterDescription>& parameters, const Settings& given) {
     Settings result = defaults(parameters);
-    for (const auto& [key, value] : given) {
-        const auto* p = find(parameters, key);
-        if (!p) {
-            throw UsageError("unknown parameter '" + key + "'" +
-                             known_are(key, words_of(parameters, &ParameterDescription::key)));
-        }
-        result[key] = p->checked(value);
-    }
+    for (const auto& [key, value] : given) result[key] = parameter_named(parameters, key).checked(value);
     return result;
 }
 

@@ -76,6 +76,9 @@ struct ParameterDescription : ParameterText {
 };
 
 const ParameterDescription* find(const std::vector<ParameterDescription>& parameters, std::string_view key);
+/// Throws UsageError that lists the known keys.
+const ParameterDescription& parameter_named(const std::vector<ParameterDescription>& parameters,
+                                            const std::string& key);
 
 /// Defaults of all parameters.
 Settings defaults(const std::vector<ParameterDescription>& parameters);
