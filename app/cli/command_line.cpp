@@ -36,9 +36,8 @@ std::string suggestion(const CLI::App& app, int argc, char** argv) {
     for (const auto* command : app.get_subcommands())
         for (const auto* option : command->get_options()) known.push_back("--" + option->get_single_name());
     for (int i = 1; i < argc; ++i) {
-        const std::string word(argv[i], std::string_view(argv[i]).find('=') == std::string_view::npos
-                                            ? std::string_view(argv[i]).size()
-                                            : std::string_view(argv[i]).find('='));
+        std::string word = argv[i];
+        word.resize(std::min(word.size(), word.find('=')));
         if (word.rfind("--", 0) == 0 && std::find(known.begin(), known.end(), word) == known.end())
             return did_you_mean(word, known);
     }

@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "app/engine/pictures.h"
 #include "renderers/core/error.h"
 #include "renderers/core/light_use.h"
 #include "renderers/core/transport.h"
@@ -16,7 +17,7 @@
 namespace ir::cli {
 namespace {
 
-const std::string prefix = "interreflect.", setting_prefix = prefix + "set.",
+const std::string prefix = engine::attribute_prefix, setting_prefix = prefix + "set.",
                   camera_prefix = prefix + "camera.", lights_key = prefix + "lights";
 
 const std::string* find(const ImageAttributes& attributes, const std::string& key) {

@@ -25,10 +25,7 @@ void set(Settings& values, const MethodDescription& method, const std::vector<st
         if (equals == std::string::npos)
             throw UsageError("--set '" + text + "' is not of the form key=value");
         const auto key = text.substr(0, equals);
-        const auto* parameter = find(method.parameters, key);
-        if (!parameter)
-            completed(method.parameters, {{key, Value{false}}});  // throws, listing the known keys
-        values[key] = parameter->parse(text.substr(equals + 1));
+        values[key] = parameter_named(method.parameters, key).parse(text.substr(equals + 1));
     }
 }
 

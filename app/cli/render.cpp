@@ -114,15 +114,7 @@ int render_scene(const RenderFlags& flags) {
     ProgressLine line(!flags.quiet, 1);
     line.begin({}, 1);
     options.progress = line.callback();
-    FrameReport report;
-    try {
-        report = engine::run_frames(execution, options);
-    } catch (const Cancelled&) {
-        line.clear();
-        std::cerr << "interreflect-cli: " << flags.out << " is not written\n";
-        throw;
-    }
-    line.clear();
+    auto report = under_progress(line, flags.out, [&] { return engine::run_frames(execution, options); });
     if (experiment.environment && !find(execution.method().parameters, "environment_light"))
         report.messages.push_back(
             {Severity::note, "render",

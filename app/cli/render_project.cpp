@@ -62,18 +62,13 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     auto options = frame_options(job.machine, job.dumps);
     line.begin(experiment.id, frames_of(experiment));
     options.progress = line.callback();
-    KeptRun run;
-    try {
+    auto run = under_progress(line, with(".exr").string(), [&] {
         if (job.keep)
-            run = run_and_keep(execution, options, project, experiment, folder, job.checkpoint, line);
-        else
-            run.report = engine::run_frames(execution, options);
-    } catch (const Cancelled&) {
-        line.clear();
-        std::cerr << "interreflect-cli: " << with(".exr").string() << " is not written\n";
-        throw;
-    }
-    line.clear();
+            return run_and_keep(execution, options, project, experiment, folder, job.checkpoint, line);
+        KeptRun shown;
+        shown.report = engine::run_frames(execution, options);
+        return shown;
+    });
     auto& report = run.report;
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
@@ -110,7 +105,12 @@ int render_project(const ProjectRender& job) {
     double frames = 0;
     for (const auto& id : std::set(ids.begin(), ids.end())) {
         auto& experiment = *projects::find_item(project.experiments, id);
-        if (job.changes != ExperimentFlags{}) apply(job.changes, project, experiment);
+        try {
+            if (job.changes != ExperimentFlags{}) apply(job.changes, project, experiment);
+        } catch (const UsageError& error) {
+            throw UsageError("experiment '" + id + "': " + error.what() +
+                             "; --experiment chooses those that are meant");
+        }
         frames += frames_of(experiment);
     }
     ProgressLine line(job.show_progress, frames);

@@ -18,6 +18,7 @@
 #include "projects/document_json.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
+#include "renderers/image/metrics.h"
 
 namespace ir::cli {
 namespace {
@@ -39,7 +40,7 @@ struct Original {
     projects::Project project;
     projects::Experiment& experiment() { return project.experiments.front(); }
     std::string attribute(const std::string& name) const {
-        const auto found = attributes.find("interreflect." + name);
+        const auto found = attributes.find(engine::attribute_prefix + name);
         return found == attributes.end() ? std::string() : found->second;
     }
 };
@@ -105,7 +106,7 @@ Json differences(const Original& original, const ImageAttributes& now) {
     for (const char* what :
          {"version", "build", "method_version", "scene_hash", "lighting", "backend", "device", "processor"}) {
         const auto then = original.attribute(what);
-        const auto found = now.find(std::string("interreflect.") + what);
+        const auto found = now.find(engine::attribute_prefix + what);
         const auto today = found == now.end() ? std::string() : found->second;
         if (then != today) list.push_back({{"what", what}, {"then", then}, {"now", today}});
     }
@@ -114,14 +115,13 @@ Json differences(const Original& original, const ImageAttributes& now) {
 
 struct Distance {
     std::size_t pixels = 0, differ = 0;
-    double largest = 0, rmse = 0;
+    double largest = 0;  ///< infinite where only one of two values is a number
 };
 
 /// Of all channels. Values that are no numbers are equal where both are.
 Distance distance(const Image& a, const Image& b) {
     Distance result;
     result.pixels = std::size_t(a.width) * std::size_t(a.height);
-    double squares = 0;
     for (std::size_t pixel = 0; pixel < result.pixels; ++pixel) {
         bool is_equal = true;
         for (int c = 0; c < a.channels; ++c) {
@@ -131,11 +131,9 @@ Distance distance(const Image& a, const Image& b) {
             is_equal = false;
             const double d = std::abs(double(x) - double(y));
             result.largest = std::max(result.largest, std::isnan(d) ? HUGE_VAL : d);
-            squares += d * d;
         }
         result.differ += !is_equal;
     }
-    result.rmse = std::sqrt(squares / double(std::max<std::size_t>(1, a.pixels.size())));
     return result;
 }
 
@@ -157,14 +155,8 @@ int rerun(const RerunFlags& flags) {
     ProgressLine line(!flags.quiet, 1);
     line.begin({}, 1);
     options.progress = line.callback();
-    FrameReport report;
-    try {
-        report = engine::run_frames(execution, options);
-    } catch (const Cancelled&) {
-        line.clear();
-        throw;
-    }
-    line.clear();
+    const auto report =
+        under_progress(line, flags.out, [&] { return engine::run_frames(execution, options); });
     if (!flags.out.empty()) write_picture(flags.out, execution, dumps);
     print_messages(execution, report);
 
@@ -174,11 +166,13 @@ int rerun(const RerunFlags& flags) {
                                picture.channels == original.picture.channels;
     Json json{{"file", flags.file}, {"different", differences(original, engine::attributes(execution))}};
     const auto apart = is_comparable ? distance(picture, original.picture) : Distance{};
+    const double rmse =
+        is_comparable ? compute_metrics(picture, original.picture, {"rmse"}).values.at("rmse") : 0;
     if (is_comparable) {
         json["pixels"] = apart.pixels;
         json["pixels_that_differ"] = apart.differ;
         json["largest_difference"] = engine::number_json(apart.largest);
-        json["rmse"] = engine::number_json(apart.rmse);
+        json["rmse"] = engine::number_json(rmse);
     }
     if (flags.json) {
         std::cout << json.dump(2) << "\n";
@@ -193,60 +187,9 @@ int rerun(const RerunFlags& flags) {
             std::cout << "all " << apart.pixels << " pixels are the same, bit for bit\n";
         else
             std::cout << apart.differ << " of " << apart.pixels << " pixels differ, by " << apart.largest
-                      << " at most, RMSE " << apart.rmse << "\n";
+                      << " at most, RMSE " << rmse << "\n";
     }
     return flags.is_exact && (!is_comparable || apart.differ > 0) ? limit_exceeded : done;
-}
-
-/// All that two files say, but for what `--out` and the clock change.
-int print_differences(const std::string& a, const std::string& b, bool as_json) {
-    const auto flat = [](const std::string& file) {
-        ImageAttributes attributes;
-        read_exr(file, &attributes);
-        std::map<std::string, Json> all;
-        for (const auto& [key, value] : attributes) {
-            if (key.rfind("interreflect.", 0) != 0) continue;
-            if (key == engine::recipe_attribute) {
-                // What attributes do not tell one by one.
-                const auto recipe = projects::parse_json(value, file);
-                for (const char* list : {"scenes", "lights", "motion"})
-                    if (const auto found = recipe.find(list); found != recipe.end()) {
-                        const auto leaves = found->flatten();
-                        for (const auto& [place, leaf] : leaves.items()) all[list + place] = leaf;
-                    }
-                continue;
-            }
-            all[key.substr(std::string_view("interreflect.").size())] = value;
-        }
-        if (all.empty())
-            throw InputError(file, "", "does not say how it was rendered: no attribute interreflect.…");
-        return all;
-    };
-    const auto left = flat(a), right = flat(b);
-    std::set<std::string> keys;
-    for (const auto* side : {&left, &right})
-        for (const auto& [key, value] : *side) keys.insert(key);
-    Json json = Json::array();
-    const auto text = [](const Json& value) {
-        return value.is_null()     ? std::string("absent")
-               : value.is_string() ? value.get<std::string>()
-                                   : value.dump();
-    };
-    for (const auto& key : keys) {
-        const auto value = [&](const auto& side) {
-            const auto found = side.find(key);
-            return found == side.end() ? Json() : found->second;
-        };
-        const auto x = value(left), y = value(right);
-        if (x == y) continue;
-        json.push_back({{"what", key}, {"a", x}, {"b", y}});
-        if (!as_json) std::cout << key << ": " << text(x) << " | " << text(y) << "\n";
-    }
-    if (as_json)
-        std::cout << json.dump(2) << "\n";
-    else if (json.empty())
-        std::cout << "nothing differs\n";
-    return done;
 }
 
 }  // namespace
@@ -266,20 +209,6 @@ void add_rerun(CLI::App& app, Run& run) {
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
     command->callback([flags, &run] { run = [flags] { return rerun(*flags); }; });
-}
-
-void add_diff(CLI::App& app, Run& run) {
-    struct Flags {
-        std::string a, b;
-        bool json = false;
-    };
-    auto flags = std::make_shared<Flags>();
-    auto* command = app.add_subcommand("diff", "In which settings two pictures differ");
-    command->add_option("A", flags->a, "EXR file")->required();
-    command->add_option("B", flags->b, "EXR file")->required();
-    command->add_flag("--json", flags->json, "Print one JSON array");
-    command->callback(
-        [flags, &run] { run = [flags] { return print_differences(flags->a, flags->b, flags->json); }; });
 }
 
 }  // namespace ir::cli

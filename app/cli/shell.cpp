@@ -1,4 +1,5 @@
 // What a shell and `man` are told of the commands, from the commands themselves.
+#include <array>
 #include <iostream>
 
 #include "app/cli/command.h"
@@ -47,8 +48,11 @@ std::vector<Command> commands_of(const CLI::App& app) {
 /// Words that the value of an option may be; empty: a file.
 std::vector<std::string> values_of(const std::string& option) {
     if (option == "--method") return words_of(engine::registry().methods(), &MethodDescription::id);
-    if (option == "--processor") return {"auto", "gl", "host"};
-    if (option == "--backend") return {"egl", "osmesa"};
+    if (option == "--processor")
+        return words_of(find(engine::machine_settings().descriptions(), "processor")->choices, &Choice::key);
+    if (option == "--backend")
+        return words_of(std::array{gl::Backend::egl, gl::Backend::osmesa},
+                        [](gl::Backend backend) { return gl::to_string(backend); });
     if (option == "--scene") {
         auto names = scene::builtin_names();
         for (auto& name : names) name = "builtin:" + name;

@@ -111,35 +111,36 @@ ImageAttributes attributes(const Execution& execution) {
         return to_string(Value{double{v.x}}) + "," + to_string(Value{double{v.y}}) + "," +
                to_string(Value{double{v.z}});
     };
-    result["interreflect.version"] = version();
-    result["interreflect.build"] = build();
+    result[attribute_prefix + "version"] = version();
+    result[attribute_prefix + "build"] = build();
     if (!experiment.recipe.empty()) result[recipe_attribute] = experiment.recipe;
-    result["interreflect.method"] = method.id;
-    result["interreflect.method_version"] = std::to_string(method.version);
-    if (const auto& variance = method.variance; !variance.empty()) result["interreflect.variance"] = variance;
+    result[attribute_prefix + "method"] = method.id;
+    result[attribute_prefix + "method_version"] = std::to_string(method.version);
+    if (const auto& variance = method.variance; !variance.empty())
+        result[attribute_prefix + "variance"] = variance;
     for (const auto& [key, value] : execution.settings())
-        result["interreflect.set." + key] = to_string(value);
-    result["interreflect.scene"] = scene::composition_name(experiment.composition());
-    result["interreflect.scene_hash"] = execution.scene().content_hash;
-    result["interreflect.lighting"] =
+        result[attribute_prefix + "set." + key] = to_string(value);
+    result[attribute_prefix + "scene"] = scene::composition_name(experiment.composition());
+    result[attribute_prefix + "scene_hash"] = execution.scene().content_hash;
+    result[attribute_prefix + "lighting"] =
         lighting_digest(execution.world().lights, execution.scene().environment);
-    result["interreflect.lights"] = to_json(used_lights(execution));
+    result[attribute_prefix + "lights"] = to_json(used_lights(execution));
     if (const auto& environment = experiment.environment)
-        result["interreflect.environment"] = environment->map ? "map" : vector(environment->constant);
-    result["interreflect.seed"] = std::to_string(experiment.seed);
-    result["interreflect.frames"] = std::to_string(execution.committed_frames());
-    if (execution.accumulates()) result["interreflect.samples"] = std::to_string(execution.samples());
-    result["interreflect.time"] = to_string(Value{experiment.time});
-    result["interreflect.moment"] = to_string(Value{execution.time()});
-    result["interreflect.moves"] = to_string(Value{execution.is_moving()});
-    result["interreflect.backend"] = report.backend;
-    result["interreflect.device"] = report.device;
-    result["interreflect.processor"] = report.processor;
+        result[attribute_prefix + "environment"] = environment->map ? "map" : vector(environment->constant);
+    result[attribute_prefix + "seed"] = std::to_string(experiment.seed);
+    result[attribute_prefix + "frames"] = std::to_string(execution.committed_frames());
+    if (execution.accumulates()) result[attribute_prefix + "samples"] = std::to_string(execution.samples());
+    result[attribute_prefix + "time"] = to_string(Value{experiment.time});
+    result[attribute_prefix + "moment"] = to_string(Value{execution.time()});
+    result[attribute_prefix + "moves"] = to_string(Value{execution.is_moving()});
+    result[attribute_prefix + "backend"] = report.backend;
+    result[attribute_prefix + "device"] = report.device;
+    result[attribute_prefix + "processor"] = report.processor;
     const auto from = execution.camera();
-    result["interreflect.camera.eye"] = vector(from.eye);
-    result["interreflect.camera.target"] = vector(from.target);
-    result["interreflect.camera.up"] = vector(from.up);
-    result[from.orthographic ? "interreflect.camera.height" : "interreflect.camera.fov_y_degrees"] =
+    result[attribute_prefix + "camera.eye"] = vector(from.eye);
+    result[attribute_prefix + "camera.target"] = vector(from.target);
+    result[attribute_prefix + "camera.up"] = vector(from.up);
+    result[attribute_prefix + (from.orthographic ? "camera.height" : "camera.fov_y_degrees")] =
         to_string(Value{double{from.orthographic ? from.height : glm::degrees(from.fov_y)}});
     return result;
 }

@@ -14,8 +14,10 @@ Image main_result(const Execution& execution);
 /// images as they are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel per
 /// field, at most 4096 wide.
 std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std::string>& patterns);
+/// How the names of all attributes begin.
+inline const std::string attribute_prefix = "interreflect.";
 /// Holds Experiment::recipe, by which the picture can be rendered again.
-inline constexpr const char* recipe_attribute = "interreflect.recipe";
+inline const std::string recipe_attribute = attribute_prefix + "recipe";
 /// Parameters, seed, camera, scene hash, versions, recipe: for the EXR header.
 ImageAttributes attributes(const Execution& execution);
 

@@ -24,6 +24,9 @@ void write_exr(FileSystem& files, const std::filesystem::path& file, const std::
 /// All layers of all parts. Throws InputError.
 std::vector<ImageLayer> read_exr(const std::filesystem::path& file, ImageAttributes* attributes = nullptr);
 
+/// Only what the header says. Throws InputError.
+ImageAttributes read_exr_attributes(const std::filesystem::path& file);
+
 /// The standard channel names for 1, 2, 3 or 4 channels of an output ("Y"; "X","Y"; "R","G","B"; …).
 std::vector<std::string> standard_channels(int channels, bool vector_valued = false);
 

@@ -137,6 +137,20 @@ void default_layer_first(std::vector<ImageLayer>& layers) {
     std::stable_partition(layers.begin(), layers.end(), [](const auto& layer) { return layer.name.empty(); });
 }
 
+template <class Read>
+void read(const std::filesystem::path& file, Read read_from) {
+    require_regular_file(file);
+    try {
+        Imf::MultiPartInputFile input(file.c_str());
+        read_from(input);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& problem) {
+        throw InputError(file.string(), "",
+                         std::string("is not a readable EXR file (") + problem.what() + ")");
+    }
+}
+
 }  // namespace
 
 ImageAttributes attributes_of(const Imf::Header& header) {
@@ -149,20 +163,19 @@ ImageAttributes attributes_of(const Imf::Header& header) {
     return result;
 }
 
+ImageAttributes read_exr_attributes(const std::filesystem::path& file) {
+    ImageAttributes attributes;
+    read(file, [&](Imf::MultiPartInputFile& input) { attributes = attributes_of(input.header(0)); });
+    return attributes;
+}
+
 std::vector<ImageLayer> read_exr(const std::filesystem::path& file, ImageAttributes* attributes) {
-    require_regular_file(file);
     std::vector<ImageLayer> layers;
-    try {
-        Imf::MultiPartInputFile input(file.c_str());
+    read(file, [&](Imf::MultiPartInputFile& input) {
         for (int i = 0; i < input.parts(); ++i)
             if (is_flat(input.header(i))) read_part(input, i, file.string(), layers);
         if (attributes) *attributes = attributes_of(input.header(0));
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& problem) {
-        throw InputError(file.string(), "",
-                         std::string("is not a readable EXR file (") + problem.what() + ")");
-    }
+    });
     if (layers.empty()) throw InputError(file.string(), "", "has no flat image; save it without deep data");
     default_layer_first(layers);
     return layers;
