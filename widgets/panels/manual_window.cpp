@@ -3,11 +3,13 @@
 #include <QAction>
 #include <QDesktopServices>
 #include <QDir>
+#include <QImage>
 #include <QStyle>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace ir::widgets {
 namespace {
@@ -39,6 +41,23 @@ QString name_of(const QString& heading) {
     return name;
 }
 
+/// Pictures are no wider than the window.
+class Browser : public QTextBrowser {
+  public:
+    using QTextBrowser::QTextBrowser;
+
+  protected:
+    QVariant loadResource(int type, const QUrl& name) override {
+        const auto loaded = QTextBrowser::loadResource(type, name);
+        if (type != QTextDocument::ImageResource) return loaded;
+        constexpr int beside = 64;  // logical pixels: margins and the scroll bar
+        const int room = std::max(beside, window()->width() - beside);
+        const auto picture = QImage::fromData(loaded.toByteArray());
+        if (picture.width() <= room) return loaded;
+        return picture.scaledToWidth(room, Qt::SmoothTransformation);
+    }
+};
+
 }  // namespace
 
 std::vector<ManualPage> manual_pages(const QString& folder) {
@@ -54,7 +73,7 @@ std::vector<ManualPage> manual_pages(const QString& folder) {
     return pages;
 }
 
-ManualWindow::ManualWindow(QWidget* parent) : QWidget(parent, Qt::Window), browser_(new QTextBrowser(this)) {
+ManualWindow::ManualWindow(QWidget* parent) : QWidget(parent, Qt::Window), browser_(new Browser(this)) {
     setWindowTitle(tr("Manual"));
     setObjectName(QStringLiteral("manual"));
     resize(860, 760);

@@ -1,4 +1,5 @@
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTreeWidget>
@@ -162,6 +163,8 @@ TEST(Manual, LinksLeadFromPageToPage) {
     widgets::ManualWindow manual(nullptr);
     manual.show_page(pages.front().file);
     auto* browser = manual.findChild<QTextBrowser*>();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&manual));
+    EXPECT_EQ(browser->horizontalScrollBar()->maximum(), 0) << "pictures fit";
     emit browser->anchorClicked(QUrl("docs/methods/ldm-ao.md"));
     EXPECT_EQ(manual.page().fileName(), "ldm-ao.md");
     emit browser->anchorClicked(QUrl("../accuracy.md#light-of-whole-rooms"));
