@@ -9,6 +9,9 @@ const float MIRROR_ALPHA = 1e-3;
 /// Least cosine to the viewer: shading normals may turn away from it.
 // C++: ir::passes::min_view_cosine
 const float MIN_VIEW_COSINE = 1e-4;
+/// A relative index of refraction as near to 1 lets light pass straight on, whatever the microfacets.
+// C++: ir::passes::same_index
+const float SAME_INDEX = 1e-3;
 
 /// Microfacet distribution.  [Walter07 eq. 33]
 float ggx_distribution(float n_dot_h, float alpha) {
@@ -36,12 +39,17 @@ float dielectric_f0(float ior) {
     return ratio * ratio;
 }
 
+/// Of the refracted ray, by Snell's law; 0 for total internal reflection. `eta` as below.
+float refracted_cosine(float cosine, float eta) {
+    float squared_sine = (1.0 - cosine * cosine) / (eta * eta);
+    return squared_sine < 1.0 ? sqrt(1.0 - squared_sine) : 0.0;
+}
+
 /// Reflectance of a smooth interface for unpolarised light, (r_s² + r_p²)/2. `eta`: index behind the interface over
 /// that in front of it.  [glTF2 KHR_materials_ior]
 float dielectric_fresnel(float cosine, float eta) {
-    float squared_sine = (1.0 - cosine * cosine) / (eta * eta);  // of the refracted ray, by Snell's law
-    if (!(squared_sine < 1.0)) return 1.0;
-    float refracted = sqrt(1.0 - squared_sine);
+    float refracted = refracted_cosine(cosine, eta);
+    if (refracted == 0.0) return 1.0;
     float s = (cosine - eta * refracted) / (cosine + eta * refracted);
     float p = (eta * cosine - refracted) / (eta * cosine + refracted);
     return (s * s + p * p) / 2.0;

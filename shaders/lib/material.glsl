@@ -16,6 +16,10 @@ const uint MATERIAL_UNLIT = 1u;
 const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_MASKED = 4u;
 
+/// What has a larger fraction of glass is mostly glass: drawn as what lies behind it, except where it shines.
+// C++: ir::passes::mostly_glass
+const float MOSTLY_GLASS = 0.5;
+
 // C++: ir::passes::MaterialData
 struct Material {
     vec4 base_colour;
@@ -28,6 +32,13 @@ struct Material {
     float unused;
     TextureSlot base_colour_slot, metallic_roughness_slot, normal_slot, emission_slot, transmission_slot;
 };
+
+/// Fraction that survives `distance` metres inside the material; 1 where it has no volume.
+/// [glTF2 KHR_materials_volume]
+vec3 transmittance(Material material, float distance) {
+    if (material.thickness <= 0.0 || material.attenuation_distance <= 0.0) return vec3(1);
+    return pow(material.attenuation_colour, vec3(distance / material.attenuation_distance));
+}
 
 /// The slot's coordinates. `precise` keeps the rounding of scene::transformed_uv.
 vec2 uv_of_slot(TextureSlot slot, vec2 uv0, vec2 uv1) {

@@ -1,5 +1,5 @@
-// Scattering by opaque surfaces, with sampling: passes::Bsdf (renderers/passes/scattering/bsdf.h) for rays on the
-// device. Directions are unit vectors that point away from the surface; cosines are taken with the shading
+// Scattering by what is opaque of surfaces, with sampling: passes::Bsdf (renderers/passes/scattering/bsdf.h) for rays
+// on the device; lib/glass.glsl has the rest. Directions are unit vectors that point away from the surface; cosines are taken with the shading
 // normal; directions above one of the two normals and below the other do not count.
 
 #include "lib/brdf.glsl"
@@ -41,9 +41,10 @@ Scatterer make_scatterer(vec3 n, vec3 geometric_n, vec3 base_colour, float metal
 struct Scattered {
     vec3 direction_ws;
     vec3 weight;
-    bool is_specular;  // by a mirror, which does not count as a scattering
+    bool is_specular;     // by a mirror or clear glass, which does not count as a scattering
+    bool is_transmitted;  // to the other side
 };
-const Scattered NOT_SCATTERED = Scattered(vec3(0, 0, 1), vec3(0), false);
+const Scattered NOT_SCATTERED = Scattered(vec3(0, 0, 1), vec3(0), false, false);
 
 /// From the squared sine between normal and half vector: near the peak its cosine has lost the digits that
 /// count.  [Walter07 eq. 33]
@@ -174,7 +175,7 @@ Scattered scattered_by_mirror(Scatterer s, SeenScatterer seen) {
     vec3 l = 2.0 * seen.raised_cosine * s.n - seen.raised;
     if (!is_above(s, l)) return NOT_SCATTERED;
     vec3 fresnel = schlick_fresnel(s.f0, seen.raised_cosine);
-    return Scattered(l, s.specular * fresnel / seen.specular_probability, true);
+    return Scattered(l, s.specular * fresnel / seen.specular_probability, true, false);
 }
 
 /// The printed survival F G2 / G1 of a microfacet, over its lobe's probability.  [Smal19 §4.4.1]
@@ -212,10 +213,10 @@ Scattered scatter(Scatterer s, vec3 v, float lobe, vec2 u, int sampling) {
     if (!is_above(s, l)) return NOT_SCATTERED;
     float n_dot_l = dot(s.n, l);
     if (sampling == MICROFACETS_GGX_PRINTED)
-        return Scattered(l, printed_weight(s, seen, l, n_dot_l, is_microfacet), false);
+        return Scattered(l, printed_weight(s, seen, l, n_dot_l, is_microfacet), false, false);
     float pdf = scattering_pdf(s, seen, l, n_dot_l, sampling);
     if (!(pdf > 0.0)) return NOT_SCATTERED;
-    return Scattered(l, scattering_value(s, seen, l, n_dot_l) / pdf, false);
+    return Scattered(l, scattering_value(s, seen, l, n_dot_l) / pdf, false, false);
 }
 
 /// What a photon's weight is multiplied by so that it carries what a camera path along the same directions

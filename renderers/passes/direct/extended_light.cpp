@@ -99,8 +99,9 @@ class LightSampling {
           surfaces_(context, gbuffer),
           bvh_(context.object<Bvh>(bvh)),
           sources_(context.object<ExtendedEmitters>(sources)),
-          estimate_(*bvh_, sources_->surfaces, sources_->lights,
-                    {.materials = options.materials, .mirrors = options.mirrors}),
+          estimate_(
+              *bvh_, sources_->surfaces, sources_->lights,
+              {.materials = options.materials, .between = options.materials, .mirrors = options.mirrors}),
           samples_(options.parameters.light_samples),
           groups_(std::min(samples_, most_groups)),
           progress_(context.elements<std::uint32_t>(images.progress)),

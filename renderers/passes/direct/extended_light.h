@@ -7,6 +7,7 @@
 #include "renderers/core/transport.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/direct/light_parameters.h"
+#include "renderers/passes/direct/panes.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/lights/light_sampler.h"
 #include "renderers/passes/surface/surface.h"
@@ -32,7 +33,8 @@ ExtendedSources extended_sources(const graph::FrameInputs& inputs, const Extende
 /// What rays ask of them, made anew in each frame: it points into scene and world.
 struct ExtendedEmitters {
     ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options)
-        : surfaces(*inputs.scene, *inputs.world, false, false), lights(surfaces, options) {}
+        : surfaces(*inputs.scene, *inputs.world, false, Panes::any_in(*inputs.scene)),
+          lights(surfaces, options) {}
     SurfaceLookup surfaces;
     LightSampler lights;
 };

@@ -29,47 +29,49 @@ struct DrawnRay {
 /// Sources that a ray meets, each weighted against having been chosen.
 class MetSources {
   public:
-    MetSources(const Bvh& bvh, const SurfaceLookup& surfaces, const LightSampler& lights,
+    MetSources(const Panes& panes, const SurfaceLookup& surfaces, const LightSampler& lights,
                float (*combine)(float, float), const DrawnRay& ray)
-        : bvh_(bvh), surfaces_(surfaces), lights_(lights), combine_(combine), ray_(ray) {}
+        : panes_(panes), surfaces_(surfaces), lights_(lights), combine_(combine), ray_(ray) {}
 
     /// Rays are only traced as far as something could be met.
     glm::vec3 radiance() const {
-        if (lights_.has_emissive_meshes()) return behind(hit());
+        if (lights_.has_emissive_meshes()) return met(sight());
         const bool sees_sky = lights_.has_environment();
         float farthest = 0;
         lights_.visit_lights(ray_.origin, ray_.direction, no_limit,
                              [&](const LightHit& light) { farthest = std::max(farthest, light.distance); });
         if (!sees_sky && farthest == 0) return glm::vec3(0);
-        return behind(hit());
+        return met(sight());
     }
 
   private:
-    Hit hit() const { return bvh_.closest_hit(ray_.origin, ray_.direction, 0, no_limit); }
+    Panes::Sight sight() const { return panes_.look(ray_.origin, ray_.direction, no_limit); }
 
-    glm::vec3 behind(const Hit& hit) const {
+    glm::vec3 met(const Panes::Sight& sight) const {
+        const auto& hit = sight.end;
+        const auto passed = sight.passed(no_limit);  // from behind all panes
         glm::vec3 sum(0);
         lights_.visit_lights(ray_.origin, ray_.direction, hit.distance, [&](const LightHit& light) {
-            sum += weighted(light.radiance,
+            sum += weighted(sight.passed(light.distance) * light.radiance,
                             lights_.pdf_of_light(ray_.origin, ray_.normal, ray_.direction, light));
         });
         if (!hit.is_hit()) {
             if (!lights_.has_environment()) return sum;
-            return sum + weighted(lights_.environment(ray_.direction),
+            return sum + weighted(passed * lights_.environment(ray_.direction),
                                   lights_.pdf_of_environment(ray_.origin, ray_.normal, ray_.direction));
         }
         if (!lights_.has_emissive_meshes()) return sum;
         const auto emission = surfaces_.emission(hit.triangle, hit.u, hit.v);
         if (emission == glm::vec3(0)) return sum;
-        return sum +
-               weighted(emission, lights_.pdf_of_triangle(ray_.origin, ray_.normal, ray_.direction, hit));
+        return sum + weighted(passed * emission,
+                              lights_.pdf_of_triangle(ray_.origin, ray_.normal, ray_.direction, hit));
     }
 
     glm::vec3 weighted(glm::vec3 radiance, float pdf) const {
         return ray_.pdf > 0 ? radiance * combine_(ray_.pdf, pdf) : radiance;
     }
 
-    const Bvh& bvh_;
+    const Panes& panes_;
     const SurfaceLookup& surfaces_;
     const LightSampler& lights_;
     float (*combine_)(float, float);
@@ -80,7 +82,11 @@ class MetSources {
 
 LightEstimate::LightEstimate(const Bvh& bvh, const SurfaceLookup& surfaces, const LightSampler& lights,
                              const Options& options)
-    : bvh_(bvh), surfaces_(surfaces), lights_(lights), options_(options) {}
+    : bvh_(bvh),
+      surfaces_(surfaces),
+      lights_(lights),
+      options_(options),
+      panes_(bvh, surfaces, options.between) {}
 
 glm::vec3 LightEstimate::sample(const Surface& surface, glm::vec3 wo, const PathSampler& sampler) const {
     if (surface.is_unlit) return glm::vec3(0);
@@ -108,8 +114,10 @@ glm::vec3 LightEstimate::towards_source(const Surface& surface, const Bsdf& bsdf
     const auto radiance =
         scattered.value * light->radiance * (options_.combine(light->pdf, scattered.pdf) / light->pdf);
     if (radiance == glm::vec3(0)) return radiance;
-    const bool is_shadowed = bvh_.occluded(origin, light->direction_ws, 0, light->distance * shadow_ray_end);
-    return is_shadowed ? glm::vec3(0) : radiance;
+    const float far = light->distance * shadow_ray_end;
+    if (!panes_.any()) return bvh_.occluded(origin, light->direction_ws, 0, far) ? glm::vec3(0) : radiance;
+    const auto sight = panes_.look(origin, light->direction_ws, far);
+    return sight.end.is_hit() ? glm::vec3(0) : radiance * sight.passed(far);
 }
 
 glm::vec3 LightEstimate::by_direction(const Surface& surface, const Bsdf& bsdf, glm::vec3 wo, float lobe,
@@ -118,7 +126,7 @@ glm::vec3 LightEstimate::by_direction(const Surface& surface, const Bsdf& bsdf, 
     if (!sample || sample->is_transmitted || (sample->is_specular && !options_.mirrors)) return glm::vec3(0);
     const DrawnRay ray{offset_origin(surface.position_ws, surface.geometric_normal_ws),
                        surface.geometric_normal_ws, sample->wi, sample->pdf};
-    return sample->weight * MetSources(bvh_, surfaces_, lights_, options_.combine, ray).radiance();
+    return sample->weight * MetSources(panes_, surfaces_, lights_, options_.combine, ray).radiance();
 }
 
 }  // namespace ir::passes

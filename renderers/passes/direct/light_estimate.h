@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "renderers/core/transport.h"
+#include "renderers/passes/direct/panes.h"
 #include "renderers/passes/lights/light_sampler.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/sampling/point_sequence.h"
@@ -18,12 +19,14 @@ inline float power_heuristic(float pdf, float other) {
 }
 
 /// Light that a surface reflects of sources with an extent, one sample at a time: of the sources and of the
-/// surface's directions, weighted against each other. What lies between is opaque, glass too; alpha masks
-/// are not. Keeps references. Thread-safe.
+/// surface's directions, weighted against each other. What lies between is opaque but for alpha masks and
+/// sheets of clear glass: light that glass refracts or mirrors is not found. Keeps references. Thread-safe.
 class LightEstimate {
   public:
     struct Options {
         Transport::Materials materials = Transport::Materials::gltf;
+        /// Of what lies between: with `lambert` glass is opaque.
+        Transport::Materials between = Transport::Materials::gltf;
         /// Whether mirrors, which scatter nothing, show the sources that they reflect.
         bool mirrors = true;
         /// Tests put a wrong weight in its place, which they must notice.
@@ -52,6 +55,7 @@ class LightEstimate {
     const SurfaceLookup& surfaces_;
     const LightSampler& lights_;
     Options options_;
+    Panes panes_;
 };
 
 }  // namespace ir::passes

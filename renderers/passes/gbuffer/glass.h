@@ -3,12 +3,9 @@
 #include <optional>
 
 #include "renderers/passes/gbuffer/gbuffer.h"
+#include "shaders/lib/material.glsl.h"
 
 namespace ir::passes {
-
-/// What has a larger fraction of glass is mostly glass. As MOSTLY_GLASS of
-/// shaders/passes/scene/drawn_material.glsl.
-inline constexpr float mostly_glass = 0.5f;
 
 /// Whether a triangle may be mostly glass.
 bool has_glass(const graph::FrameInputs& inputs);

@@ -275,6 +275,12 @@ std::optional<BsdfSample> Bsdf::sample_importance(glm::vec3 wi, float lobe, glm:
     return sample;
 }
 
+glm::vec3 Bsdf::passed_straight(glm::vec3 wo) const {
+    if (is_dark_ || !is_thin_ || transmission_ <= 0 || scatters_through()) return glm::vec3(0);
+    const BsdfLobes seen(*this, wo);
+    return transmission_ * (1 - seen.glass_reflectance(seen.seen_cosine)) * tint_;
+}
+
 bool Bsdf::scatters_through() const {
     return !is_dark_ && transmission_ > 0 && alpha_ >= mirror_alpha &&
            (is_thin_ || std::abs(eta_ - 1) > same_index);

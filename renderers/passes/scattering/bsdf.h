@@ -73,6 +73,10 @@ class Bsdf {
     /// Where power that arrives from `wi` goes on to; `weight` is the part that does, over the probability.
     std::optional<BsdfSample> sample_importance(glm::vec3 wi, float lobe, glm::vec2 u) const;
 
+    /// Of light from behind, towards `wo`, the fraction that a sheet of clear glass lets pass straight on, as
+    /// often as sample() chooses it; 0 of anything else.
+    glm::vec3 passed_straight(glm::vec3 wo) const;
+
     /// Rough glass: evaluate() is not 0 for directions on the other side.
     bool scatters_through() const;
     /// Whether evaluate() is not 0 everywhere, so that light sources are worth sampling.

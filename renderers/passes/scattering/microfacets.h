@@ -11,9 +11,6 @@
 /// vectors; `_ts` ones are in a frame whose z is the normal.
 namespace ir::passes {
 
-/// A relative index of refraction as near to 1 lets light pass straight on, whatever the microfacets.
-constexpr float same_index = 1e-3f;
-
 /// [Walter07 eq. 33]
 inline float ggx_distribution(float n_dot_h, float alpha) {
     const float squared = alpha * alpha;

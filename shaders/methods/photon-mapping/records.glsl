@@ -2,7 +2,8 @@
 
 #include "lib/spaces.glsl"
 
-/// A point from which photons leave: where light arrived first, after the roulette there. 48 bytes.
+/// A point from which photons leave: where light arrived first, after the roulette there; or, before mirrors and glass,
+/// a place on its ray. 48 bytes.
 /// DEVIATION [Smal19 table 5.1]: the table has 32 bytes with normal (6 bytes), seed and padding. The material, from
 /// where the light came and the texel are here, too, as the first scattering needs them.
 // C++: ir::methods::photon_mapping::SamplePoint
@@ -14,8 +15,8 @@ struct SamplePoint {
     uint arrived_from;      // unit direction to where the light came from, likewise
     uint seed;     // index in the emission set: what all random numbers of its paths come from
     uint surface;  // packUnorm4x8: base colour, roughness
-    uint light;    // bits 0-5 light_name(); 16-31 metalness, UNORM
-    uint interface_;  // packHalf2x16: index of refraction, and the part of the surface that is no glass
+    uint light;    // bits 0-5 light_name(); 6: photons leave along the ray; 7: light samples find the source; 16-31 metalness, UNORM
+    float ior;     // index of refraction
     uint origin;   // bits 0-9 texel x, 10-19 texel y, 20-25 layer of the RSM; or NO_TEXEL: traced from the light
 };
 
@@ -47,6 +48,11 @@ struct Source {
     uint is_traced;     // 1 behind the layers of the RSM
     uint unused;
 };
+
+// C++: ir::methods::photon_mapping::leaves_along_ray
+const uint LEAVES_ALONG_RAY = 64u;
+// C++: ir::methods::photon_mapping::has_light_samples
+const uint HAS_LIGHT_SAMPLES = 128u;
 
 uint light_of(SamplePoint point) { return point.light & 63u; }
 float metalness_of(SamplePoint point) { return float(point.light >> 16u) / 65535.0; }

@@ -89,9 +89,6 @@ float transmission(Material material) {
     return result;
 }
 
-/// What is mostly glass is drawn as what lies behind it, except where it shines.
-const float MOSTLY_GLASS = 0.5;
-
 /// The fraction of the surface that is glass.  [glTF2 KHR_materials_transmission]
 float glass_fraction(Material material, float metallic) {
     return (material.flags & MATERIAL_UNLIT) != 0u ? 0.0 : transmission(material) * (1.0 - metallic);

@@ -225,14 +225,18 @@ TEST_F(ExtendedLightTest, WithoutSamplesWhatIsLeftOutIsNamed) {
 namespace ir::methods::reference {
 namespace {
 
-/// A floor, lit by a panel of emissive triangles near it, under a sky.
-Lab lit_floor(float roughness) {
+/// A floor, lit by a panel of emissive triangles near it, under a sky; and a sheet of tinted glass between.
+Lab lit_floor(float roughness, bool has_pane = false) {
     Lab lab;
     scene::Material m;
     m.base_colour = {0.8f, 0.8f, 0.8f, 1};
     m.metallic = 0.5f;
     m.roughness = roughness;
-    lab.quad(lab.material(m), {-2, 0, 2}, {4, 0, 0}, {0, 0, -4});
+    lab.quad(lab.material(m), {-9, 0, 9}, {18, 0, 0}, {0, 0, -18});
+    m.base_colour = {0.9f, 0.9f, 0.9f, 1};
+    m.metallic = m.roughness = 0;
+    m.transmission = 0.8f;
+    if (has_pane) lab.quad(lab.material(m), {-1, 0.3f, 0.5f}, {2, 0, 0}, {0, 0, -1.7f});
     lab.quad(lab.material(glm::vec3(0), glm::vec3(4)), {-0.5f, 0.4f, -0.9f}, {1, 0, 0}, {0, 0.3f, 0.2f});
     scene::Light disk;
     disk.type = scene::LightType::disk;
@@ -274,21 +278,36 @@ double z_of(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
                                            sb.variance / static_cast<double>(b.size()));
 }
 
+std::vector<Estimate> expected_light(const Lab& lab) {
+    auto paths = transport(Transport::Paths::direct);
+    paths.materials = Transport::Materials::gltf;
+    return estimates(
+        lab, paths,
+        [](const PathSampler&, passes::Surface&) {
+            return ray({0, 0.5f, 1}, {0, -0.5f, -1});
+        },
+        64, 256);
+}
+
 TEST(LightEstimate, EqualsTheReferenceAndAWrongWeightDoesNot) {
     for (const float roughness : {0.15f, 0.5f, 1.0f}) {
         const auto lab = lit_floor(roughness);
-        auto paths = transport(Transport::Paths::direct);
-        paths.materials = Transport::Materials::gltf;
-        const auto expected = estimates(
-            lab, paths,
-            [](const PathSampler&, passes::Surface&) {
-                return ray({0, 0.5f, 1}, {0, -0.5f, -1});
-            },
-            64, 256);
+        const auto expected = expected_light(lab);
         passes::LightEstimate::Options options;
         EXPECT_LT(std::abs(z_of(light_estimates(lab, options, 64, 256), expected)), 4) << roughness;
         options.combine = without_weights;
         EXPECT_GT(std::abs(z_of(light_estimates(lab, options, 64, 256), expected)), 6) << roughness;
+    }
+}
+
+TEST(LightEstimate, EqualsTheReferenceThroughAPane) {
+    for (const float roughness : {0.15f, 1.0f}) {
+        const auto lab = lit_floor(roughness, true);
+        const auto expected = expected_light(lab);
+        passes::LightEstimate::Options options;
+        EXPECT_LT(std::abs(z_of(light_estimates(lab, options, 64, 256), expected)), 4) << roughness;
+        options.between = Transport::Materials::lambert;
+        EXPECT_GT(std::abs(z_of(light_estimates(lab, options, 64, 256), expected)), 6) << "an opaque pane";
     }
 }
 

@@ -46,7 +46,7 @@ inline SamplePoint sample_point(const FirstHit& hit, std::uint32_t seed) {
     point.surface = byte(hit.base_colour.r) | byte(hit.base_colour.g) << 8 | byte(hit.base_colour.b) << 16 |
                     byte(hit.roughness) << 24;
     point.light = static_cast<std::uint32_t>(std::lround(hit.metallic * 65535)) << 16;
-    point.interface = glm::packHalf2x16({1.5f, 1});
+    point.ior = 1.5f;
     point.seed = seed;
     return point;
 }

@@ -15,16 +15,18 @@ enum Sampling { visible_normals, ggx, ggx_printed };
 
 struct Draw {
     glm::vec3 direction, weight;
-    std::uint32_t is_specular, unused;
-    IR_FIELDS(direction, weight, is_specular, unused)
+    std::uint32_t is_specular, is_transmitted;
+    IR_FIELDS(direction, weight, is_specular, is_transmitted)
 };
 
 /// Constants of scatter.comp.
 struct ScatterDraws {
     int model, sampling;
     glm::vec3 normal, geometric_normal, base_colour, seen;
-    float metallic, roughness;
-    IR_FIELDS(model, sampling, normal, geometric_normal, base_colour, seen, metallic, roughness)
+    float metallic, roughness, transmission, thickness, ior;
+    bool is_front;
+    IR_FIELDS(model, sampling, normal, geometric_normal, base_colour, seen, metallic, roughness, transmission,
+              thickness, ior, is_front)
 };
 
 struct Case {
@@ -51,7 +53,7 @@ std::vector<Case> cases() {
     return all;
 }
 
-/// shaders/lib/scattering.glsl against passes::Bsdf.
+/// shaders/lib/scattering.glsl and glass.glsl against passes::Bsdf.
 class ScatteringOnDevice : public PassTest {
   protected:
     std::vector<Draw> scatter(const Patch& patch, glm::vec3 seen, Sampling sampling,
@@ -74,7 +76,11 @@ class ScatteringOnDevice : public PassTest {
                                          .base_colour = patch.surface.base_colour,
                                          .seen = seen,
                                          .metallic = patch.surface.metallic,
-                                         .roughness = patch.surface.roughness});
+                                         .roughness = patch.surface.roughness,
+                                         .transmission = patch.surface.transmission,
+                                         .thickness = patch.material.thickness,
+                                         .ior = patch.material.ior,
+                                         .is_front = patch.surface.is_front});
                 gl::dispatch_items(program, 0, draws);
             });
         });
@@ -207,6 +213,111 @@ TEST_F(ScatteringOnDevice, ReflectsInOneDirectionWhereTheSurfaceIsAMirror) {
     for (const auto& draw : scatter(patch, seen, visible_normals)) {
         ASSERT_EQ(draw.is_specular, 1u);
         ASSERT_LT(glm::distance(draw.direction, 2 * glm::dot(n, seen) * n - seen), 1e-5f);
+    }
+}
+
+std::vector<Patch> panes(std::initializer_list<float> roughnesses, float transmission = 1) {
+    std::vector<Patch> all;
+    for (const float roughness : roughnesses)
+        for (const float thickness : {0.0f, 1.0f})
+            for (const bool is_front : {true, false}) {
+                all.push_back(glass(thickness, transmission));
+                all.back().surface.roughness = roughness;
+                all.back().surface.is_front = is_front;
+            }
+    return all;
+}
+
+std::string name_of(const Patch& patch) {
+    std::ostringstream text;
+    text << "roughness " << patch.surface.roughness << " thickness " << patch.material.thickness
+         << (patch.surface.is_front ? " from outside" : " from within");
+    return text.str();
+}
+
+/// What the host draws of light that comes from `seen`; the last cell: nothing leaves.
+struct HostDraws {
+    std::vector<double> cells = std::vector<double>(2 * rows * columns + 1);
+    Estimate weight{};
+
+    static std::size_t place(const Patch& patch, glm::vec3 direction, bool is_transmitted) {
+        const auto n = patch.surface.shading_normal_ws;
+        const auto raised = is_transmitted ? direction - 2 * glm::dot(direction, n) * n : direction;
+        return cell(patch, raised) + (is_transmitted ? rows * columns : 0);
+    }
+    HostDraws(const Patch& patch, glm::vec3 seen) {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<float> unit(0, 1);
+        double sum = 0, squares = 0;
+        for (int i = 0; i < draws; ++i) {
+            const float lobe = unit(random), x = unit(random);
+            const auto s = patch.bsdf().sample_importance(seen, lobe, {x, unit(random)});
+            ++cells[s ? place(patch, s->wi, s->is_transmitted) : cells.size() - 1];
+            const double w = s ? mean(s->weight) : 0;
+            sum += w / draws, squares += w * w / draws;
+        }
+        weight = {sum, std::sqrt(std::max(0.0, squares - sum * sum) / draws)};
+    }
+};
+
+TEST_F(ScatteringOnDevice, GlassSendsLightWhereTheHostDoes) {
+    for (const auto& patch : panes({0, 0.3f, 0.7f}))
+        for (const float cosine : {0.2f, 0.9f}) {
+            const auto seen = patch.direction(cosine);
+            const HostDraws host(patch, seen);
+            std::vector<double> device(host.cells.size());
+            for (const auto& d : scatter(patch, seen, visible_normals))
+                ++device[d.weight != glm::vec3(0)
+                             ? HostDraws::place(patch, d.direction, d.is_transmitted != 0)
+                             : device.size() - 1];
+            EXPECT_LT(excess(host.cells, device), 0) << name_of(patch) << " cosine " << cosine;
+        }
+}
+
+TEST_F(ScatteringOnDevice, WeighsRoughGlassAsTheHostDoes) {
+    for (const auto& patch : panes({0.3f, 0.7f}))
+        for (const float cosine : {0.2f, 0.9f}) {
+            const auto seen = patch.direction(cosine);
+            const auto bsdf = patch.bsdf();
+            int transmitted = 0;
+            for (const auto& d : scatter(patch, seen, visible_normals)) {
+                if (d.weight == glm::vec3(0)) continue;
+                ASSERT_EQ(d.is_specular, 0u);
+                const auto expected =
+                    bsdf.evaluate_importance(seen, d.direction) / bsdf.pdf(seen, d.direction);
+                ASSERT_LT(glm::distance(d.weight, expected), 5e-3f * glm::length(expected) + 1e-5f)
+                    << name_of(patch) << " cosine " << cosine;
+                transmitted += d.is_transmitted != 0;
+            }
+            const bool is_reflected =
+                patch.material.thickness > 0 && !patch.surface.is_front && cosine < 0.7f;
+            EXPECT_TRUE(is_reflected || transmitted > draws / 10) << name_of(patch);
+        }
+}
+
+TEST_F(ScatteringOnDevice, ClearGlassKeepsItsLight) {
+    for (const auto& patch : panes({0})) {
+        const auto seen = patch.direction(0.8f);
+        const auto out = patch.bsdf().sample_importance(seen, 0.9999f, {0, 0});
+        ASSERT_TRUE(out && out->is_transmitted);
+        for (const auto& d : scatter(patch, seen, visible_normals)) {
+            ASSERT_EQ(d.is_specular, 1u);
+            const auto expected = d.is_transmitted != 0 ? patch.surface.base_colour : glm::vec3(1);
+            ASSERT_LT(glm::distance(d.weight, expected), 1e-6f) << name_of(patch) << ": not divided by η²";
+            if (d.is_transmitted != 0) {
+                ASSERT_LT(glm::distance(d.direction, out->wi), 1e-5f) << name_of(patch);
+            }
+        }
+    }
+}
+
+TEST_F(ScatteringOnDevice, GlassInPartKeepsTheMeanOfBoth) {
+    for (const auto& patch : panes({0, 0.5f}, 0.4f)) {
+        const auto seen = patch.direction(0.6f);
+        const HostDraws host(patch, seen);
+        const auto found = mean_weight(scatter(patch, seen, visible_normals));
+        const double error = std::hypot(found.error, host.weight.error);
+        EXPECT_NEAR(found.mean, host.weight.mean, 4.9 * error) << name_of(patch);
     }
 }
 

@@ -18,7 +18,7 @@ class Level0Light {
                 const Parameters& parameters)
         : bvh_(context.object<passes::Bvh>(bvh)),
           sources_(context.object<passes::ExtendedEmitters>(sources)),
-          estimate_(*bvh_, *sources_),
+          estimate_(*bvh_, *sources_, parameters),
           seed_(random_seed(context.inputs(), parameters)) {}
 
     /// W/m². `ray`: the number of the ray among all.

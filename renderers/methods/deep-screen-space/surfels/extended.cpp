@@ -18,7 +18,7 @@ class SurfelIrradiance {
                      const Parameters& parameters)
         : bvh_(bvh),
           surfaces_(sources.surfaces),
-          sources_(bvh, sources),
+          sources_(bvh, sources, parameters),
           seed_(seed),
           samples_(parameters.sender_samples),
           light_offset_(parameters.light_offset),

@@ -27,8 +27,11 @@ inline graph::ObjectRef sources_of(graph::GraphBuilder& builder, const Parameter
 /// Without normal maps: senders stand for more than their folds.
 class SourceIrradiance {
   public:
-    SourceIrradiance(const passes::Bvh& bvh, const passes::ExtendedEmitters& sources)
-        : estimate_(bvh, sources.surfaces, sources.lights, {.materials = Transport::Materials::lambert}) {}
+    SourceIrradiance(const passes::Bvh& bvh, const passes::ExtendedEmitters& sources,
+                     const Parameters& parameters)
+        : estimate_(bvh, sources.surfaces, sources.lights,
+                    {.materials = Transport::Materials::lambert, .between = parameters.transport.materials}) {
+    }
 
     /// On the side of `normal`, W/m², unbiased over keys.
     glm::vec3 irradiance(passes::Surface surface, const glm::vec3& normal, std::uint64_t key,

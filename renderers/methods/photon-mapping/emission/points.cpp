@@ -161,16 +161,16 @@ void warp_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
     auto pass = builder.pass("emission points");
     read_maps(pass, scene, mapped, points);
     pass.writes("Candidates", points.candidates).writes("Survivors", points.survivors);
-    pass.compute_sliced(
-        source_over_maps("methods/photon-mapping/emission/points.comp", parameters),
-        static_cast<std::int64_t>(points.from_maps),
-        WarpPoints{surface_rules(parameters), emission_sets(builder.inputs(), sources, points, parameters)},
-        first_points_slice);
+    pass.compute_sliced(source_over_maps("methods/photon-mapping/emission/points.comp", parameters),
+                        static_cast<std::int64_t>(points.from_maps),
+                        WarpPoints{surface_rules(*builder.inputs().scene, parameters),
+                                   emission_sets(builder.inputs(), sources, points, parameters)},
+                        first_points_slice);
 }
 
 void pack_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Sources& sources,
                  const MappedEmission& mapped, const EmissionPoints& points, const Parameters& parameters) {
-    const WarpPoints warped{surface_rules(parameters),
+    const WarpPoints warped{surface_rules(*builder.inputs().scene, parameters),
                             emission_sets(builder.inputs(), sources, points, parameters)};
     auto pass = builder.pass("sample points");
     read_maps(pass, scene, mapped, points);
@@ -206,11 +206,11 @@ std::vector<OutputDescription> point_outputs() {
          .semantic = Semantic::position,
          .unit = "m",
          .doc = "Where photons leave: points that survived the roulette at the first surface, in the "
-                "order of their seeds. power: RGB9E5; normals and arrived_from, where the light came from: "
-                "octahedral; surface: base colour and roughness; light: number of the light (61: a later "
-                "one, 62: an emissive surface, 63: the environment), metalness; interface: index of "
-                "refraction, opaque part; origin: texel x and y and layer of the RSM, or all bits where "
-                "a ray was traced from the light."},
+                "order of their seeds; before mirrors and glass, places on the light's rays. power: RGB9E5; "
+                "normals and arrived_from, where the light came from: octahedral; surface: base colour and "
+                "roughness; light: number of the light (61: a later one, 62: an emissive surface, 63: the "
+                "environment), metalness; ior: index of refraction; origin: texel x and y and layer of the "
+                "RSM, or all bits where a ray was traced from the light."},
         {.key = "photons.sources",
          .label = "Sources of photons",
          .kind = OutputKind::table,

@@ -3,6 +3,8 @@
 #include <bit>
 #include <sstream>
 
+#include "renderers/methods/photon-mapping/specular.h"
+
 namespace ir::methods::photon_mapping {
 namespace {
 
@@ -22,7 +24,8 @@ struct Probabilities {
 void find_probabilities(const PassContext& p, const passes::Rsm& rsm, const Parameters& parameters,
                         graph::Slice slice) {
     const auto& program = p.use({{"methods/photon-mapping/emission/probability.comp"}});
-    program.set(Probabilities{surface_rules(parameters), static_cast<int>(slice.begin), rsm.views_drawn});
+    program.set(Probabilities{surface_rules(*p.inputs().scene, parameters), static_cast<int>(slice.begin),
+                              rsm.views_drawn});
     program.dispatch(rsm.resolution, rsm.resolution, slice.end - slice.begin);
 }
 
@@ -113,8 +116,10 @@ void reads_map(graph::PassBuilder& pass, const passes::Rsm& rsm, const passes::S
     pass.reads(rsm.geometric_normal);
 }
 
-SurfaceRules surface_rules(const Parameters& parameters) {
-    return {static_cast<int>(parameters.transport.materials), parameters.photon_near, parameters.photon_far};
+SurfaceRules surface_rules(const scene::Scene& scene, const Parameters& parameters) {
+    const auto model = parameters.transport.materials;
+    return {static_cast<int>(model), most_specular_events(scene, model) > 0, parameters.photon_near,
+            parameters.photon_far};
 }
 
 std::vector<OutputDescription> probability_outputs() {

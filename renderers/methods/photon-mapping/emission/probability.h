@@ -23,14 +23,15 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
 EmissionMaps haar_pyramid(graph::GraphBuilder& builder, graph::ImageRef map, int resolution, int layers,
                           const std::string& fingerprint);
 
-/// Constants of rsm.glsl and hits.comp: index of survival.glsl for the transport's materials, and the photon
-/// planes.
+/// Constants of rsm.glsl and hits.comp: index of survival.glsl for the transport's materials, whether paths
+/// follow mirrors, and the photon planes.
 struct SurfaceRules {
     int materials_model;
+    bool follows_mirrors;
     float photon_near, photon_far;
-    IR_FIELDS(materials_model, photon_near, photon_far)
+    IR_FIELDS(materials_model, follows_mirrors, photon_near, photon_far)
 };
-SurfaceRules surface_rules(const Parameters& parameters);
+SurfaceRules surface_rules(const scene::Scene& scene, const Parameters& parameters);
 
 /// What programs that include rsm.glsl read.
 void reads_map(graph::PassBuilder& pass, const passes::Rsm& rsm, const passes::SceneBuffers& scene);

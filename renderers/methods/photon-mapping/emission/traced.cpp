@@ -8,6 +8,7 @@
 
 #include "renderers/core/constants.h"
 #include "renderers/core/parallel_for.h"
+#include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/sampling/point_sequence.h"
 #include "shaders/methods/photon-mapping/emission/emitted.glsl.h"
 
@@ -43,6 +44,7 @@ class EmissionRays {
         emitted.power = light->flux / static_cast<float>(count_);
         emitted.range = light->range;
         emitted.light = light_name(light->emitter);
+        emitted.has_extent = !is_punctual(light->emitter);
     }
 
     /// The sources with their points, numbered behind those of maps.
@@ -57,6 +59,10 @@ class EmissionRays {
     }
 
   private:
+    bool is_punctual(int emitter) const {
+        return emitter >= 0 &&
+               passes::is_punctual(surfaces_.world().lights[static_cast<std::size_t>(emitter)]);
+    }
     float choice(std::uint64_t i) const {
         constexpr float below_one = 0x1.fffffep-1f;
         const double at = static_cast<double>(i) + (sets_.stratum + shift_) / sets_.strata;
@@ -142,7 +148,7 @@ LightHits light_hits(const graph::FrameInputs& inputs, const Sources& sources, c
             .seed_low = sets.seed_low,
             .seed_high = sets.seed_high,
             .first_traced = static_cast<unsigned>(points.from_maps),
-            .rules = surface_rules(parameters),
+            .rules = surface_rules(*inputs.scene, parameters),
             .normal_maps = parameters.transport.normal_maps,
             .capacity = 0,
             .power_unit = points.samples.power_unit,

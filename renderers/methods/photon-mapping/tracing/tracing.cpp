@@ -57,9 +57,10 @@ void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float powe
                 builder.counter({.key = "photons.missed", .label = "Photons that left the scene"}))
         .counts("CulledCounter", builder.counter({.key = "photons.culled", .label = "Photons culled"}))
         .counts("AbsorbedCounter", builder.counter({.key = "photons.absorbed", .label = "Photons absorbed"}))
-        .counts("CutCounter", builder.counter({.key = "photons.cut",
-                                               .label = "Photons cut",
-                                               .doc = "Their paths met more mirrors than are followed."}));
+        .counts("CutCounter",
+                builder.counter({.key = "photons.cut",
+                                 .label = "Photons cut",
+                                 .doc = "Their paths met more mirrors and clear glass than are followed."}));
     pass.compute({{"methods/photon-mapping/tracing/tally.comp"}}, rows,
                  TallyPhotons{static_cast<unsigned>(rows), power_unit});
 }
@@ -115,10 +116,10 @@ std::vector<OutputDescription> tracing_outputs() {
          .unit = "m",
          .doc =
              "All photons that are stored. normal: of the triangle, on the side that was hit. direction: to "
-             "where the photon came from. power: W, red, green and blue. ray_length: metres "
-             "since the last scattering. light: number of the light (61: a later one, 62: an emissive "
-             "surface, 63: the environment). seed: the low 20 bits of the "
-             "sample point's seed; photons of one seed share their path.",
+             "where the photon came from. power: W, red, green and blue. ray_length: metres since the last "
+             "scattering, or since the first mirror or glass. light: number of the light (61: a later one, "
+             "62: an emissive surface, 63: the environment). seed: the low 20 bits of the sample point's "
+             "seed; photons of one seed share their path.",
          .categories = {bounce_categories("bounce")},
          .explains = true},
         {.key = "photons.tally",
@@ -128,8 +129,8 @@ std::vector<OutputDescription> tracing_outputs() {
              "A row for the sample points (bounce 0) and one for each bounce. rays: photons that were "
              "traced there; of the sample points, how many there are. missed: they left the scene or found "
              "nothing within the maximum distance. stored and culled: where they hit. absorbed: not "
-             "scattered on there. cut: met more mirrors than are followed. power: W, of those stored and "
-             "culled; of the sample points, before the first scattering."},
+             "scattered on there. cut: met more mirrors and clear glass than are followed. power: W, of those "
+             "stored and culled; of the sample points, before the first scattering."},
     };
 }
 

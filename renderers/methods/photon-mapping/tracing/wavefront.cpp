@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "renderers/core/record.h"
+#include "renderers/methods/photon-mapping/specular.h"
 #include "renderers/passes/scan/scan.h"
-#include "renderers/passes/scattering/microfacets.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 #include "shaders/methods/photon-mapping/tracing/path.glsl.h"
 
@@ -18,17 +18,8 @@ using graph::GraphBuilder;
 using graph::PassContext;
 
 constexpr int max_bounces = 15;  ///< what a photon has bits for
-/// Mirrors that one path may meet, where the scene has any; each costs a wavefront.
-constexpr int max_mirrors = 4;
 constexpr std::int64_t first_slice = 4096;
 constexpr std::uint64_t sums_words = 12 * 16;  ///< tally.glsl
-
-/// By the factors alone: texels below a factor that is no mirror are cut where paths meet them, and counted.
-bool may_be_mirror(const scene::Material& m, Transport::Materials model) {
-    if (model == Transport::Materials::lambert || m.unlit) return false;
-    const bool has_interface = model == Transport::Materials::gltf || m.metallic > 0;
-    return has_interface && m.roughness * m.roughness < passes::mirror_alpha;
-}
 
 void note_limits(GraphBuilder& builder, const Transport& transport) {
     if (transport.max_bounces > max_bounces)
@@ -36,13 +27,6 @@ void note_limits(GraphBuilder& builder, const Transport& transport) {
                      std::to_string(transport.max_bounces) + " bounces; set max_bounces lower");
     if (transport.min_bounces > transport.max_bounces && transport.paths != Transport::Paths::direct)
         builder.note("no photon is stored: min_bounces exceeds max_bounces; raise max_bounces");
-    if (transport.materials == Transport::Materials::lambert) return;
-    const auto& materials = builder.inputs().scene->materials;
-    const auto glass = std::count_if(materials.begin(), materials.end(),
-                                     [](const scene::Material& m) { return m.transmission > 0; });
-    if (glass > 0)
-        builder.note("photons are absorbed by glass: of " + std::to_string(glass) +
-                     " transmissive materials only the opaque part scatters");
 }
 
 graph::BufferRef declare(GraphBuilder& builder, const std::string& part, const std::string& label,
@@ -138,11 +122,7 @@ Wavefront::Wavefront(GraphBuilder& builder, const passes::SceneBuffers& scene, c
     const auto& transport = parameters.transport;
     note_limits(builder, transport);
     bounces_ = std::min(transport.max_bounces, max_bounces);
-    const auto& materials = builder.inputs().scene->materials;
-    const bool has_mirrors = std::any_of(materials.begin(), materials.end(), [&](const auto& m) {
-        return may_be_mirror(m, transport.materials);
-    });
-    mirrors_ = has_mirrors ? max_mirrors : 0;
+    mirrors_ = most_specular_events(*builder.inputs().scene, transport.materials);
     surfaces_ = passes::hit_surfaces(builder, scene);
     rays_ = passes::declare_rays(builder, "photons", samples.paths);
     paths_ = declare(builder, "paths", "Paths of photons", record_fields<PathState>(), samples.paths);

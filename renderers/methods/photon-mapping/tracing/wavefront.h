@@ -15,15 +15,17 @@ class Wavefront {
     void leave(graph::GraphBuilder& builder, const Photons& photons) const;
     /// From surface `number` - 1 (0: the sample point) to surface `number`: rays, photons, next scattering.
     void advance(graph::GraphBuilder& builder, int number, const Photons& photons) const;
-    /// Surfaces along a path, mirrors included.
-    int surfaces() const { return bounces_ + mirrors_; }
+    /// Surfaces along a path, mirrors and glass included; behind them the first one that scatters is met,
+    /// too.
+    int surfaces() const { return bounces_ + (mirrors_ > 0 ? mirrors_ + 1 : 0); }
     /// Rows of the tally: the sample points, and each bounce.
     int rows() const { return bounces_ + 1; }
     /// Sums of shaders/methods/photon-mapping/tracing/tally.glsl.
     graph::BufferRef sums() const { return sums_; }
 
   private:
-    /// Light that mirrors throw before anything scatters it is direct light, which shadow maps do not show.
+    /// Light that mirrors and clear glass send on before anything scatters it is direct light, which shadow
+    /// maps and light samples do not show.
     bool keeps_mirrored() const {
         return mirrors_ > 0 && parameters_.transport.paths == Transport::Paths::full;
     }
@@ -37,7 +39,7 @@ class Wavefront {
     passes::HitSurfaces surfaces_;
     passes::RayBuffers rays_;
     graph::BufferRef paths_, landed_, flags_, bases_, sums_;
-    int bounces_ = 1, mirrors_ = 0;
+    int bounces_ = 1, mirrors_ = 0;  ///< mirrors and clear glass
 };
 
 }  // namespace ir::methods::photon_mapping

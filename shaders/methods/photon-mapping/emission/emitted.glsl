@@ -4,5 +4,6 @@ struct EmittedRay {
     vec3 power;   // W
     float range;  // m, at which a point or spot light ends; 0: nowhere
     uint light;   // light_name()
-    uint unused[3];
+    uint has_extent;  // 1: light samples find its direct light
+    uint unused[2];
 };

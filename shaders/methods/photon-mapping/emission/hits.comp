@@ -25,19 +25,20 @@ layout(std430) writeonly buffer Survivors { uint survivors[]; };
 uniform uint first_item, end_item;      // of the rays
 uniform uint first_traced;              // point of the frame that the first ray is for
 uniform int materials_model;            // one of survival.glsl's
+uniform bool follows_mirrors;
 uniform float photon_near, photon_far;  // m; 0 as far plane: none
 uniform int normal_maps;
 
-/// The part of the surface that is no glass.
-float opaque_part(HitSurface s) {
-    return materials_model == SURVIVAL_LAMBERT ? 1.0 : 1.0 - s.transmission * (1.0 - s.metallic);
+bool is_met_again(HitSurface s) {
+    return is_met_again(1.0 - s.transmission * (1.0 - s.metallic), s.metallic, s.roughness, materials_model,
+                        follows_mirrors);
 }
 
 /// Probability of the roulette before a photon leaves.
 float survival_at(HitSurface s) {
     if (s.is_unlit) return 0.0;
-    vec3 reflectance = first_reflectance(s.base_colour, s.metallic, s.roughness, materials_model);
-    return survival_probability(opaque_part(s) * reflectance);
+    if (is_met_again(s)) return 1.0;  // the roulette is that of the scattering
+    return survival_probability(first_reflectance(s.base_colour, s.metallic, s.roughness, materials_model));
 }
 
 void main() {
@@ -59,15 +60,16 @@ void main() {
     uint place = places[point_number];
     if (!survives || place >= capacity) return;
     SamplePoint point;
-    point.position_ws = s.position_ws;
+    point.position_ws = is_met_again(s) ? ray.origin_ws : s.position_ws;
     point.power = packed_power(emitted[item].power * (part / (survival * photons_per_point * power_unit)));
     point.normal = packed_direction(s.shading_normal_ws);
     point.geometric_normal = packed_direction(s.geometric_normal_ws);
     point.arrived_from = packed_direction(-ray.direction_ws);
     point.seed = seed_of_item(point_number);
     point.surface = packUnorm4x8(vec4(s.base_colour, s.roughness));
-    point.light = packed_light(emitted[item].light, s.metallic);
-    point.interface_ = packHalf2x16(vec2(s.ior, opaque_part(s)));
+    point.light = packed_light(emitted[item].light, s.metallic) | (is_met_again(s) ? LEAVES_ALONG_RAY : 0u) |
+                  (emitted[item].has_extent != 0u ? HAS_LIGHT_SAMPLES : 0u);
+    point.ior = s.ior;
     point.origin = NO_TEXEL;
     samples[place] = point;
 #else

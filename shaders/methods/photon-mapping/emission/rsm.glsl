@@ -11,6 +11,7 @@ uniform sampler2DArray rsm_normal_metalness;
 uniform sampler2DArray rsm_geometric_normal;
 
 uniform int materials_model;       // one of survival.glsl's
+uniform bool follows_mirrors;
 uniform float photon_near, photon_far;  // m; 0 as far plane: none
 
 struct RsmTexel {
@@ -19,8 +20,8 @@ struct RsmTexel {
     vec3 geometric_normal_ws;
     vec3 base_colour;
     float metalness, roughness;
-    float opaque;      // the part that is no glass
-    bool scatters;     // something opaque is there
+    bool is_met_again; // by photons, along their ray
+    bool scatters;     // something is there that light changes
     float distance;    // m from the light, or from the near plane of a directional light's map
     float part;        // of the light's intensity that arrives: spot's profile and window at its range
     float extent;      // sr that the texel spans; m² for a directional light
@@ -47,17 +48,18 @@ RsmTexel rsm_texel(ivec2 texel, int layer) {
     float depth = texelFetch(shadow_maps, ivec3(texel, layer), 0).r * view.far;
     vec4 albedo = texelFetch(rsm_albedo_roughness, ivec3(texel, layer), 0);
     vec4 normal = texelFetch(rsm_normal_metalness, ivec3(texel, layer), 0);
+    vec4 plane = texelFetch(rsm_geometric_normal, ivec3(texel, layer), 0);  // w: the part that is no glass
 
     RsmTexel t;
     t.position_ws = ray.origin_ws + depth * direction_ws;
-    t.scatters = normal.w > 0.0;
+    t.scatters = normal.w > 0.0 || (normal.w < 0.0 && plane.w < 1.0);  // no glass: unlit
     t.normal_ws = t.scatters ? normalize(normal.xyz) : vec3(0, 1, 0);
     t.metalness = clamp(abs(normal.w) - 1.0, 0.0, 1.0);
-    vec4 plane = texelFetch(rsm_geometric_normal, ivec3(texel, layer), 0);
     t.geometric_normal_ws = t.scatters ? plane.xyz : t.normal_ws;
-    t.opaque = plane.w;
     t.base_colour = albedo.rgb;
     t.roughness = albedo.a;
+    t.is_met_again =
+        t.scatters && is_met_again(plane.w, t.metalness, t.roughness, materials_model, follows_mirrors);
     float size = length(direction_ws);
     t.distance = depth * size;
     Light light = lights[view.light];
@@ -71,10 +73,6 @@ RsmTexel rsm_texel(ivec2 texel, int layer) {
 
 bool is_between_planes(float distance) {
     return distance >= photon_near && (photon_far <= 0.0 || distance <= photon_far);
-}
-
-vec3 rsm_reflectance(RsmTexel t) {
-    return t.opaque * first_reflectance(t.base_colour, t.metalness, t.roughness, materials_model);
 }
 
 /// Whether the surface of a texel goes on in the plane of another.
@@ -102,5 +100,6 @@ vec3 jittered_position(RsmTexel t, vec2 within, ivec2 texel, int layer) {
 /// Probability of the roulette before a photon leaves; 0 where none does.
 float rsm_survival(RsmTexel t) {
     if (!t.scatters || t.part <= 0.0 || !is_between_planes(t.distance)) return 0.0;
-    return survival_probability(rsm_reflectance(t));
+    if (t.is_met_again) return 1.0;  // the roulette is that of the scattering
+    return survival_probability(first_reflectance(t.base_colour, t.metalness, t.roughness, materials_model));
 }

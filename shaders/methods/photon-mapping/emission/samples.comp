@@ -68,15 +68,19 @@ void main() {
     vec3 power = power_of(sources[layer], t, ivec2(texel), int(layer)) / (rsm_survival(t) * photons_per_point);
 
     SamplePoint point;
-    point.position_ws = jittered_position(t, within_texel(item, int(layer)), ivec2(texel), int(layer));
+    vec2 within = within_texel(item, int(layer));
+    RsmRay ray = rsm_ray(vec2(texel) + within, shadow_views[layer]);
+    point.position_ws = t.is_met_again ? ray.origin_ws + shadow_views[layer].near * ray.direction_ws
+                                       : jittered_position(t, within, ivec2(texel), int(layer));
     point.power = packed_power(power / power_unit);
     point.normal = packed_direction(t.normal_ws);
     point.geometric_normal = packed_direction(t.geometric_normal_ws);
-    point.arrived_from = packed_direction(arrived_from(point.position_ws, sources[layer]));
+    point.arrived_from = packed_direction(t.is_met_again ? -normalize(ray.direction_ws)
+                                                         : arrived_from(point.position_ws, sources[layer]));
     point.seed = seed_of_item(item);
     point.surface = packUnorm4x8(vec4(t.base_colour, t.roughness));
-    point.light = packed_light(sources[layer].light, t.metalness);
-    point.interface_ = packHalf2x16(vec2(1.5, t.opaque));  // the maps have no index of refraction
+    point.light = packed_light(sources[layer].light, t.metalness) | (t.is_met_again ? LEAVES_ALONG_RAY : 0u);
+    point.ior = 1.5;  // the maps have none
     point.origin = texel.x | texel.y << 10u | layer << 20u;
     samples[place] = point;
 }

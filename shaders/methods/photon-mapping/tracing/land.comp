@@ -2,6 +2,7 @@
 layout(local_size_x = 64) in;
 
 #define TALLIES
+#include "lib/glass.glsl"
 #include "methods/photon-mapping/culling.glsl"
 #include "methods/photon-mapping/tracing/path.glsl"
 #include "methods/photon-mapping/tracing/tally.glsl"
@@ -13,9 +14,9 @@ layout(std430) writeonly buffer Flags { uint is_stored[]; };
 layout(std430) writeonly buffer Bases { uint bases[]; };
 layout(std430) readonly buffer StoredCount { uint stored_count; };
 
-uniform uint surface_number, last_surface;  // along the path, mirrors included; from 1
+uniform uint surface_number, last_surface;  // along the path, mirrors and glass included; from 1
 uniform uint min_bounces, max_bounces, max_mirrors;
-uniform bool keeps_mirrored;  // light that mirrors alone have thrown, which is in no shadow map
+uniform bool keeps_mirrored;  // light that only mirrors and clear glass have sent on, in no shadow map and no light sample
 uniform bool normal_maps;
 uniform bool culling;
 uniform mat4 frustum_sides;
@@ -50,31 +51,40 @@ void store(uint index, Photon photon) {
 
 /// Shading normals send some light from sample points into the surface that they lie on: its plane holds the
 /// ray's origin.
-bool is_own_surface(HitSurface surface, vec3 origin_ws) {
-    return surface_number == 1u && abs(dot(surface.geometric_normal_ws, origin_ws - surface.position_ws)) <
-                                       2.0 * offset_of_rays(origin_ws);
+bool is_own_surface(HitSurface surface, Path path, vec3 origin_ws) {
+    if (surface_number > 1u || scatterings_of(path) == 0u) return false;
+    return abs(dot(surface.geometric_normal_ws, origin_ws - surface.position_ws)) < 2.0 * offset_of_rays(origin_ws);
 }
 
-/// The part of the surface that is no glass.
-float opaque_part(HitSurface surface) {
-    if (surface.is_unlit) return 0.0;
-    return materials == SCATTERING_LAMBERT ? 1.0 : 1.0 - surface.transmission * (1.0 - surface.metallic);
+Glass glass_of(HitSurface surface) {
+    if (materials == SCATTERING_LAMBERT) return NO_GLASS;
+    return make_glass(surface.transmission * (1.0 - surface.metallic), surface.ior,
+                      hit_materials[surface.material].thickness, surface.base_colour, surface.is_front);
 }
 
-Ray go_on(inout Path path, HitSurface surface, vec3 from_ws) {
+/// What the medium leaves of the light on its way here. A surface that is seen from inside by light that has not come
+/// in: it started there.
+void absorb(inout Path path, HitSurface surface, Glass glass, float distance) {
+    uint medium = path.medium == NO_MEDIUM && !surface.is_front && glass.part > 0.0 ? surface.material : path.medium;
+    if (medium != NO_MEDIUM) set_power(path, power_of(path) * transmittance(hit_materials[medium], distance));
+}
+
+Ray go_on(inout Path path, HitSurface surface, Glass glass, vec3 from_ws) {
     uint bounce = scatterings_of(path);
+    if (surface.is_unlit) {
+        count(bounce, TALLY_ABSORBED);
+        return no_ray();
+    }
     Scatterer scatterer =
         make_scatterer(surface.shading_normal_ws, surface.geometric_normal_ws, surface.base_colour,
                        surface.metallic, surface.roughness, surface.ior, materials);
-    if (bounce >= max_bounces && scatterer.alpha >= MIRROR_ALPHA) return no_ray();
+    if (bounce >= max_bounces && !is_specular(scatterer, glass)) return no_ray();
     uvec4 words = random_words(path, surface_number, DIRECTION);
     Scattered scattered =
-        scatter(scatterer, from_ws, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
+        scatter(scatterer, glass, from_ws, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
     if (bounce >= max_bounces && !scattered.is_specular) return no_ray();
-    if (!scattered.is_specular)
-        scattered.weight *= shading_normal_correction(scatterer.n, scatterer.geometric_n, from_ws,
-                                                      scattered.direction_ws, MAX_CORRECTION);
-    scattered.weight *= opaque_part(surface);
+    correct_shading_normals(scattered, scatterer, from_ws);
+    if (!(glass.is_sheet && scattered.is_specular && scattered.is_transmitted)) path.bits &= ~IS_SAMPLED;
     if (!scatter_path(path, scattered, power_of(path), surface_number, unit_float(words.w))) {
         count(bounce, TALLY_ABSORBED);
         return no_ray();
@@ -83,8 +93,10 @@ Ray go_on(inout Path path, HitSurface surface, vec3 from_ws) {
         count(bounce, TALLY_CUT);
         return no_ray();
     }
+    float side = scattered.is_transmitted ? -1.0 : 1.0;
+    if (scattered.is_transmitted && !glass.is_sheet) path.medium = surface.is_front ? surface.material : NO_MEDIUM;
     vec3 origin_ws =
-        surface.position_ws + offset_of_rays(surface.position_ws) * surface.geometric_normal_ws;
+        surface.position_ws + side * offset_of_rays(surface.position_ws) * surface.geometric_normal_ws;
     return Ray(origin_ws, far_of(path), scattered.direction_ws, 0.0);
 }
 
@@ -102,14 +114,18 @@ void land(uint index) {
         return;
     }
     HitSurface surface = hit_surface(hit.triangle, hit.u, hit.v, ray.direction_ws, normal_maps);
-    if (is_own_surface(surface, ray.origin_ws)) {
+    if (is_own_surface(surface, path, ray.origin_ws)) {
         count(bounce, TALLY_ABSORBED);
         return;
     }
-    path.distance += hit.distance;
-    bool counts = bounce == 0u ? keeps_mirrored && mirrors_of(path) > 0u : bounce >= min_bounces;
-    if (counts) store(index, photon_at(surface, path, ray));
-    rays[index] = go_on(path, surface, -ray.direction_ws);
+    Glass glass = glass_of(surface);
+    absorb(path, surface, glass, hit.distance);
+    bool is_from_light = bounce == 0u && mirrors_of(path) == 0u;
+    if (!is_from_light) path.distance += hit.distance;
+    bool is_mirrored = !is_from_light && (path.bits & IS_SAMPLED) == 0u;
+    bool counts = bounce == 0u ? keeps_mirrored && is_mirrored : bounce >= min_bounces;
+    if (counts && glass.part <= MOSTLY_GLASS) store(index, photon_at(surface, path, ray));
+    rays[index] = go_on(path, surface, glass, -ray.direction_ws);
     paths[index] = path;
 }
 

@@ -1,4 +1,4 @@
-// The first scattering: of the light that arrived at the sample points.
+// The first scattering, of the light that arrived at the sample points; before mirrors and glass its way there.
 layout(local_size_x = 64) in;
 
 #define TALLIES
@@ -13,7 +13,8 @@ uniform uint sample_capacity;
 
 Path path_from(SamplePoint point, uint repeat) {
     vec3 power = unpacked_power(point.power);
-    return Path(floats(power), 0.0, light_of(point) << 8u | repeat << 16u, point.seed);
+    uint sampled = (point.light & HAS_LIGHT_SAMPLES) != 0u ? IS_SAMPLED : 0u;
+    return Path(floats(power), 0.0, light_of(point) << 8u | sampled | repeat << 16u, point.seed, NO_MEDIUM);
 }
 
 Ray leave(uint index) {
@@ -23,23 +24,23 @@ Ray leave(uint index) {
     vec4 surface = unpackUnorm4x8(point.surface);
     vec3 n = unpacked_direction(point.normal), geometric_n = unpacked_direction(point.geometric_normal);
     vec3 arrived_from = unpacked_direction(point.arrived_from);
-    vec2 interface_ = unpackHalf2x16(point.interface_);  // index of refraction, opaque part
     Path path = path_from(point, index % repeats);
     count(0u, TALLY_RAYS);
     count_power(0u, power_of(path));
+    if ((point.light & LEAVES_ALONG_RAY) != 0u) {
+        paths[index] = path;
+        return Ray(point.position_ws, RAY_INFINITY, -arrived_from, 0.0);
+    }
 
     Scatterer scatterer =
-        make_scatterer(n, geometric_n, surface.rgb, metalness_of(point), surface.a, interface_.x, materials);
+        make_scatterer(n, geometric_n, surface.rgb, metalness_of(point), surface.a, point.ior, materials);
     uvec4 words = random_words(path, 0u, DIRECTION);
     Scattered scattered =
         scatter(scatterer, arrived_from, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
-    if (!scattered.is_specular)
-        scattered.weight *=
-            shading_normal_correction(n, geometric_n, arrived_from, scattered.direction_ws, MAX_CORRECTION);
-    scattered.weight *= interface_.y;
+    correct_shading_normals(scattered, scatterer, arrived_from);
     // the roulette at the sample point divided the power by its probability already
-    float passed = survival_probability(
-        interface_.y * first_reflectance(surface.rgb, metalness_of(point), surface.a, materials));
+    float passed =
+        survival_probability(first_reflectance(surface.rgb, metalness_of(point), surface.a, materials));
     if (!scatter_path(path, scattered, power_of(path) * passed, 0u, unit_float(words.w))) {
         count(0u, TALLY_ABSORBED);
         return no_ray();

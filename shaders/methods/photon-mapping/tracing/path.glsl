@@ -11,10 +11,15 @@
 // C++: ir::methods::photon_mapping::PathState
 struct Path {
     float power[3];  // in power units
-    float distance;  // m since the last scattering, through mirrors
-    uint bits;       // 0-3 scatterings, 4-7 mirrors, 8-13 light, 16-31 repeat
+    float distance;  // m since the last scattering, or since the first mirror or glass
+    uint bits;       // 0-3 scatterings, 4-7 mirrors and clear glass, 8-13 light, 14 IS_SAMPLED, 16-31 repeat
     uint seed;
+    uint medium;     // material that the ray is within, or NO_MEDIUM
 };
+
+const uint NO_MEDIUM = 0xffffffffu;
+/// From a source with an extent, and at most through sheets of clear glass: light samples find it, too.
+const uint IS_SAMPLED = 1u << 14u;
 
 layout(std430) buffer Rays { Ray rays[]; };
 layout(std430) buffer Paths { Path paths[]; };
@@ -41,6 +46,15 @@ uvec4 random_words(Path path, uint surface, uint purpose) {
 
 /// Where interpolated or mapped normals lean away, light at grazing angles would be multiplied without bound.
 const float MAX_CORRECTION = 8.0;
+
+/// Of photons that come from `from`.
+void correct_shading_normals(inout Scattered scattered, Scatterer s, vec3 from) {
+    // what a mirror shows comes from above both normals
+    bool is_mirrored = scattered.is_specular && !scattered.is_transmitted;
+    scattered.weight *= is_mirrored && dot(s.n, from) <= 0.0
+                            ? 0.0
+                            : shading_normal_correction(s.n, s.geometric_n, from, scattered.direction_ws, MAX_CORRECTION);
+}
 
 float offset_of_rays(vec3 position_ws) {
     vec3 size = abs(position_ws);
