@@ -9,8 +9,7 @@ namespace {
 
 using passes::Tracer;
 
-constexpr int paths = 20000;
-constexpr double power_unit = 2;  ///< W, of the fixture
+constexpr int photons_sent = 20000;
 constexpr auto clear_glass = static_cast<SmallWorld::Material>(2);
 /// Where a slab begins and ends above the floor, m; a sheet has its upper side alone.
 constexpr float upper = 1, lower = 0.5f;
@@ -61,7 +60,7 @@ class PhotonsInGlass : public TracingTest, public testing::WithParamInterface<Tr
         hit.normal_ws = {0, 1, 0};
         hit.arrived_from = -direction;
         std::vector<SamplePoint> points;
-        for (std::uint32_t i = 0; i < paths; ++i) {
+        for (std::uint32_t i = 0; i < photons_sent; ++i) {
             points.push_back(sample_point(hit, i));
             points.back().light |= methods::photon_mapping::leaves_along_ray;
         }
@@ -73,7 +72,7 @@ class PhotonsInGlass : public TracingTest, public testing::WithParamInterface<Tr
             EXPECT_LT(std::abs(photon.position_ws.y), 1e-4f) << "stored on glass";
             const glm::dvec3 power(methods::photon_mapping::unpacked_power(photon.power));
             ++arrived.count;
-            arrived.power += power / double(paths);
+            arrived.power += power / double(photons_sent);
             if (power.r <= strongest) continue;
             strongest = power.r;
             arrived.place = photon.position_ws;
@@ -81,9 +80,11 @@ class PhotonsInGlass : public TracingTest, public testing::WithParamInterface<Tr
         }
         return arrived;
     }
-    /// Of `paths` Bernoulli trials, alpha = 1e-4 over 48 comparisons (z = 4.9); and half of RGB9E5's 256
-    /// steps.
-    static double tolerance(double part) { return 4.9 * std::sqrt(part * (1 - part) / paths) + 0.002 * part; }
+    /// Of `photons_sent` Bernoulli trials, alpha = 1e-4 over 48 comparisons (z = 4.9); and half of RGB9E5's
+    /// 256 steps.
+    static double tolerance(double part) {
+        return 4.9 * std::sqrt(part * (1 - part) / photons_sent) + 0.002 * part;
+    }
 };
 
 struct Interface {
@@ -133,7 +134,7 @@ TEST_P(PhotonsInGlass, PassASheetStraightOnTintedOnce) {
             EXPECT_NEAR(found.power[c], expected, tolerance(passing * 0.8) * tint[c] / 0.8) << degrees;
         }
         EXPECT_NEAR(found.place.x, 2 * std::tan(glm::radians(degrees)), 2e-3) << degrees;
-        EXPECT_NEAR(found.count / paths, passing * 0.8, tolerance(passing * 0.8)) << degrees;
+        EXPECT_NEAR(found.count / photons_sent, passing * 0.8, tolerance(passing * 0.8)) << degrees;
     }
 }
 
