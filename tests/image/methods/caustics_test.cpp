@@ -205,7 +205,7 @@ TEST(Caustics, OfAMirrorTorusAreThoseOfPhotons) {
     auto e = picture_of(test::write_file(folder, "torus.gltf", builder.embedded_text()), 64, {0, 1.6f, 1.2f},
                         {0, 0, 0});
     e.lights = {bulb({0.9f, 0.9f, 0}, 2)};
-    expect_same_by_photons(e, 0.06, 0.2);
+    expect_same_by_photons(e, 0.05, 0.12);
 }
 
 /// A bulb over glass by light tracing, and a small luminous ball in its place, which paths from the camera
@@ -247,12 +247,12 @@ void expect_same_caustics(GltfBuilder builder, float size_m) {
 }
 
 /// The same light by photons.
-void expect_same_caustics_by_photons(GltfBuilder builder, float size_m) {
+void expect_same_caustics_by_photons(GltfBuilder builder, float size_m, double most_misplaced) {
     const test::TemporaryFolder folder;
     auto e = picture_of(test::write_file(folder, "glass.gltf", builder.embedded_text()), 64,
                         size_m * glm::vec3(-2, 3, 2), size_m * glm::vec3(-0.6f, 0, 0));
     e.lights = {bulb(size_m * glm::vec3(2, 2, 0), size_m * size_m)};
-    expect_same_by_photons(e, 0.05, 0.15);
+    expect_same_by_photons(e, 0.05, most_misplaced);
 }
 
 GltfBuilder glass_ball() {
@@ -267,7 +267,7 @@ TEST(Caustics, OfAGlassBallAreThoseOfPathsFromTheCamera) {
 }
 
 TEST(Caustics, OfAGlassBallAreThoseOfPhotons) {
-    expect_same_caustics_by_photons(glass_ball(), 1);
+    expect_same_caustics_by_photons(glass_ball(), 1, 0.08);
 }
 
 constexpr float bunny_size = 0.16f;  ///< m
@@ -294,7 +294,7 @@ TEST(Caustics, OfAGlassBunnyAreThoseOfPathsFromTheCamera) {
 TEST(Caustics, OfAGlassBunnyAreThoseOfPhotons) {
     const char* folder = std::getenv("INTERREFLECT_SCENES");
     if (!folder) GTEST_SKIP() << "INTERREFLECT_SCENES is not set";
-    expect_same_caustics_by_photons(glass_bunny(folder), bunny_size);
+    expect_same_caustics_by_photons(glass_bunny(folder), bunny_size, 0.22);
 }
 
 }  // namespace
