@@ -1,5 +1,7 @@
 #include "renderers/methods/photon-mapping/parameters.h"
 
+#include "renderers/passes/sampling/point_sequence.h"
+
 namespace ir::methods::photon_mapping {
 
 ParameterTable<Parameters> parameter_table() {
@@ -13,6 +15,17 @@ ParameterTable<Parameters> parameter_table() {
 
 int texels(Resolution resolution) {
     return 64 << static_cast<int>(resolution);
+}
+
+passes::Tracer tracer_of(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    const bool on_host = parameters.tracer == Tracer::automatic ? inputs.processor == Processor::host
+                                                                : parameters.tracer == Tracer::embree;
+    return on_host ? passes::Tracer::embree : passes::Tracer::compute;
+}
+
+std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    if (!parameters.is_progressive()) return inputs.seed;
+    return passes::mixed(passes::mixed(inputs.seed) + static_cast<std::uint64_t>(inputs.frame));
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderers/core/transport.h"
+#include "renderers/graph/frame_inputs.h"
 #include "renderers/passes/a_trous/a_trous.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/raytracing/trace_rays.h"
@@ -14,10 +15,12 @@ enum class Emission { importance, uniform };
 enum class PowerScaling { exact, printed };
 enum class Budget { intensity, probability };
 enum class Roulette { multichannel, per_channel };
+enum class Tracer { automatic, compute, embree };
 enum class MicrofacetSampling { visible_normals, ggx, ggx_printed };
 enum class SplatResolution { full, half, quarter };
 enum class InsideTest { ellipsoid, linear_depth };
 enum class Precision { half_float, single_float };
+enum class Accumulation { recent, progressive };
 using FilterKernel = passes::a_trous::Kernel;
 
 /// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
@@ -37,7 +40,7 @@ struct Parameters {
     float reserve = 1;          ///< part of the photons that memory is reserved for at first
 
     // tracing/parameters.cpp
-    passes::Tracer tracer = passes::Tracer::compute;
+    Tracer tracer = Tracer::automatic;
     Roulette roulette = Roulette::multichannel;
     MicrofacetSampling microfacet_sampling = MicrofacetSampling::visible_normals;
     bool culling = true;
@@ -55,16 +58,26 @@ struct Parameters {
     float ray_length_scale = 0.25f;     ///< l_max as part of the radius of the scene's bounds
     float normal_axis = 0.25f;          ///< s_n
     float max_stretch = 3;              ///< s_max
+    bool facing_test = false;           ///< kernels light what faces their light alone
 
     // filtering/parameters.cpp
     bool temporal = true;
+    Accumulation accumulation = Accumulation::recent;
+    float radius_decay = 2.0f / 3;  ///< α of progressive radii
     float temporal_weight = 0.95f;
+    bool warm_up = true;
+    bool reject_ghosts = false;
     int filter_passes = 4;
     FilterKernel filter_kernel = FilterKernel::printed;
     float sigma_depth = 1, sigma_normal = 32;
     float detail_clip = 0.045f;  ///< γ
+    bool bounds_dark_details = false;
     passes::LightParameters light;
     passes::ReceiverParameters receivers;
+
+    bool is_progressive() const { return temporal && accumulation == Accumulation::progressive; }
+    /// A mean over many frames would show how half floats are rounded.
+    bool has_half_sums() const { return sum_precision == Precision::half_float && !is_progressive(); }
 };
 
 ParameterTable<Parameters> parameter_table();
@@ -76,5 +89,12 @@ void add_filtering_parameters(ParameterTable<Parameters>& table);
 
 /// Texels a side.
 int texels(Resolution resolution);
+
+/// What traces rays: Embree where passes with two bodies run on the host.
+passes::Tracer tracer_of(const graph::FrameInputs& inputs, const Parameters& parameters);
+
+/// What all random numbers of a frame come from: each frame has its own where radii shrink, so that frames are
+/// independent.
+std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters);
 
 }  // namespace ir::methods::photon_mapping

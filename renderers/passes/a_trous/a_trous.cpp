@@ -4,6 +4,8 @@
 #include <array>
 #include <map>
 
+#include "renderers/passes/a_trous/host/a_trous_on_host.h"
+
 namespace ir::passes::a_trous {
 namespace {
 
@@ -50,6 +52,7 @@ void read_step(graph::PassBuilder& pass, const Step& step) {
 void compute_step(graph::PassBuilder& pass, const graph::GraphBuilder& builder, const Step& step,
                   const Options& options, std::map<std::string, std::string> defines, int layer = 0) {
     if (options.kernel == Kernel::b3_spline) defines["B3_SPLINE"] = "1";
+    if (options.bounds_dark_details) defines["BOUNDS_DARK_DETAILS"] = "1";
     if (options.is_guided()) defines["GUIDED"] = "1";
     const auto& inputs = builder.inputs();
     const int stride = 1 << step.index;
@@ -74,6 +77,7 @@ void compute_step(graph::PassBuilder& pass, const graph::GraphBuilder& builder, 
 void declare_clipped_step(graph::GraphBuilder& builder, const Step& step, const Options& options,
                           const std::string& name) {
     auto pass = builder.pass(name);
+    pass.has_two_bodies();
     read_step(pass, step);
     pass.writes("value_sum", step.sum.value).writes("direction_sum", *step.sum.direction);
     if (!step.is_last) pass.writes("next_value", step.to.value).writes("next_direction", *step.to.direction);
@@ -86,6 +90,7 @@ void declare_clipped_step(graph::GraphBuilder& builder, const Step& step, const 
 void declare_guided_step(graph::GraphBuilder& builder, const Step& step, const Options& options,
                          const std::string& name) {
     auto pass = builder.pass(name);
+    pass.has_two_bodies();
     read_step(pass, step);
     pass.writes("next_value", step.is_last ? step.sum.value : step.to.value);
     compute_step(pass, builder, step, options, {});
@@ -161,7 +166,9 @@ Signal smooth(graph::GraphBuilder& builder, graph::ImageRef surfaces, const Sign
         step.to = between[i % 2];
         if (before) before(step);
         const auto name = options.name + ' ' + std::to_string(i + 1);
-        if (options.is_guided())
+        if (builder.inputs().processor == Processor::host)
+            filter_on_host(builder, step, options, name);
+        else if (options.is_guided())
             declare_guided_step(builder, step, options, name);
         else
             declare_clipped_step(builder, step, options, name);

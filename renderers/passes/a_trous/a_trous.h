@@ -20,6 +20,9 @@ struct Options {
     float sigma_depth = 1, sigma_normal = 32;  ///< [Smal19 eqs. 7.1, 7.2]
     /// Details come back up to so many standard deviations of their neighbourhood.  [Smal19 §7.3.1]
     float detail_clip = 0;
+    /// Dark details come back up to four times γ of the pixel itself at most, so that bright neighbours can
+    /// not make black of grey.
+    bool bounds_dark_details = false;
     /// Above 0: guided by variance instead, which stands in the fourth channel. Neighbours whose luminance is
     /// so many standard errors away count 1/e.  [Schied17 eq. 5]
     float sigma_value = 0;

@@ -1,6 +1,7 @@
 #include "renderers/passes/rsm/rsm.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "renderers/passes/scene/draw_triangles.h"
 
@@ -14,6 +15,7 @@ struct Drawing {
     SceneBuffers scene;
     Rsm rsm;
     RsmOptions options;
+    std::shared_ptr<TriangleChunks> chunks = std::make_shared<TriangleChunks>();  ///< of the frame's world
 };
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, const std::string& name,
@@ -59,6 +61,7 @@ DrawDepth depth_constants(const ShadowViewData& view, int resolution) {
 }
 
 void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, Slice slice) {
+    if (slice.first) *d.chunks = TriangleChunks(*p.inputs().world);
     p.bind_empty_vertex_array();
     p.api().Enable(GL_DEPTH_TEST);
     for (auto layer = slice.begin; layer < slice.end; ++layer) {
@@ -70,16 +73,22 @@ void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, 
         const auto& program = p.use({{"passes/scene/triangles.vert", "passes/rsm/depth.frag"}});
         auto constants = depth_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
         for (const auto& range : p.inputs().world->ranges) {
+            const auto runs =
+                d.chunks->seen(constants.clip_from_world, {range.first_triangle, range.triangle_count});
+            if (runs.empty()) continue;
             constants.material_index = range.material;
             program.set(constants);
-            draw_triangles(p, range);
+            draw_triangles(p, runs);
         }
     }
     p.api().Disable(GL_DEPTH_TEST);
 }
 
 void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
-    if (slice.first) p.upload(d.rsm.views, std::as_bytes(std::span(d.options.views)));
+    if (slice.first) {
+        p.upload(d.rsm.views, std::as_bytes(std::span(d.options.views)));
+        *d.chunks = TriangleChunks(*p.inputs().world);
+    }
     p.bind_empty_vertex_array();
     p.api().Enable(GL_DEPTH_TEST);
     for (auto layer = slice.begin; layer < slice.end; ++layer) {
@@ -104,11 +113,14 @@ void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
             .textures = 0,
             .layer = index};
         for (const auto& range : p.inputs().world->ranges) {
+            const auto runs =
+                d.chunks->seen(constants.depth.clip_from_world, {range.first_triangle, range.triangle_count});
+            if (runs.empty()) continue;
             const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
             constants.depth.material_index = range.material;
             constants.textures = bind_textures(p, d.scene, material);
             program.set(constants);
-            draw_triangles(p, range);
+            draw_triangles(p, runs);
         }
     }
     p.api().Disable(GL_DEPTH_TEST);

@@ -43,4 +43,15 @@ void draw_triangles(const graph::PassContext& p, const scene::MaterialRange& ran
                        static_cast<GLsizei>(3 * range.triangle_count));
 }
 
+void draw_triangles(const graph::PassContext& p, const std::vector<TriangleRun>& runs) {
+    std::vector<GLint> firsts;
+    std::vector<GLsizei> counts;
+    for (const auto& run : runs) {
+        firsts.push_back(static_cast<GLint>(3 * run.first));
+        counts.push_back(static_cast<GLsizei>(3 * run.count));
+    }
+    if (!runs.empty())
+        p.api().MultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(runs.size()));
+}
+
 }  // namespace ir::passes

@@ -2,6 +2,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/scene/scene_buffers.h"
+#include "renderers/passes/scene/triangle_chunks.h"
 
 namespace ir::passes {
 
@@ -17,5 +18,6 @@ int bind_textures(const graph::PassContext& context, const SceneBuffers& scene,
 
 /// With the program and the empty vertex array that are bound.
 void draw_triangles(const graph::PassContext& context, const scene::MaterialRange& range);
+void draw_triangles(const graph::PassContext& context, const std::vector<TriangleRun>& runs);
 
 }  // namespace ir::passes

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/passes/scene/draw_triangles.h"
 #include "renderers/passes/scene/light_data.h"
 
 namespace ir::passes {
@@ -123,20 +125,24 @@ struct DrawShadow {
     IR_FIELDS(clip_from_world, origin_ws, depth_axis_ws)
 };
 
-void draw_triangles(const PassContext& p, const ShadowViewData& view, bool masked) {
-    const auto opaque = static_cast<GLint>(3 * p.inputs().world->opaque_triangles);
-    const auto all = static_cast<GLint>(p.inputs().world->indices.size());
-    const int first = masked ? opaque : 0, end = masked ? all : opaque;
-    if (first == end) return;
+void draw_shadow(const PassContext& p, const TriangleChunks& chunks, const ShadowViewData& view, bool masked) {
+    const auto opaque = p.inputs().world->opaque_triangles;
+    const auto all = static_cast<std::uint32_t>(p.inputs().world->triangles());
+    const auto runs =
+        chunks.seen(view.clip_from_world, masked ? TriangleRun{opaque, all - opaque} : TriangleRun{0, opaque});
+    if (runs.empty()) return;
     const auto& program =
         p.use({{"passes/shadow/shadow.vert", "passes/shadow/shadow.frag"}, {{"MASKED", masked ? "1" : "0"}}});
     program.set(DrawShadow{view.clip_from_world, view.origin_ws, view.forward_ws / view.far});
-    p.api().DrawArrays(GL_TRIANGLES, first, end - first);
+    draw_triangles(p, runs);
 }
 
-void draw_layers(const PassContext& p, const ShadowMaps& shadow, Slice slice) {
+void draw_layers(const PassContext& p, const ShadowMaps& shadow, TriangleChunks& chunks, Slice slice) {
     const auto views = shadow_views(*p.inputs().world, p.shape(shadow.maps).width);
-    if (slice.first) p.upload(shadow.views, std::as_bytes(std::span(views)));
+    if (slice.first) {
+        p.upload(shadow.views, std::as_bytes(std::span(views)));
+        chunks = TriangleChunks(*p.inputs().world);
+    }
     p.bind_empty_vertex_array();
     p.api().Enable(GL_DEPTH_TEST);
     for (auto layer = slice.begin; layer < slice.end; ++layer) {
@@ -145,8 +151,8 @@ void draw_layers(const PassContext& p, const ShadowMaps& shadow, Slice slice) {
         const float far = 1;
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= views.size()) continue;
-        draw_triangles(p, views[static_cast<std::size_t>(layer)], false);
-        draw_triangles(p, views[static_cast<std::size_t>(layer)], true);
+        for (const bool masked : {false, true})
+            draw_shadow(p, chunks, views[static_cast<std::size_t>(layer)], masked);
     }
     p.api().Disable(GL_DEPTH_TEST);
 }
@@ -180,7 +186,11 @@ ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int res
                scene.materials, scene.opacity, scene.opacity_words)
         .writes(shadow.maps, shadow.views)
         .execute_sliced(
-            maps.layers, [=](PassContext& p, Slice slice) { draw_layers(p, shadow, slice); }, 1);
+            maps.layers,
+            [=, chunks = std::make_shared<TriangleChunks>()](PassContext& p, Slice slice) {
+                draw_layers(p, shadow, *chunks, slice);
+            },
+            1);
     return shadow;
 }
 

@@ -157,6 +157,17 @@ Level filtered(int centre, vec2 position_px) {
 
 #endif
 
+#ifndef GUIDED
+/// D_i within its bounds. BOUNDS_DARK_DETAILS: the lower one is no more than 4 γ S_i.
+vec4 clipped_detail(Level level, vec4 value) {
+    vec4 lower = level.value_bound;
+#ifdef BOUNDS_DARK_DETAILS
+    lower.rgb = min(lower.rgb, 4.0 * detail_clip * max(value.rgb, vec3(0)));
+#endif
+    return clamp(-level.value_shift, -lower, level.value_bound);
+}
+#endif
+
 #ifdef GUIDED
 
 void store_nothing(ivec2 pixel) { imageStore(next_value, pixel, vec4(0)); }
@@ -171,7 +182,7 @@ void store(ivec2 pixel, int centre, Level level) {
 #elif VIEW == DETAIL
     vec4 shown = -level.value_shift;
 #elif VIEW == CLIPPED
-    vec4 shown = clamp(-level.value_shift, -level.value_bound, level.value_bound);
+    vec4 shown = clipped_detail(level, tile_value[centre]);
 #else
     vec4 shown = level.value_bound;
 #endif
@@ -186,7 +197,7 @@ void store_nothing(ivec2 pixel) { imageStore(view, ivec3(pixel, layer), vec4(0))
 /// DEVIATION [Smal19 eqs. 7.6, 7.8]: the print subtracts the sum, and has the clamp's arguments in another
 /// order. With its sign even unclipped details do not give the input back.
 void store(ivec2 pixel, int centre, Level level) {
-    vec4 value = clamp(-level.value_shift, -level.value_bound, level.value_bound);
+    vec4 value = clipped_detail(level, tile_value[centre]);
     vec2 direction = clamp(-level.direction_shift, -level.direction_bound, level.direction_bound);
 #ifndef FIRST
     value += imageLoad(value_sum, pixel);

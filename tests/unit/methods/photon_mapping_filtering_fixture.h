@@ -17,12 +17,9 @@ struct Estimate {
     int width = 0, height = 0, divisor = 1;
     std::vector<glm::vec4> value;
     std::vector<glm::vec2> direction;
-    std::vector<float> depth;  ///< where divisor > 1
 
     Estimate(int w, int h, int d = 1)
-        : width((w + d - 1) / d), height((h + d - 1) / d), divisor(d), value(size()), direction(size()) {
-        if (d > 1) depth.resize(size(), 0);
-    }
+        : width((w + d - 1) / d), height((h + d - 1) / d), divisor(d), value(size()), direction(size()) {}
     std::size_t size() const { return static_cast<std::size_t>(width) * height; }
     glm::vec4& at(int x, int y) { return value[static_cast<std::size_t>(y) * width + x]; }
 
@@ -68,7 +65,6 @@ class FilteringTest : public PassTest {
         pm::Splat splat;
         splat.irradiance = declare(builder, "splat.irradiance", gl::Format::rgba32f, e.value, scale);
         splat.direction = declare(builder, "splat.direction", gl::Format::rg32f, e.direction, scale);
-        if (e.divisor > 1) splat.depth = declare(builder, "splat.depth", gl::Format::r32f, e.depth, scale);
         splat.divisor = e.divisor;
         return splat;
     }
@@ -103,6 +99,7 @@ class FilteringTest : public PassTest {
         pm::Parameters p;
         p.filter_passes = 0;
         p.temporal_weight = weight;
+        p.warm_up = false;
         return p;
     }
 

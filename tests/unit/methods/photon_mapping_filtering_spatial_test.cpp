@@ -160,6 +160,26 @@ TEST_F(SpatialFilterTest, ClippingKeepsDetailsToTheirShareOfTheDeviation) {
     EXPECT_GT(clipped, 1000);
 }
 
+/// One very bright pixel on grey: its neighbours' bounds are as wide as it is bright.
+TEST_F(SpatialFilterTest, BoundedDarkDetailsLeaveNothingBlack) {
+    auto estimate = Estimate::random(width, height, 7);
+    for (auto& value : estimate.value) value = 0.5f + value;
+    estimate.at(30, 25) = glm::vec4(2000);
+    auto parameters = spatial(4, 0.045f);
+    float least[2];
+    for (const bool bounds : {false, true}) {
+        parameters.bounds_dark_details = bounds;
+        filter_once(wall(width, height), estimate, parameters);
+        const auto image = read("filter.irradiance");
+        least[bounds] = image.at(0, 0);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                for (int c = 0; c < 3; ++c) least[bounds] = std::min(least[bounds], image.at(x, y, c));
+    }
+    EXPECT_LT(least[false], 0.1) << "black as published";
+    EXPECT_GT(least[true], 0.4);
+}
+
 TEST_F(SpatialFilterTest, DirectionsTakeTheSameWeights) {
     filter_once(leaf(width, height), Estimate::random(width, height, 5), spatial(4, 0.3f));
     const auto value = read("filter.irradiance"), direction = read("filter.irradiance_direction");

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "renderers/methods/photon-mapping/splatting/splat_view.h"
 #include "tests/unit/methods/photon_mapping_filtering_fixture.h"
 
 namespace ir::test {
@@ -210,6 +211,56 @@ TEST_F(TemporalFilterTest, GhostingIsSeenWhereHistoryDisagrees) {
     EXPECT_EQ(read("history.ghosting").at(32, 32), 0) << "no history";
 }
 
+TEST_F(TemporalFilterTest, HistoryWithGhostsCountsLess) {
+    const auto shot = wall(temporal_size, temporal_size);
+    auto parameters = temporal(0.9f);
+    parameters.reject_ghosts = true;
+    filter_once(shot, Estimate::constant(temporal_size, temporal_size, glm::vec4(1)), parameters);
+    filter(shot, Estimate::constant(temporal_size, temporal_size, glm::vec4(0.25f)), parameters);
+    const float kept = 0.9f * 0.25f;  // this frame explains a quarter
+    EXPECT_NEAR(read("filter.temporal").at(32, 32), 0.25 + kept * 0.75, 1e-3);
+    EXPECT_NEAR(read("history.length").at(32, 32), 1 + 0.25, 1e-3);
+}
+
+/// Means of the first frames: a warm-up below its weight's limit, and progressive pictures without one.
+TEST_F(TemporalFilterTest, FewFramesCountTheSame) {
+    const auto shot = wall(temporal_size, temporal_size);
+    auto warm = temporal(0.95f), progressive = temporal(0.5f);
+    warm.warm_up = true;
+    progressive.accumulation = pm::Accumulation::progressive;
+    for (const auto& parameters : {warm, progressive}) {
+        graph().reset_history();
+        std::vector<double> mean(std::size_t{temporal_size} * temporal_size);
+        const int frames = 8;
+        for (unsigned i = 0; i < frames; ++i) {
+            const auto estimate = Estimate::random(temporal_size, temporal_size, 30 + i);
+            for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += estimate.value[k].g / frames;
+            filter(shot, estimate, parameters);
+        }
+        const auto image = read("filter.temporal"), length = read("history.length");
+        double most = 0;
+        for (int y = 0; y < temporal_size; ++y)
+            for (int x = 0; x < temporal_size; ++x) {
+                most = std::max(most, std::abs(image.at(x, y, 1) -
+                                               mean[static_cast<std::size_t>(y) * temporal_size + x]));
+                ASSERT_NEAR(length.at(x, y), frames, 2e-3);
+            }
+        EXPECT_LT(most, 2e-4) << "the wall's depth differs by rounding, which costs history a ten-thousandth";
+    }
+}
+
+TEST_F(TemporalFilterTest, ProgressivePicturesBeginAgainWhereAnythingMoves) {
+    const auto before = wall(temporal_size, temporal_size);
+    Shot after(before.scene, looking({0.1f, 0, 5}, {0.1f, 0, 0}), temporal_size, temporal_size);
+    after.previous_view = before.view;
+    auto parameters = temporal(0.9f);
+    parameters.accumulation = pm::Accumulation::progressive;
+    filter_once(before, Estimate::constant(temporal_size, temporal_size, glm::vec4(1)), parameters);
+    filter(after, Estimate::constant(temporal_size, temporal_size, glm::vec4(0.25f)), parameters);
+    EXPECT_EQ(read("filter.temporal").at(32, 32), 0.25f);
+    EXPECT_EQ(read("history.length").at(32, 32), 1);
+}
+
 /// Two walls that meet at x = 0, the right one two metres farther away.
 Shot step() {
     SmallWorld small;
@@ -221,7 +272,7 @@ Shot step() {
 /// A linear ramp over the slanted floor of a Flight at low resolution, or light on the near wall of step().
 class UpSamplingTest : public FilteringTest {
   protected:
-    /// Closest of each block's depths along the view axis, and `light` at the texel's centre.
+    /// `light` at the middle of the pixel that each texel is for, by its depth along the view axis.
     template <class Light>
     Estimate estimate_of(const Shot& shot, int divisor, Light light) {
         run_gbuffer(shot);
@@ -229,15 +280,11 @@ class UpSamplingTest : public FilteringTest {
         Estimate e(temporal_size, temporal_size, divisor);
         for (int y = 0; y < e.height; ++y)
             for (int x = 0; x < e.width; ++x) {
-                auto& closest = e.depth[static_cast<std::size_t>(y) * e.width + x];
-                closest = std::numeric_limits<float>::infinity();
-                for (int i = 0; i < divisor * divisor; ++i) {
-                    const int u = x * divisor + i % divisor, v = y * divisor + i / divisor;
-                    if (position.at(u, v, 3) == 0) continue;
-                    const auto p_vs = shot.view.view_from_world * glm::vec4(rgb(position, u, v), 1);
-                    closest = std::min(closest, -p_vs.z);
-                }
-                e.at(x, y) = glm::vec4(light((x + 0.5f) * divisor, (y + 0.5f) * divisor, closest));
+                const auto pixel = glm::ivec2(x, y) * divisor + pm::pixel_of_texel(divisor);
+                const bool is_seen = position.at(pixel.x, pixel.y, 3) > 0;
+                const auto p_vs =
+                    shot.view.view_from_world * glm::vec4(rgb(position, pixel.x, pixel.y), 1);
+                e.at(x, y) = glm::vec4(light(pixel.x + 0.5f, pixel.y + 0.5f, is_seen ? -p_vs.z : 1e9f));
             }
         return e;
     }
@@ -271,7 +318,7 @@ TEST_F(UpSamplingTest, NothingLeaksOverEdgesOfDepthAsBilinearLookUpsDo) {
             for (int x = 8; x < temporal_size - 8; ++x) {
                 const float expected = rgb(position, x, y).z > -1 ? 1 : 0;
                 most = std::max(most, 1.0 * std::abs(image.at(x, y) - expected));
-                const float u = (x + 0.5f) / divisor - 0.5f;
+                const float u = float(x - pm::pixel_of_texel(divisor)) / divisor;
                 const int i = static_cast<int>(std::floor(u)), j = y / divisor;
                 const float f = u - i, mixed = (1 - f) * low.value[j * low.width + i].r +
                                                f * low.value[j * low.width + i + 1].r;
@@ -283,16 +330,52 @@ TEST_F(UpSamplingTest, NothingLeaksOverEdgesOfDepthAsBilinearLookUpsDo) {
     }
 }
 
-TEST_F(UpSamplingTest, PixelsThatNoTexelStandsForTakeTheNearestInDepth) {
-    const auto shot = step();
-    auto low = estimate_of(shot, 2, [](float, float, float) { return 1.0f; });
-    low.depth.assign(low.size(), std::numeric_limits<float>::infinity());
-    low.depth[16 * 32 + 20] = 1;
+/// Bilinear look-ups by depth alone would mix the two: it is the same where they meet.
+TEST_F(UpSamplingTest, NothingLeaksOverCreases) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 5);
+    small.square({0, 0, 0}, {0, 1, 0}, 5);
+    const Shot shot(small.scene(), looking({0, 3, 4}, {0, 0, 0}), temporal_size, temporal_size);
+    run_gbuffer(shot);
+    const auto normal = read("gbuffer.geometric_normal");
+    for (const int divisor : {2, 4}) {
+        Estimate low(temporal_size, temporal_size, divisor);
+        for (int y = 0; y < low.height; ++y)
+            for (int x = 0; x < low.width; ++x) {
+                const auto pixel = glm::ivec2(x, y) * divisor + pm::pixel_of_texel(divisor);
+                low.at(x, y) = glm::vec4(normal.at(pixel.x, pixel.y, 1) > 0.5f ? 1 : 0);
+            }
+        filter_once(shot, low, temporal(0.9f));
+        const auto image = read("filter.temporal");
+        int lit = 0;
+        for (int y = 8; y < temporal_size - 8; ++y)
+            for (int x = 8; x < temporal_size - 8; ++x) {
+                const bool is_floor = normal.at(x, y, 1) > 0.5f;
+                ASSERT_NEAR(image.at(x, y), is_floor ? 1 : 0, 1e-3) << x << ' ' << y << ' ' << divisor;
+                lit += is_floor;
+            }
+        EXPECT_GT(lit, 500);
+        EXPECT_LT(lit, 48 * 48 - 500);
+    }
+}
+
+/// A strip of one or two pixels, none of them one that a texel is for.
+TEST_F(UpSamplingTest, PixelsThatNoTexelIsForTakeTheOneThatFitsBest) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 50);
+    small.square({0.05f, 0, 1}, {0, 0, 1}, 0.04f);
+    const Shot shot(small.scene(), looking({0, 0, 5}, {0, 0, 0}), temporal_size, temporal_size);
+    const auto low = estimate_of(shot, 4, [](float, float, float depth) { return depth < 4.5f ? 5.0f : 1.0f; });
+    for (const auto& texel : low.value) ASSERT_EQ(texel.r, 1) << "a texel is for the strip";
     filter_once(shot, low, temporal(0.9f));
-    const auto image = read("filter.temporal");
+    const auto image = read("filter.temporal"), position = read("gbuffer.position");
+    int thin = 0;
     for (int y = 0; y < temporal_size; ++y)
-        for (int x = 0; x < temporal_size; ++x) ASSERT_TRUE(std::isfinite(image.at(x, y))) << x << ' ' << y;
-    EXPECT_EQ(image.at(41, 33), 1);
+        for (int x = 0; x < temporal_size; ++x) {
+            ASSERT_NEAR(image.at(x, y), 1, 1e-5) << x << ' ' << y;
+            thin += position.at(x, y, 2) > 0.5f;
+        }
+    EXPECT_GT(thin, 0);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "renderers/methods/photon-mapping/unpacked.h"
+
 /// How photons are packed (shaders/methods/photon-mapping/records.glsl), on the host.
 namespace ir::methods::photon_mapping {
 
@@ -39,13 +41,6 @@ inline std::uint32_t packed_power(glm::vec3 power) {
            static_cast<std::uint32_t>(shared_exponent) << 3 * mantissa_bits;
 }
 
-inline glm::vec3 unpacked_power(std::uint32_t bits) {
-    const auto channel = [&](int i) { return static_cast<float>(bits >> i * mantissa_bits & mantissa_mask); };
-    const int shared_exponent = static_cast<int>(bits >> 3 * mantissa_bits);
-    const float unit = std::ldexp(1.0f, shared_exponent - mantissa_bits - exponent_bias);
-    return unit * glm::vec3(channel(0), channel(1), channel(2));
-}
-
 /// The two words and the sign bit of a photon's directions.
 struct StereographicDirection {
     std::uint32_t xy;
@@ -53,12 +48,6 @@ struct StereographicDirection {
 };
 inline StereographicDirection packed_stereographic(glm::vec3 unit) {
     return {glm::packHalf2x16(glm::vec2(unit) / (1 + std::abs(unit.z))), unit.z < 0};
-}
-
-inline glm::vec3 unpacked_stereographic(std::uint32_t xy, bool below) {
-    const auto p = glm::unpackHalf2x16(xy);
-    const float d = glm::dot(p, p);
-    return glm::vec3(2.0f * p, below ? d - 1 : 1 - d) / (1 + d);
 }
 
 }  // namespace ir::methods::photon_mapping

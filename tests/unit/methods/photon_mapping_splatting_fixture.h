@@ -6,6 +6,7 @@
 
 #include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/splatting/splat_view.h"
 #include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
@@ -100,16 +101,16 @@ class SplatTest : public PassTest {
     }
     ExplainedSum explained_sum() const { return elements<ExplainedSum>("splat.explain.sum").at(0); }
 
-    /// Σ E dA over the plane, W; areas are those at the texels' middles.
+    /// Σ E dA over the plane, W; areas are those at the texels' pixels.
     glm::dvec3 flux(const Shot& shot, glm::vec3 plane_normal, int divisor) const {
         const auto irradiance = read("splat.irradiance");
-        const auto depth = read(divisor == 1 ? "splat.depth" : "splat.surfaces");
+        const auto depth = read("splat.depth");
         const auto rays = passes::pixel_rays(shot.view);
         const bool orthographic = shot.view.clip_from_view[3][3] == 1;
         glm::dvec3 sum(0);
         for (int y = 0; y < irradiance.height; ++y)
             for (int x = 0; x < irradiance.width; ++x) {
-                const auto px = float(divisor) * glm::vec2(x + 0.5f, y + 0.5f);
+                const auto px = glm::vec2(glm::ivec2(x, y) * divisor + pm::pixel_of_texel(divisor)) + 0.5f;
                 const auto direction = rays.direction + px.x * rays.direction_dx + px.y * rays.direction_dy;
                 const auto step_x = orthographic ? rays.origin_dx : rays.direction_dx;
                 const auto step_y = orthographic ? rays.origin_dy : rays.direction_dy;
@@ -139,6 +140,30 @@ inline pm::Parameters with_radius(const Shot& shot, float radius) {
     parameters.min_radius = parameters.max_radius = radius / shot.world.bounds.radius();
     parameters.min_radius_texels = 0;
     return parameters;
+}
+
+/// Photons on a camera's surfaces: at random pixels, with directions from above them.
+inline std::vector<SomePhoton> on_surfaces(const Image& positions, const Image& normals, int count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> x(0, positions.width - 1), y(0, positions.height - 1), bounce(1, 4);
+    std::uniform_real_distribution<float> unit(0.05f, 1);
+    std::vector<SomePhoton> photons;
+    while (static_cast<int>(photons.size()) < count) {
+        const int px = x(random), py = y(random);
+        const glm::vec3 normal(normals.at(px, py, 0), normals.at(px, py, 1), normals.at(px, py, 2));
+        if (normal == glm::vec3(0)) continue;
+        auto direction = random_direction(random);
+        if (glm::dot(direction, normal) < 0) direction = -direction;
+        photons.push_back(
+            {.position_ws = {positions.at(px, py, 0), positions.at(px, py, 1), positions.at(px, py, 2)},
+             .power = 1e-3f * glm::vec3(unit(random), unit(random), unit(random)),
+             .normal = normal,
+             .direction = direction,
+             .ray_length = 3 * unit(random),
+             .bounce = bounce(random),
+             .light = bounce(random)});
+    }
+    return photons;
 }
 
 }  // namespace ir::test

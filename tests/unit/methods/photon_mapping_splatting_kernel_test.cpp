@@ -101,6 +101,18 @@ TEST_F(SplattingKernel, KernelsAreNoSmallerThanTexels) {
     EXPECT_NEAR(kernel(parameters, photon).radius, 4 * 1.5 * width(distance) / kernel_size, 1e-4);
 }
 
+TEST(ProgressiveRadii, ShrinkAsTheProductOfTheirSteps) {
+    for (const float decay : {0.3f, 2.0f / 3, 1.0f}) {
+        double squared = 1;
+        for (int frame = 0; frame < 200; ++frame) {
+            const double shrinking = pm::progressive_shrinking(frame, decay);
+            EXPECT_NEAR(shrinking * shrinking, squared, 1e-5 * squared) << frame;
+            squared *= (frame + 1 + decay) / (frame + 2);
+        }
+        EXPECT_TRUE(decay < 1 || squared == 1);
+    }
+}
+
 TEST_F(SplattingKernel, LightFromTheSideStretchesUpToALimit) {
     for (const float cosine : {1.0f, 0.8f, 0.5f, 0.1f, 0.0f}) {
         auto photon = middle();
@@ -133,12 +145,13 @@ TEST_F(SplattingKernel, ParallelViewsHaveTilesOfOneSize) {
     }
 }
 
-/// The tile that a point is in, on the host.
-glm::ivec2 tile_of(const Shot& shot, glm::vec3 position_ws, int pixels) {
+/// The tile that a point is in, on the host; texels are about their pixels' middles.
+glm::ivec2 tile_of(const Shot& shot, glm::vec3 position_ws, int divisor, int texels) {
     const auto clip = shot.view.clip_from_world() * glm::vec4(position_ws, 1);
     const glm::vec2 px((clip.x / clip.w * 0.5f + 0.5f) * float(shot.view.width),
                        (0.5f - clip.y / clip.w * 0.5f) * float(shot.view.height));
-    return glm::ivec2(px / float(pixels));
+    const float from_middle = pm::pixel_of_texel(divisor) + 0.5f;
+    return glm::ivec2(((px - from_middle) / float(divisor) + 0.5f) / float(texels));
 }
 
 TEST_F(SplattingKernel, TilesCountThePhotonsThatFaceTheViewer) {
@@ -157,9 +170,9 @@ TEST_F(SplattingKernel, TilesCountThePhotonsThatFaceTheViewer) {
             if (i % 7 == 0) photon.position_ws.z = 20;  // behind the camera
             run.photons.push_back(photon);
             if (i % 5 == 0 || i % 7 == 0) continue;
-            const auto clip = shot_.view.clip_from_world() * glm::vec4(photon.position_ws, 1);
+            const auto clip = pm::clip_from_world(shot_.view, divisor) * glm::vec4(photon.position_ws, 1);
             if (std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w) continue;
-            const auto tile = tile_of(shot_, photon.position_ws, 5 * divisor);
+            const auto tile = tile_of(shot_, photon.position_ws, divisor, 5);
             ++expected[{tile.x, tile.y}];
             ++inside;
         }

@@ -15,30 +15,6 @@ double largest(const Image& image) {
     return result;
 }
 
-/// Photons on a camera's surfaces: at random pixels, with directions from above them.
-std::vector<SomePhoton> on_surfaces(const Image& positions, const Image& normals, int count, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_int_distribution<int> x(0, positions.width - 1), y(0, positions.height - 1), bounce(1, 4);
-    std::uniform_real_distribution<float> unit(0.05f, 1);
-    std::vector<SomePhoton> photons;
-    while (static_cast<int>(photons.size()) < count) {
-        const int px = x(random), py = y(random);
-        const glm::vec3 normal(normals.at(px, py, 0), normals.at(px, py, 1), normals.at(px, py, 2));
-        if (normal == glm::vec3(0)) continue;
-        auto direction = random_direction(random);
-        if (glm::dot(direction, normal) < 0) direction = -direction;
-        photons.push_back(
-            {.position_ws = {positions.at(px, py, 0), positions.at(px, py, 1), positions.at(px, py, 2)},
-             .power = 1e-3f * glm::vec3(unit(random), unit(random), unit(random)),
-             .normal = normal,
-             .direction = direction,
-             .ray_length = 3 * unit(random),
-             .bounce = bounce(random),
-             .light = bounce(random)});
-    }
-    return photons;
-}
-
 class SplattedRoom : public SplatTest {
   protected:
     Shot shot_{"builtin:cornell", "", pixels_size, pixels_size};
@@ -169,17 +145,44 @@ TEST_F(Splatted, SurfacesInFrontStayDarkAtEveryResolution) {
             splat(shot, run);
             const auto irradiance = read("splat.irradiance"), position = read("gbuffer.position");
             int lit = 0, dark = 0;
-            for (int y = 0; y < pixels_size; ++y)
-                for (int x = 0; x < pixels_size; ++x) {
-                    const float value = irradiance.at(x / divisor, y / divisor);
-                    const bool front = position.at(x, y, 2) > 1;
+            for (int y = 0; y < irradiance.height; ++y)
+                for (int x = 0; x < irradiance.width; ++x) {
+                    const float value = irradiance.at(x, y);
+                    const auto pixel = glm::ivec2(x, y) * divisor + pm::pixel_of_texel(divisor);
+                    const bool front = position.at(pixel.x, pixel.y, 2) > 1;
                     if (front) {
                         EXPECT_EQ(value, 0) << x << ' ' << y << ' ' << divisor;
                     }
                     (front ? dark : lit) += front || value > 0;
                 }
-            EXPECT_GT(lit, 100);
-            EXPECT_GT(dark, 100);
+            EXPECT_GT(lit * divisor * divisor, 100);
+            EXPECT_GT(dark * divisor * divisor, 100);
+        }
+}
+
+/// A thick kernel on a floor reaches a wall beside it: light that came from behind the wall did not fall on it.
+TEST_F(Splatted, WithATestOfNormalsLightDoesNotGoAroundEdges) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 10);
+    small.square({1, 0, 1}, {-1, 0, 0}, 1);
+    const Shot shot(small.scene(), camera_at({-3, 0, 3}, {0.8f, 0, 0.3f}), pixels_size, pixels_size);
+    run_gbuffer(shot);
+    const auto normal = read("gbuffer.geometric_normal");
+    for (const float side : {1.0f, -1.0f})
+        for (const bool tests : {false, true}) {
+            SplatRun run{{{.position_ws = {0.8f, 0, 0}, .direction = glm::normalize(glm::vec3(side, 0, 1))}},
+                         with_radius(shot, 0.5f)};
+            run.parameters.normal_axis = 1;
+            run.parameters.facing_test = tests;
+            splat(shot, run);
+            const auto irradiance = read("splat.irradiance");
+            int floor = 0, wall = 0;
+            for (int y = 0; y < pixels_size; ++y)
+                for (int x = 0; x < pixels_size; ++x)
+                    if (irradiance.at(x, y) > 0) (normal.at(x, y, 2) > 0.5f ? floor : wall) += 1;
+            EXPECT_GT(floor, 50);
+            EXPECT_EQ(wall > 20, !tests || side < 0) << wall << ' ' << side << ' ' << tests;
+            EXPECT_EQ(wall > 0, !tests || side < 0) << wall << ' ' << side << ' ' << tests;
         }
 }
 

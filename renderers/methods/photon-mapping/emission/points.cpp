@@ -189,13 +189,14 @@ void pack_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
 
 EmissionSets emission_sets(const graph::FrameInputs& inputs, const Sources& sources,
                            const EmissionPoints& points, const Parameters& parameters) {
-    const auto strata = static_cast<unsigned>(parameters.strata);
+    const auto strata = parameters.is_progressive() ? 1u : static_cast<unsigned>(parameters.strata);
+    const auto seed = photon_seed(inputs, parameters);
     return {.source_count = static_cast<unsigned>(sources.layers.size()),
             .all_points = static_cast<unsigned>(points.count),
             .strata = strata,
             .stratum = static_cast<unsigned>(inputs.frame) % strata,
-            .seed_low = static_cast<unsigned>(inputs.seed),
-            .seed_high = static_cast<unsigned>(inputs.seed >> 32)};
+            .seed_low = static_cast<unsigned>(seed),
+            .seed_high = static_cast<unsigned>(seed >> 32)};
 }
 
 std::vector<OutputDescription> point_outputs() {

@@ -49,6 +49,7 @@ void find_places(graph::GraphBuilder& builder, EmissionPoints& points);
 struct EmissionSets {
     unsigned source_count, all_points, strata, stratum, seed_low, seed_high;
     IR_FIELDS(source_count, all_points, strata, stratum, seed_low, seed_high)
+    std::uint64_t seed() const { return std::uint64_t{seed_high} << 32 | seed_low; }
 };
 EmissionSets emission_sets(const graph::FrameInputs& inputs, const Sources& sources,
                            const EmissionPoints& points, const Parameters& parameters);

@@ -29,7 +29,7 @@ class EmissionRays {
           sources_(sources),
           sets_(sets),
           count_(count),
-          key_(passes::mixed(inputs.seed)),
+          key_(passes::mixed(sets.seed())),
           shift_(static_cast<double>(passes::mixed(key_) >> 11) * 0x1p-53) {}
 
     void fill(std::uint64_t i, passes::RayRecord& ray, EmittedRay& emitted) const {
@@ -98,7 +98,7 @@ std::string fingerprint_of(const graph::FrameInputs& inputs, const Sources& sour
                            const EmissionPoints& points, const EmissionSets& sets) {
     if (inputs.world_fingerprint.empty()) return "";
     std::ostringstream text;
-    text << inputs.world_fingerprint << " seed " << inputs.seed << " stratum " << sets.stratum << '/'
+    text << inputs.world_fingerprint << " seed " << sets.seed() << " stratum " << sets.stratum << '/'
          << sets.strata << " points " << points.from_maps << '/' << points.count << " meshes "
          << sources.traced.emissive_meshes << " environment " << sources.traced.environment << " lights";
     for (const int light : sources.traced.lights) text << ' ' << light;
@@ -189,7 +189,7 @@ TracedEmission trace_emission(graph::GraphBuilder& builder, const passes::SceneB
                                   .elements = std::max<std::uint64_t>(1, sources.traced_rows.size()),
                                   .fingerprint = fingerprint});
     start_rays(builder, traced, sources, points, sets);
-    passes::trace_rays(builder, "trace emission", scene, parameters.tracer, traced.rays);
+    passes::trace_rays(builder, "trace emission", scene, tracer_of(builder.inputs(), parameters), traced.rays);
     traced.surfaces = passes::hit_surfaces(builder, scene);
     return traced;
 }

@@ -57,6 +57,12 @@ std::vector<OutputDescription> temporal_views() {
          .doc = "α: how much of the pixel comes from earlier frames. 0: what was there is another "
                 "surface, or was not in the picture.",
          .active_when = while_temporal},
+        {.key = "history.length",
+         .label = "Frames in the history",
+         .semantic = Semantic::count,
+         .doc = "Of how many frames the pixel is the mean, this one included; less where an earlier surface "
+                "fits only in part. 0: no surface.",
+         .active_when = while_temporal},
         {.key = "history.ghosting",
          .label = "Ghosting",
          .semantic = Semantic::probability,
@@ -89,6 +95,8 @@ std::vector<OutputDescription> spatial_views() {
 
 passes::ArrivedLight filter_irradiance(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                                        const Splat& splat, const Parameters& parameters) {
+    if (parameters.is_progressive() && parameters.filter_passes > 0)
+        builder.note("the spatial filter blurs a picture that converges; set filter_passes=0");
     const auto surfaces = passes::a_trous::pack_surfaces(builder, gbuffer);
     const auto averaged = accumulate(builder, gbuffer, surfaces, splat, parameters);
     const auto filtered = smooth(builder, surfaces, averaged, parameters);

@@ -4,6 +4,7 @@ namespace ir::methods::photon_mapping {
 namespace {
 
 const Condition with_history{"temporal", {true}};
+const Condition while_recent{"accumulation", {std::string("recent")}};
 const Condition with_passes{
     "filter_passes",
     {std::int64_t{1}, std::int64_t{2}, std::int64_t{3}, std::int64_t{4}, std::int64_t{5}, std::int64_t{6}}};
@@ -14,6 +15,29 @@ void add_temporal(ParameterTable<Parameters>& table) {
                                      .label = "Temporal filter",
                                      .doc = "Averages over frames, along the motion of camera and objects.",
                                      .citation = "Smal19 §7.2"})
+        .add(&Parameters::accumulation,
+             {.key = "accumulation",
+              .label = "Frames",
+              .doc = "How frames are averaged. The progressive picture has photons of its own in each frame, "
+                     "sums in single precision, and a history that begins again where anything moves.",
+              .citation = "Knaus11",
+              .choices = {{"recent", "Recent", "The latest count most, as published."},
+                          {"progressive", "Progressive",
+                           "All count the same, and kernels shrink from frame to frame: noise and blur go to "
+                           "0 together. Wants filter_passes=0."}},
+              .active_when = with_history,
+              .since_version = 3})
+        .add(&Parameters::radius_decay,
+             {.key = "radius_decay",
+              .label = "Decay of radii",
+              .doc = "α: squared radii shrink by (k + α)/(k + 1) after the k-th frame. Variance falls with "
+                     "frames^-α, and where surfaces are large the blur with frames^(α-1). Smaller values "
+                     "shrink faster.",
+              .citation = "Knaus11 eq. 18",
+              .hard = {0.01, 1},
+              .soft = {0.3, 0.9},
+              .active_when = Condition{"accumulation", {std::string("progressive")}},
+              .since_version = 3})
         .add(&Parameters::temporal_weight,
              {.key = "temporal_weight",
               .label = "Weight of history",
@@ -22,7 +46,24 @@ void add_temporal(ParameterTable<Parameters>& table) {
               .citation = "Smal19 eq. 7.4",
               .hard = {0, 1},
               .soft = {0, 0.99},
-              .active_when = with_history});
+              .active_when = while_recent})
+        .add(&Parameters::warm_up,
+             {.key = "warm_up",
+              .label = "Warm-up",
+              .doc = "While a pixel's history is n frames long, its weight is at most n/(n + 1), so that all "
+                     "of them count the same. Off, as published, the first frame counts as much as an endless "
+                     "history: a fifth of the picture after 32 frames.",
+              .active_when = while_recent,
+              .since_version = 3,
+              .value_in_older_projects = Value{false}})
+        .add(&Parameters::reject_ghosts,
+             {.key = "reject_ghosts",
+              .label = "Reject ghosts",
+              .doc = "Takes the part of the history away that this frame does not explain (the view "
+                     "“Ghosting”): light that moves lags less, and noise grows.",
+              .citation = "Salvi16",
+              .active_when = while_recent,
+              .since_version = 3});
 }
 
 void add_edges(ParameterTable<Parameters>& table) {
@@ -72,7 +113,15 @@ void add_spatial(ParameterTable<Parameters>& table) {
               .citation = "Smal19 §7.3.1",
               .hard = {0, 10},
               .soft = {0, 2.5},
-              .active_when = with_passes});
+              .active_when = with_passes})
+        .add(&Parameters::bounds_dark_details,
+             {.key = "bounds_dark_details",
+              .label = "Bound dark details",
+              .doc = "Dark details come back up to 4 γ times the pixel itself at most. Without, as "
+                     "published, one very bright photon widens the bounds of its neighbours until they "
+                     "are black.",
+              .active_when = with_passes,
+              .since_version = 3});
 }
 
 }  // namespace

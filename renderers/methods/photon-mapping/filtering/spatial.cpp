@@ -53,6 +53,7 @@ passes::a_trous::Options filter_options(const Parameters& parameters) {
     options.kernel = parameters.filter_kernel;
     options.sigma_depth = parameters.sigma_depth, options.sigma_normal = parameters.sigma_normal;
     options.detail_clip = parameters.detail_clip;
+    options.bounds_dark_details = parameters.bounds_dark_details;
     return options;
 }
 

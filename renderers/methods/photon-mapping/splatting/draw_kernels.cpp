@@ -137,20 +137,22 @@ Kernels declare_kernels(graph::GraphBuilder& builder, const StoredPhotons& photo
 std::map<std::string, std::string> kernel_defines(const Kernels& kernels) {
     std::map<std::string, std::string> defines;
     if (is_flat(kernels)) defines["LINEAR_DEPTH"] = "1";
-    if (kernels.surfaces.divisor > 1) defines["LOW_RESOLUTION"] = "1";
+    if (kernels.parameters.facing_test) defines["FACING"] = "1";
     return defines;
 }
 
 void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass) {
     const auto command = declare_command(builder, pass.command_key);
     auto declared = builder.pass(pass.name);
+    if (pass.has_two_bodies) declared.has_two_bodies();
     declared.reads("Photons", kernels.photons.records)
         .reads("Stored", kernels.photons.stored)
         .reads("tiles", kernels.tiles)
         .reads("Icosahedron", kernels.vertices)
         .reads(kernels.corners)
-        .reads("surfaces", kernels.surfaces.surfaces)
+        .reads("depths", kernels.surfaces.depth)
         .writes("Draw", command);
+    if (kernels.parameters.facing_test) declared.reads(kernels.surfaces.geometric_normal);
     for (const auto target : pass.targets) declared.writes(target);
     if (pass.depth_test) declared.writes(kernels.surfaces.stencil);
     declared.execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {

@@ -83,11 +83,12 @@ void sort_and_add_up(const graph::PassContext& p, const Kernels& kernels, const 
 
 void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::ImageRef irradiance) {
     const auto e = declare(builder);
-    builder.pass("explain photons of the pixel")
-        .reads("Photons", kernels.photons.records)
+    auto pass = builder.pass("explain photons of the pixel");
+    if (kernels.parameters.facing_test) pass.reads(kernels.surfaces.geometric_normal);
+    pass.reads("Photons", kernels.photons.records)
         .reads("Stored", kernels.photons.stored)
         .reads("tiles", kernels.tiles)
-        .reads("surfaces", kernels.surfaces.surfaces)
+        .reads("depths", kernels.surfaces.depth)
         .reads("irradiance", irradiance)
         .writes("FoundPhotons", e.photons.elements)
         .writes("PixelSum", e.sum.elements)

@@ -19,7 +19,7 @@ std::vector<OutputDescription> splatting_outputs() {
          .label = "Depth at the splatting resolution",
          .semantic = Semantic::depth,
          .unit = "m",
-         .doc = "Distance along the view axis of the closest pixel of the texel; infinite: background."},
+         .doc = "Distance along the view axis of the pixel that the texel is for; infinite: background."},
         {.key = "splat.tiles",
          .label = "Photons by tile",
          .semantic = Semantic::count,

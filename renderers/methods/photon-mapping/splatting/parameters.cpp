@@ -12,7 +12,8 @@ void add_targets(ParameterTable<Parameters>& table) {
         .add(&Parameters::splat_resolution,
              {.key = "splat_resolution",
               .label = "Splatting resolution",
-              .doc = "Resolution at which kernels are added up; what comes after it works at the view's.",
+              .doc = "Resolution at which kernels are added up. A texel is for one pixel's surface; the other pixels "
+                     "take from the texels around them that are on theirs.",
               .citation = "Smal19 §6.2.1",
               .choices = {{"full", "Full", "A texel for each pixel."},
                           {"half", "Half", "A texel for 2 × 2 pixels, as published."},
@@ -117,7 +118,13 @@ void add_shape(ParameterTable<Parameters>& table) {
               .doc = "s_max: how far kernels of light at grazing incidence are stretched along it at most.",
               .citation = "Smal19 eq. 6.3",
               .hard = {1, 100},
-              .soft = {1, 10}});
+              .soft = {1, 10}})
+        .add(&Parameters::facing_test,
+             {.key = "facing_test",
+              .label = "Test of normals",
+              .doc = "A kernel lights only surfaces that face where its photon came from: light does not go "
+                     "around edges to what turns away from it.",
+              .since_version = 3});
 }
 
 }  // namespace

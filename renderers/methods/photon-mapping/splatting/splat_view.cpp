@@ -1,10 +1,19 @@
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 
+#include <cmath>
+
+#include "renderers/passes/scene/stands_still.h"
+
 namespace ir::methods::photon_mapping {
 namespace {
 
 bool is_perspective(const scene::View& view) {
     return view.clip_from_view[3][3] == 0;
+}
+
+/// Frames before this one that saw the same; less only where something moved since the history began.
+int frames_standing(const graph::FrameInputs& inputs) {
+    return passes::stands_still(inputs, passes::Watched::surfaces_and_lights) ? inputs.frame : 0;
 }
 
 /// A scene without extent still has a size to measure radii by.
@@ -22,13 +31,19 @@ glm::ivec2 texels_of(const scene::View& view, int divisor) {
     return (glm::ivec2(view.width, view.height) + divisor - 1) / divisor;
 }
 
+int pixel_of_texel(int divisor) {
+    return (divisor - 1) / 2;
+}
+
 glm::mat4 clip_from_world(const scene::View& view, int divisor) {
-    const auto share = glm::vec2(view.width, view.height) / glm::vec2(divisor * texels_of(view, divisor));
-    glm::mat4 texels_from_picture(1);  // the upper left corner (-1, 1) stays where it is
+    const auto pixels = glm::vec2(divisor * texels_of(view, divisor));
+    const auto share = glm::vec2(view.width, view.height) / pixels;
+    const auto shift = (float(2 * pixel_of_texel(divisor) + 1 - divisor)) / pixels;
+    glm::mat4 texels_from_picture(1);  // the upper left corner (-1, 1) stays where it is, but for the shift
     texels_from_picture[0][0] = share.x;
-    texels_from_picture[3][0] = share.x - 1;
+    texels_from_picture[3][0] = share.x - 1 - shift.x;
     texels_from_picture[1][1] = share.y;
-    texels_from_picture[3][1] = 1 - share.y;
+    texels_from_picture[3][1] = 1 - share.y + shift.y;
     return texels_from_picture * view.clip_from_world();
 }
 
@@ -46,7 +61,15 @@ SplatView splat_view(const scene::View& view, int divisor) {
             .near_plane = view.near_plane,
             .far_plane = view.far_plane,
             .perspective = is_perspective(view),
-            .divisor = divisor};
+            .divisor = divisor,
+            .pixel_of_texel = pixel_of_texel(divisor)};
+}
+
+float progressive_shrinking(int frame, float decay) {
+    // Π (k + α)/(k + 1) over k = 1 … frame
+    const double k = frame, a = decay;
+    return static_cast<float>(
+        std::exp(0.5 * (std::lgamma(k + 1 + a) - std::lgamma(1 + a) - std::lgamma(k + 2))));
 }
 
 KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& parameters, float power_unit) {
@@ -65,7 +88,10 @@ KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& par
             .n_tile = parameters.kernel_scale,
             .s_n = parameters.normal_axis,
             .s_max = parameters.max_stretch,
-            .min_radius_texels = parameters.min_radius_texels};
+            .min_radius_texels = parameters.min_radius_texels,
+            .shrinking = parameters.is_progressive()
+                             ? progressive_shrinking(frames_standing(inputs), parameters.radius_decay)
+                             : 1};
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -12,7 +12,10 @@ int divisor_of(SplatResolution resolution);
 /// Texels of a picture of this view. The last of a row may reach beyond the picture.
 glm::ivec2 texels_of(const scene::View& view, int divisor);
 
-/// Takes world space to the clip space of those texels.
+/// Along a side of a texel, the pixel that it stands for: kernels are summed for that pixel's surface.
+int pixel_of_texel(int divisor);
+
+/// Takes world space to the clip space of those texels, with the middles of their pixels in theirs.
 glm::mat4 clip_from_world(const scene::View& view, int divisor);
 
 /// Share of the picture that a square with so many pixels a side has, times 4 tan(α_x/2) tan(α_y/2), or times
@@ -26,8 +29,9 @@ struct SplatView {
     glm::vec2 size_texels;
     float near_plane, far_plane;
     bool perspective;
-    int divisor;
-    IR_FIELDS(clip_from_world, eye_ws, view_axis_ws, size_texels, near_plane, far_plane, perspective, divisor)
+    int divisor, pixel_of_texel;
+    IR_FIELDS(clip_from_world, eye_ws, view_axis_ws, size_texels, near_plane, far_plane, perspective, divisor,
+              pixel_of_texel)
 };
 SplatView splat_view(const scene::View& view, int divisor);
 
@@ -37,10 +41,15 @@ struct KernelRules {
     passes::PixelRays rays;
     float power_unit, c_tile, c_texel;
     int tile_size;
-    float l_max, r_min, r_max, min_ray_length_scale, n_tile, s_n, s_max, min_radius_texels;
+    float l_max, r_min, r_max, min_ray_length_scale, n_tile, s_n, s_max, min_radius_texels, shrinking;
     IR_FIELDS(view, rays, power_unit, c_tile, c_texel, tile_size, l_max, r_min, r_max, min_ray_length_scale,
-              n_tile, s_n, s_max, min_radius_texels)
+              n_tile, s_n, s_max, min_radius_texels, shrinking)
 };
+
+/// Radii of a frame over those of the first, frames counting from 0 and a decay of α: r² shrinks by
+/// (k + α)/(k + 1) from the k-th frame to the next, k from 1.  [Knaus11 eq. 18]
+float progressive_shrinking(int frame, float decay);
+
 KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& parameters, float power_unit);
 
 }  // namespace ir::methods::photon_mapping

@@ -17,7 +17,7 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl
 Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
                     const Parameters& parameters) {
     const int divisor = divisor_of(parameters.splat_resolution);
-    const bool half = parameters.sum_precision == Precision::half_float;
+    const bool half = parameters.has_half_sums();
     const auto stored = stored_photons(builder, photons);
     const auto tiles = count_tiles(builder, stored, parameters);
     const auto surfaces = splat_surfaces(builder, gbuffer, divisor);
@@ -25,15 +25,18 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
 
     Splat splat;
     splat.divisor = divisor;
-    splat.depth = surfaces.depth;
     splat.irradiance =
         declare(builder, "splat.irradiance", half ? gl::Format::rgba16f : gl::Format::rgba32f, divisor);
     splat.direction =
         declare(builder, "splat.direction", half ? gl::Format::rg16f : gl::Format::rg32f, divisor);
-    draw_kernels(builder, kernels,
-                 {.name = "splat photons",
-                  .command_key = "splat.command",
-                  .targets = {splat.irradiance, splat.direction}});
+    const KernelPass sums{.name = "splat photons",
+                          .command_key = "splat.command",
+                          .targets = {splat.irradiance, splat.direction},
+                          .has_two_bodies = parameters.inside_test == InsideTest::ellipsoid};
+    if (sums.has_two_bodies && builder.inputs().processor == Processor::host)
+        splat_on_host(builder, gbuffer, kernels, sums);
+    else
+        draw_kernels(builder, kernels, sums);
     draw_kernels(builder, kernels,
                  {.name = "count kernels",
                   .command_key = "splat.count_command",

@@ -21,9 +21,9 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
 
 /// What kernels are tested against, at the splatting resolution.
 struct SplatSurfaces {
-    graph::ImageRef depth;     ///< "splat.depth", see struct Splat
-    graph::ImageRef surfaces;  ///< depth, or at lower resolutions "splat.surfaces"
-    graph::ImageRef stencil;   ///< "splat.stencil": for the depth test
+    graph::ImageRef depth;    ///< "splat.depth": along the view axis, m, of each texel's pixel
+    graph::ImageRef stencil;  ///< "splat.stencil": for the depth test
+    graph::ImageRef geometric_normal;  ///< of the G-buffer
     int divisor = 1;
 };
 
@@ -59,8 +59,14 @@ struct KernelPass {
     std::vector<graph::ImageRef> targets;
     std::map<std::string, std::string> defines = {};
     bool depth_test = true;  ///< only faster: the shader tests again
+    bool has_two_bodies = false;
 };
 void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass);
+
+/// Declares the same pass on the host's threads, for ellipsoids: irradiance and direction are those of the
+/// device but for rounding. Half floats are rounded once, from sums in single precision.
+void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Kernels& kernels,
+                   const KernelPass& pass);
 
 /// Declares "splat.tiles" and the pass that counts the photons of each tile.
 graph::ImageRef count_tiles(graph::GraphBuilder& builder, const StoredPhotons& photons,

@@ -11,7 +11,8 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
              .doc = "What finds the surfaces that photons hit. Both know the same triangles and alpha masks; "
                     "where a ray meets an edge they may name different ones.",
              .citation = "Smal19 §4.3",
-             .choices = {{"compute", "Compute", "A bounding volume hierarchy on the device."},
+             .choices = {{"auto", "Automatic", "Embree where passes with two bodies run on the host."},
+                         {"compute", "Compute", "A bounding volume hierarchy on the device."},
                          {"embree", "Embree", "On the processor: the oracle."}},
              .effect = Effect::cost})
         .add(&Parameters::roulette,

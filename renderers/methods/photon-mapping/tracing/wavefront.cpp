@@ -57,7 +57,7 @@ struct PathRules {
 
 PathRules path_rules(const graph::FrameInputs& inputs, const Parameters& parameters) {
     const auto& transport = parameters.transport;
-    return {.frame_seed = folded(inputs.seed),
+    return {.frame_seed = folded(photon_seed(inputs, parameters)),
             .materials = index_of(transport.materials),
             .microfacet_sampling = index_of(parameters.microfacet_sampling),
             .per_channel = parameters.roulette == Roulette::per_channel,
@@ -157,7 +157,7 @@ void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
 
 void Wavefront::advance(GraphBuilder& builder, int number, const Photons& photons) const {
     const auto name = std::to_string(number);
-    passes::trace_rays(builder, "trace " + name, scene_, parameters_.tracer, rays_);
+    passes::trace_rays(builder, "trace " + name, scene_, tracer_of(builder.inputs(), parameters_), rays_);
     land(builder, number, photons);
     if (number < parameters_.transport.min_bounces && !keeps_mirrored()) return;
     const auto places =

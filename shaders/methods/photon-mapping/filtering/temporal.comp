@@ -5,6 +5,10 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "methods/photon-mapping/filtering/unfiltered.glsl"
 #ifdef HISTORY
 #include "methods/photon-mapping/filtering/history.glsl"
+#ifdef REJECTS_GHOSTS
+#include "methods/photon-mapping/filtering/ghosting.glsl"
+#endif
+layout(r32f) uniform writeonly image2D length_image;
 #endif
 
 layout(rgba32f) uniform writeonly image2D value_image;
@@ -30,15 +34,23 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(value_image)))) return;
     FilterSurface p = surface_at(pixel);
     Signal s = Signal(vec4(0), vec2(0));
+    float frames = 0.0;
     if (is_surface(p)) {
         s = finite(unfiltered(pixel, p));
 #ifdef HISTORY
         // S_i = (1 - α) E_i + α S_{i-1}, as a step towards history that is 0 where both are equal
         History history = history_of(pixel, p);  // [Smal19 eq. 7.3]
+#ifdef REJECTS_GHOSTS
+        if (history.weight > 0.0) without_ghosts(pixel, p, history);
+#endif
         s.value += history.weight * (history.signal.value - s.value);
         s.direction += history.weight * (history.signal.direction - s.direction);
+        frames = history.length + 1.0;
 #endif
     }
     imageStore(value_image, pixel, s.value);
     imageStore(direction_image, pixel, vec4(s.direction, 0, 0));
+#ifdef HISTORY
+    imageStore(length_image, pixel, vec4(frames));
+#endif
 }

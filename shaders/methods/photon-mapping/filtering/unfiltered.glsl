@@ -19,38 +19,62 @@ Signal unfiltered(ivec2 pixel, FilterSurface p) {
 
 #else
 
-uniform sampler2D splat_depth;
+/// Depth at another pixel of the plane of a pixel's surface.
+float plane_depth(FilterSurface p, vec2 position_px, vec2 other_px) {
+    vec3 origin = pixel_ray_origin(other_px), direction = pixel_ray_direction(other_px);
+    vec3 point = pixel_ray_origin(position_px) + p.depth * pixel_ray_direction(position_px);
+    return dot(p.normal, point - origin) / dot(p.normal, direction);
+}
 
-/// Bilinear; texels count less the farther their depth lies from the pixel's, beyond what a surface gains
-/// within the two texels that the nearest pixel of a texel may be away. Where no texel is near, the nearest
-/// in depth.
+/// How well the surface of a texel's pixel goes on a pixel's, as a logarithm; 0 is in its plane.
+float log_match(FilterSurface p, vec2 position_px, float slope, ivec2 texel) {
+    ivec2 at = DIVISOR * texel + PIXEL_OF_TEXEL;
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(at, textureSize(surfaces, 0)))) return -NO_SURFACE;
+    FilterSurface q = surface_at(at);
+    if (!is_surface(q)) return -NO_SURFACE;
+    float off_plane = abs(q.depth - plane_depth(p, position_px, vec2(at) + 0.5));
+    float cosine = clamp(dot(p.normal, q.normal), 1e-6, 1.0);
+    return sigma_normal * log(cosine) - min(off_plane / (slope + DEPTH_EPSILON * p.depth), 1e6);
+}
+
+Signal signal_of(ivec2 texel) {
+    return Signal(texelFetch(splat_irradiance, texel, 0), texelFetch(splat_direction, texel, 0).xy);
+}
+
+/// Bilinear between the pixels that texels are for, as far as these are on the pixel's surface. Where none is, the
+/// texel of those around that fits best.
 /// DEVIATION [Smal19 §7.2]: the print is bilinear alone. Light then leaks over edges, a quarter of it
 /// into the first pixel behind a step at half resolution, 3/8 at quarter; on planes both are equal.
 Signal unfiltered(ivec2 pixel, FilterSurface p) {
-    ivec2 size = textureSize(splat_depth, 0);
-    vec2 gradient = depth_gradient(p, vec2(pixel) + 0.5);
-    float reach = 2.0 * float(DIVISOR) * length(gradient) + DEPTH_EPSILON * p.depth;
-    vec2 place = (vec2(pixel) + 0.5) / float(DIVISOR) - 0.5;
-    vec2 base = floor(place), f = place - base;
-    Signal sum = Signal(vec4(0), vec2(0)), nearest = sum;
-    float total = 0.0, least = NO_SURFACE;
+    vec2 position_px = vec2(pixel) + 0.5;
+    float slope = float(DIVISOR) * length(depth_gradient(p, position_px));
+    vec2 place = vec2(pixel - PIXEL_OF_TEXEL) / float(DIVISOR);
+    ivec2 base = ivec2(floor(place));
+    vec2 f = place - vec2(base);
+    Signal sum = Signal(vec4(0), vec2(0));
+    float total = 0.0;
     for (int i = 0; i < 4; ++i) {
         ivec2 corner = ivec2(i & 1, i >> 1);
-        ivec2 texel = clamp(ivec2(base) + corner, ivec2(0), size - 1);
         vec2 share = mix(1.0 - f, f, vec2(corner));
-        float difference = abs(texelFetch(splat_depth, texel, 0).x - p.depth);
-        Signal s = Signal(texelFetch(splat_irradiance, texel, 0), texelFetch(splat_direction, texel, 0).xy);
-        float w = share.x * share.y * exp(-max(difference - reach, 0.0) / reach);
+        if (share.x * share.y == 0.0) continue;
+        float w = share.x * share.y * exp(log_match(p, position_px, slope, base + corner));
+        if (w == 0.0) continue;
+        Signal s = signal_of(base + corner);
         sum.value += w * s.value;
         sum.direction += w * s.direction;
         total += w;
-        if (difference < least) {
-            least = difference;
-            nearest = s;
-        }
     }
-    if (total < 1e-4) return nearest;
-    return Signal(sum.value / total, sum.direction / total);
+    if (total > 1e-3) return Signal(sum.value / total, sum.direction / total);
+    ivec2 best_texel = ivec2(-1);
+    float best = -NO_SURFACE;
+    for (int i = 0; i < 16; ++i) {
+        ivec2 texel = base + ivec2(i % 4, i / 4) - 1;
+        float match = log_match(p, position_px, slope, texel);
+        if (match <= best) continue;
+        best = match;
+        best_texel = texel;
+    }
+    return best_texel.x < 0 ? Signal(vec4(0), vec2(0)) : signal_of(best_texel);
 }
 
 #endif

@@ -27,14 +27,10 @@ uniform sampler2D irradiance;
 uniform uint first_item, end_item;
 uniform ivec2 picked_texel;  // negative: none
 
-/// As distance to the texel's surface, the farthest of them at lower resolutions.
+/// As distance to the texel's surface.
 float distance_of(Kernel k) {
-    vec2 middle_px = (vec2(picked_texel) + 0.5) * float(divisor), depths = texelFetch(surfaces, picked_texel, 0).xy;
-#ifdef LOW_RESOLUTION
-    float depth = depths.y;
-#else
-    float depth = depths.x;
-#endif
+    vec2 middle_px = pixel_at(picked_texel);
+    float depth = texelFetch(depths, picked_texel, 0).x;
     return distance(k.centre_ws, pixel_ray_origin(middle_px) + depth * pixel_ray_direction(middle_px));
 }
 
@@ -53,7 +49,7 @@ void write(uint place, uint i, Photon photon, Kernel k) {
 }
 
 void main() {
-    if (picked_texel.x < 0 || isinf(texelFetch(surfaces, picked_texel, 0).x)) return;
+    if (picked_texel.x < 0 || isinf(texelFetch(depths, picked_texel, 0).x)) return;
     uint i = first_item + gl_GlobalInvocationID.x;
     if (i == 0u) {
         atomicAdd(sum_count, 1u);
@@ -63,7 +59,7 @@ void main() {
     Photon photon = photons[i];
     if (!is_splatted(photon)) return;
     Kernel k = kernel_of(photon);
-    if (!covers_texel(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, picked_texel)) return;
+    if (!covers_texel(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, direction_of(photon), picked_texel)) return;
     atomicAdd(photon_count, 1u);
     uint place = atomicAdd(found_count, 1u);
     if (place < uint(found.length())) write(place, i, photon, k);

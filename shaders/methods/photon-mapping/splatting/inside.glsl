@@ -1,7 +1,11 @@
 // Whether a kernel covers a texel: the same arithmetic for the splat and for the gather that explains it.
 #include "lib/pixel_rays.glsl"
 
-uniform sampler2D surfaces;  // depth; at lower resolutions those of the closest and the farthest
+uniform sampler2D depths;  // of the pixels that texels are for
+
+#ifdef FACING
+uniform sampler2D gbuffer_geometric_normal;
+#endif
 
 bool covers(vec3 centre_ws, vec3 n_ws, vec3 u_ws, vec3 t_ws, vec3 axes, vec3 origin, vec3 direction, float depth) {
 #ifdef LINEAR_DEPTH
@@ -15,13 +19,12 @@ bool covers(vec3 centre_ws, vec3 n_ws, vec3 u_ws, vec3 t_ws, vec3 axes, vec3 ori
 #endif
 }
 
-/// At lower resolutions closest and farthest must both lie within.  [Smal19 §6.2.1]
-bool covers_texel(vec3 centre_ws, vec3 n_ws, vec3 u_ws, vec3 t_ws, vec3 axes, ivec2 texel) {
-    vec2 middle_px = (vec2(texel) + 0.5) * float(divisor);
-    vec3 origin = pixel_ray_origin(middle_px), direction = pixel_ray_direction(middle_px);
-    vec2 depths = texelFetch(surfaces, texel, 0).xy;
-#ifdef LOW_RESOLUTION
-    if (!covers(centre_ws, n_ws, u_ws, t_ws, axes, origin, direction, depths.y)) return false;
+bool covers_texel(vec3 centre_ws, vec3 n_ws, vec3 u_ws, vec3 t_ws, vec3 axes, vec3 to_light_ws, ivec2 texel) {
+#ifdef FACING
+    vec3 normal = texelFetch(gbuffer_geometric_normal, divisor * texel + pixel_of_texel, 0).xyz;
+    if (dot(normal, to_light_ws) <= 0.0) return false;
 #endif
-    return covers(centre_ws, n_ws, u_ws, t_ws, axes, origin, direction, depths.x);
+    vec2 middle_px = pixel_at(texel);
+    return covers(centre_ws, n_ws, u_ws, t_ws, axes, pixel_ray_origin(middle_px), pixel_ray_direction(middle_px),
+                  texelFetch(depths, texel, 0).x);
 }

@@ -13,6 +13,7 @@ uniform float c_tile, c_texel;
 uniform int tile_size;
 uniform float l_max, r_min, r_max;  // m
 uniform float min_ray_length_scale, n_tile, s_n, s_max, min_radius_texels;
+uniform float shrinking;  // of all radii: below 1 in later frames of a picture that converges
 
 struct Kernel {
     vec3 centre_ws;
@@ -37,7 +38,7 @@ float kernel_radius(Photon photon) {
     float r = density_radius(tile_area(depth, c_tile, perspective), photons_of_tile(photon.position_ws));
     float s_l = ray_length_scale(photon.ray_length, l_max, min_ray_length_scale);
     float texel = sqrt(tile_area(depth, c_texel, perspective));
-    return max(s_l * density_scale(r, r_min, r_max, n_tile), min_radius_texels * texel);
+    return shrinking * max(s_l * density_scale(r, r_min, r_max, n_tile), min_radius_texels * texel);
 }
 
 /// [Smal19 §6.1.2]

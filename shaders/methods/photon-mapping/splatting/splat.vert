@@ -13,6 +13,7 @@ layout(location = 3) flat out vec3 n_ws;
 layout(location = 4) flat out vec3 u_ws;
 layout(location = 5) flat out vec3 t_ws;
 layout(location = 6) flat out vec3 axes;
+layout(location = 7) flat out vec3 to_light_ws;
 
 // With its vertices at this distance the faces touch the unit sphere from outside. One hundredth more keeps
 // rounded corners and depths from cutting it.
@@ -57,7 +58,8 @@ void main() {
 #else
     gl_Position = corner_of_ellipsoid(k);
 #endif
-    vec3 weighted = dot(k.irradiance, vec3(1)) * direction_of(photon);
+    to_light_ws = direction_of(photon);
+    vec3 weighted = dot(k.irradiance, vec3(1)) * to_light_ws;
     add_irradiance = vec4(k.irradiance, weighted.x);
     add_direction = weighted.yz;
     centre_ws = k.centre_ws;

@@ -6,7 +6,11 @@ uniform vec3 eye_ws, view_axis_ws;
 uniform vec2 size_texels;
 uniform float near_plane, far_plane;
 uniform bool perspective;
-uniform int divisor;  // pixels of the picture along a side of a texel
+uniform int divisor;         // pixels of the picture along a side of a texel
+uniform int pixel_of_texel;  // the one along it that a texel is for
+
+/// The middle of that pixel, in pixels of the picture.
+vec2 pixel_at(ivec2 texel) { return vec2(divisor * texel + pixel_of_texel) + 0.5; }
 
 /// Along the view axis, m.
 float view_depth(vec3 position_ws) { return dot(position_ws - eye_ws, view_axis_ws); }
