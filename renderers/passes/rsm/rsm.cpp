@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "renderers/passes/rsm/rsm_on_host.h"
 #include "renderers/passes/scene/draw_triangles.h"
 
 namespace ir::passes {
@@ -170,10 +171,16 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     views.fingerprint = rsm.fingerprint;
     rsm.views = builder.buffer(views);
 
+    const bool has_two_bodies = !options.depth_prepass && rsm.resolution % 4 == 0;
+    if (has_two_bodies && builder.inputs().processor == Processor::host) {
+        rsm_on_host(builder, rsm, options);
+        return rsm;
+    }
     const Drawing drawing{scene, rsm, options};
     graph::ImageRef prepass;
     if (options.depth_prepass) prepass = draw_depth_first(builder, drawing);
     auto pass = builder.pass("RSM");
+    if (has_two_bodies) pass.has_two_bodies();
     reads_triangles(pass, scene);
     reads_textures(pass, scene);
     if (options.depth_prepass) pass.reads(prepass);

@@ -120,5 +120,77 @@ TEST(PhotonMappingPicture, ThePickedPixelIsTheSumOfItsPhotons) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(sum.gathered[i], sum.pixel[i], 1e-5f * sum.pixel[i]) << i;
 }
 
+/// Indirect light of Lambert surfaces, of a view of the Cornell box.
+Image cornell(const std::string& method, const Settings& more, int size, int frames = 1,
+              std::optional<Processor> processor = {}) {
+    engine::Experiment experiment;
+    experiment.scene = "builtin:cornell";
+    experiment.method = method;
+    experiment.settings = photon_bounce;
+    for (const auto& [key, value] : more) experiment.settings[key] = value;
+    experiment.width = experiment.height = size;
+    experiment.seed = 3;
+    engine::Execution execution(machine(), experiment);
+    execution.set_processor(processor);
+    graph::FrameOptions options;
+    options.wanted = {"radiance"};
+    for (int i = 0; i < frames; ++i) execution.run_frame(options);
+    return main_result(execution);
+}
+
+double mean_of(const Image& image) {
+    return mean_of(image, 0, 0, image.width, image.height);
+}
+
+/// The same photons, so that only what texels stand for differs.
+TEST(PhotonMappingPicture, LowResolutionsHaveTheLightOfTheFullOne) {
+    const auto light = [](const char* resolution) {
+        return mean_of(cornell("photon-mapping", {{"splat_resolution", std::string(resolution)}}, 128));
+    };
+    const double full = light("full");
+    EXPECT_NEAR(light("half") / full, 1, 0.01);
+    EXPECT_NEAR(light("quarter") / full, 1, 0.03);
+}
+
+/// Rays, kernels and filters of the host against those of the device: edges and rounding differ.
+TEST(PhotonMappingPicture, TheHostsPictureIsTheDevices) {
+    const auto device = cornell("photon-mapping", {}, 96, 2, Processor::gl);
+    const auto host = cornell("photon-mapping", {}, 96, 2, Processor::host);
+    double squared = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) squared += std::pow(device.at(x, y, 1) - host.at(x, y, 1), 2);
+    const double mean = mean_of(device);
+    EXPECT_NEAR(mean_of(host) / mean, 1, 0.01);
+    EXPECT_LT(std::sqrt(squared) / 96, 0.05 * mean);
+}
+
+/// Root mean square error over the mean, of all pixels that see a surface.
+double relative_error(const Image& image, const Image& truth) {
+    double squared = 0, sum = 0;
+    for (int y = 0; y < truth.height; ++y)
+        for (int x = 0; x < truth.width; ++x) {
+            squared += std::pow(image.at(x, y, 1) - truth.at(x, y, 1), 2);
+            sum += truth.at(x, y, 1);
+        }
+    const auto pixels = static_cast<double>(truth.width) * truth.height;
+    return std::sqrt(squared / pixels) / (sum / pixels);
+}
+
+/// The variance of a mean of K frames goes with K^-α, and the blur of large surfaces with K^(α-1): with α = 2/3 both
+/// errors go with K^-1/3. In bands along edges, whose width goes with the radius, the error goes with K^-1/12.
+TEST(PhotonMappingPicture, ProgressiveRadiiConverge) {
+    const Settings progressive{{"accumulation", std::string("progressive")},
+                               {"filter_passes", std::int64_t{0}},
+                               {"photons", std::int64_t{20000}},
+                               {"kernel_scale", 4.0}};
+    const auto truth = cornell("reference", {{"samples", std::int64_t{2048}}}, 48);
+    const double few = relative_error(cornell("photon-mapping", progressive, 48, 4), truth);
+    const double many = relative_error(cornell("photon-mapping", progressive, 48, 128), truth);
+    const double slope = std::log(many / few) / std::log(128.0 / 4);
+    RecordProperty("slope", std::to_string(slope));
+    EXPECT_LT(slope, -0.2) << few << " after 4 frames, " << many << " after 128";
+    EXPECT_GT(slope, -0.4) << few << " after 4 frames, " << many << " after 128";
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -1,0 +1,75 @@
+// What rays find on the host's threads is what light images show when they are drawn, but at edges.
+#include "renderers/passes/rsm/rsm.h"
+
+#include <cmath>
+
+#include "tests/unit/passes/pass_fixture.h"
+
+namespace ir::test {
+namespace {
+
+constexpr int rsm_size = 64;
+
+class RsmOnHost : public PassTest {
+  protected:
+    Processor processor() const override { return processor_; }
+    std::vector<OutputDescription> outputs() const override { return passes::rsm_outputs({}, true); }
+
+    struct Layer {
+        Image albedo, normal, geometric_normal, depth;
+    };
+    std::vector<Layer> layers(const Shot& shot, bool exact_albedo, Processor processor) {
+        processor_ = processor;
+        graph().reset_history();
+        const auto views = passes::shadow_views(shot.world, rsm_size);
+        run(shot, [&](graph::GraphBuilder& builder) {
+            passes::draw_rsm(builder, passes::upload_scene(builder),
+                             {.views = views,
+                              .resolution = rsm_size,
+                              .geometric_normal = true,
+                              .exact_albedo = exact_albedo});
+        });
+        std::vector<Layer> result;
+        for (int i = 0; i < static_cast<int>(views.size()); ++i)
+            result.push_back({read("rsm.albedo_roughness", i), read("rsm.normal_metalness", i),
+                              read("rsm.geometric_normal", i), read("rsm.depth", i)});
+        return result;
+    }
+
+    static double mean_difference(const Image& a, const Image& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
+        return sum / static_cast<double>(a.pixels.size());
+    }
+
+    Processor processor_ = Processor::gl;
+};
+
+/// A point, a spot and a directional light, with textures, alpha masks and glass.
+TEST_F(RsmOnHost, ShowsWhatIsDrawn) {
+    for (const char* name : {"builtin:still-life", "builtin:atrium"}) {
+        auto scene = scene::load_scene(name);
+        const auto middle = scene::bounds_of(scene, 0).centre();
+        scene::Light light;
+        light.position = middle;
+        light.direction = glm::normalize(glm::vec3(0.2f, -1, 0.1f));
+        scene.lights.assign(3, light);
+        scene.lights[1].type = scene::LightType::spot;
+        scene.lights[2].type = scene::LightType::directional;
+        const Shot shot(scene, scene.cameras.at(0), 8, 8);
+        for (const bool exact : {false, true}) {
+            const auto drawn = layers(shot, exact, Processor::gl), found = layers(shot, exact, Processor::host);
+            ASSERT_EQ(drawn.size(), 8u);
+            for (std::size_t i = 0; i < drawn.size(); ++i) {
+                EXPECT_LT(mean_difference(drawn[i].depth, found[i].depth), 5e-3) << name << ' ' << i;
+                EXPECT_LT(mean_difference(drawn[i].albedo, found[i].albedo), 0.01) << name << ' ' << i;
+                EXPECT_LT(mean_difference(drawn[i].normal, found[i].normal), 0.02) << name << ' ' << i;
+                EXPECT_LT(mean_difference(drawn[i].geometric_normal, found[i].geometric_normal), 0.02)
+                    << name << ' ' << i;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
