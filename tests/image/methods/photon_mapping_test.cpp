@@ -130,11 +130,12 @@ Image cornell(const std::string& method, const Settings& more, int size, int fra
     for (const auto& [key, value] : more) experiment.settings[key] = value;
     experiment.width = experiment.height = size;
     experiment.seed = 3;
+    machine().set_processor(processor);
     engine::Execution execution(machine(), experiment);
-    execution.set_processor(processor);
     graph::FrameOptions options;
     options.wanted = {"radiance"};
     for (int i = 0; i < frames; ++i) execution.run_frame(options);
+    machine().set_processor({});
     return main_result(execution);
 }
 
