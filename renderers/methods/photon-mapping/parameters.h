@@ -59,6 +59,7 @@ struct Parameters {
     float normal_axis = 0.25f;          ///< s_n
     float max_stretch = 3;              ///< s_max
     bool facing_test = false;           ///< kernels light what faces their light alone
+    bool edge_probes = false;           ///< what hangs over edges goes to the rest of the kernel
 
     // filtering/parameters.cpp
     bool temporal = true;

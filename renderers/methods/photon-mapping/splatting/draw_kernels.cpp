@@ -138,6 +138,7 @@ std::map<std::string, std::string> kernel_defines(const Kernels& kernels) {
     std::map<std::string, std::string> defines;
     if (is_flat(kernels)) defines["LINEAR_DEPTH"] = "1";
     if (kernels.parameters.facing_test) defines["FACING"] = "1";
+    if (kernels.parameters.edge_probes) defines["EDGE_PROBES"] = "1";
     return defines;
 }
 

@@ -124,6 +124,13 @@ void add_shape(ParameterTable<Parameters>& table) {
               .label = "Test of normals",
               .doc = "A kernel lights only surfaces that face where its photon came from: light does not go "
                      "around edges to what turns away from it.",
+              .since_version = 3})
+        .add(&Parameters::edge_probes,
+             {.key = "edge_probes",
+              .label = "Probes at edges",
+              .doc = "Divides a photon's power by the area that its kernel can light, estimated by eight looks "
+                     "at the picture's depths, instead of by all of its area: what hangs over edges is not "
+                     "lost.",
               .since_version = 3});
 }
 

@@ -1,7 +1,5 @@
 // Whether a kernel covers a texel: the same arithmetic for the splat and for the gather that explains it.
-#include "lib/pixel_rays.glsl"
-
-uniform sampler2D depths;  // of the pixels that texels are for
+#include "methods/photon-mapping/splatting/depths.glsl"
 
 #ifdef FACING
 uniform sampler2D gbuffer_geometric_normal;

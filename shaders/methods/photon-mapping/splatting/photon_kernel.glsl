@@ -1,5 +1,6 @@
 // The kernels of the stored photons under the frame's settings.
 #include "methods/photon-mapping/records.glsl"
+#include "methods/photon-mapping/splatting/depths.glsl"
 #include "methods/photon-mapping/splatting/kernel.glsl"
 #include "methods/photon-mapping/splatting/splat_view.glsl"
 
@@ -41,6 +42,34 @@ float kernel_radius(Photon photon) {
     return shrinking * max(s_l * density_scale(r, r_min, r_max, n_tile), min_radius_texels * texel);
 }
 
+#ifdef EDGE_PROBES
+const int PROBES = 8;
+
+/// Whether the kernel meets something at a place of its plane, as far as the picture tells: not where what is seen
+/// there lies behind it, nor where a surface before it cuts it. What is farther before it may hide a surface.
+bool finds_surface(Kernel k, vec3 place_ws, float half_thickness) {
+    if (!in_picture(place_ws)) return true;
+    ivec2 texel = ivec2(texel_at(place_ws));
+    if (isinf(texelFetch(depths, texel, 0).x)) return false;
+    vec3 offset = surface_at(texel) - k.centre_ws;
+    float height = dot(k.n_ws, offset);
+    if (abs(height) <= half_thickness) return true;
+    return height > 0.0 && length(offset) > max(k.axes.x, max(k.axes.y, k.axes.z));
+}
+
+/// The part of the kernel that has something to light, by places that stand for equal areas.
+float covered_part(Kernel k) {
+    int found = 0;
+    for (int i = 0; i < PROBES; ++i) {
+        float squared = (float(i) + 0.5) / float(PROBES), angle = 2.3999632 * float(i);  // golden
+        vec2 place = sqrt(squared) * vec2(cos(angle), sin(angle)) * k.axes.xy;
+        vec3 place_ws = k.centre_ws + place.x * k.u_ws + place.y * k.t_ws;
+        found += int(finds_surface(k, place_ws, sqrt(1.0 - squared) * k.axes.z));
+    }
+    return float(max(found, 1)) / float(PROBES);
+}
+#endif
+
 /// [Smal19 §6.1.2]
 Kernel kernel_of(Photon photon) {
     Kernel k;
@@ -51,7 +80,11 @@ Kernel kernel_of(Photon photon) {
     k.t_ws = cross(k.n_ws, k.u_ws);
     k.radius = kernel_radius(photon);
     k.axes = vec3(light_shaping_scale(dot(k.n_ws, to_light), s_max), 1.0, s_n) * k.radius;
-    k.irradiance = kernel_irradiance(unpacked_power(photon.power) * power_unit, kernel_area(k.axes.x, k.axes.y));
+    float area = kernel_area(k.axes.x, k.axes.y);
+#ifdef EDGE_PROBES
+    area *= covered_part(k);
+#endif
+    k.irradiance = kernel_irradiance(unpacked_power(photon.power) * power_unit, area);
     return k;
 }
 

@@ -32,11 +32,12 @@ glm::vec3 stretched_direction(glm::vec3 n, glm::vec3 to_light) {
 }  // namespace
 
 KernelMaker::KernelMaker(const KernelRules& rules, std::span<const std::uint32_t> photons_by_tile,
-                         int columns)
+                         int columns, const TexelPlanes* probed)
     : r_(rules),
       tiles_(photons_by_tile),
       columns_(columns),
-      rows_(static_cast<int>(photons_by_tile.size()) / columns) {
+      rows_(static_cast<int>(photons_by_tile.size()) / columns),
+      probed_(probed) {
     const auto rows = glm::transpose(rules.view.clip_from_world);
     const auto size = rules.view.size_texels;
     texel_x_ = 0.5f * size.x * (rows[3] + rows[0]);
@@ -94,6 +95,36 @@ TexelBox KernelMaker::box_of(glm::vec3 centre_ws, const glm::mat3& half_axes) co
     return {x.x, x.y, y.x, y.y};
 }
 
+/// As in photon_kernel.glsl.
+bool KernelMaker::finds_surface(const HostKernel& kernel, glm::vec3 n, glm::vec3 place_ws,
+                                float half_thickness, float longest) const {
+    const auto& view = r_.view;
+    if (glm::dot(place_ws - view.eye_ws, view.view_axis_ws) <= 0) return true;
+    const glm::vec4 place(place_ws, 1);
+    const float scale = 1 / glm::dot(texel_w_, place);
+    const float x = glm::dot(texel_x_, place) * scale, y = glm::dot(texel_y_, place) * scale;
+    if (!(x >= 0 && y >= 0 && x < view.size_texels.x && y < view.size_texels.y)) return true;
+    const auto at = probed_->place(static_cast<int>(x), static_cast<int>(y));
+    const glm::vec3 surface(probed_->position[0][at], probed_->position[1][at], probed_->position[2][at]);
+    if (surface.x == TexelPlanes::nowhere) return false;
+    const auto offset = surface - kernel.centre_ws;
+    const float height = glm::dot(n, offset);
+    return std::abs(height) <= half_thickness || (height > 0 && glm::length(offset) > longest);
+}
+
+float KernelMaker::covered_part(const HostKernel& kernel, const glm::mat3& half_axes, glm::vec3 n) const {
+    constexpr int probes = 8;
+    const glm::vec3 sizes(glm::length(half_axes[0]), glm::length(half_axes[1]), glm::length(half_axes[2]));
+    const float longest = std::max({sizes.x, sizes.y, sizes.z});
+    int found = 0;
+    for (int i = 0; i < probes; ++i) {
+        const float squared = (static_cast<float>(i) + 0.5f) / probes, angle = 2.3999632f * static_cast<float>(i);
+        const auto place = std::sqrt(squared) * (std::cos(angle) * half_axes[0] + std::sin(angle) * half_axes[1]);
+        found += finds_surface(kernel, n, kernel.centre_ws + place, std::sqrt(1 - squared) * sizes.z, longest);
+    }
+    return static_cast<float>(std::max(found, 1)) / probes;
+}
+
 std::optional<HostKernel> KernelMaker::make(const Photon& photon, TexelBox& box) const {
     const auto n = normal_of(photon), to_light = direction_of(photon);
     const auto& centre = photon.position_ws;
@@ -102,16 +133,15 @@ std::optional<HostKernel> KernelMaker::make(const Photon& photon, TexelBox& box)
     const auto u = stretched_direction(n, to_light), t = glm::cross(n, u);
     const float size = radius(photon), cosine = glm::dot(n, to_light);
     const glm::vec3 axes = size * glm::vec3(cosine * r_.s_max > 1 ? 1 / cosine : r_.s_max, 1, r_.s_n);
-    box = box_of(centre, {axes.x * u, axes.y * t, axes.z * n});
+    const glm::mat3 half_axes(axes.x * u, axes.y * t, axes.z * n);
+    box = box_of(centre, half_axes);
     if (box.is_empty()) return {};
-    const auto irradiance = unpacked_power(photon.power) * (r_.power_unit / (pi * axes.x * axes.y));
+    HostKernel kernel{centre, u / axes.x, t / axes.y, n / axes.z, to_light, {}};
+    const float area = pi * axes.x * axes.y * (probed_ ? covered_part(kernel, half_axes, n) : 1);
+    const auto irradiance = unpacked_power(photon.power) * (r_.power_unit / area);
     const auto weighted = (irradiance.x + irradiance.y + irradiance.z) * to_light;
-    return HostKernel{centre,
-                      u / axes.x,
-                      t / axes.y,
-                      n / axes.z,
-                      to_light,
-                      {irradiance.x, irradiance.y, irradiance.z, weighted.x, weighted.y, weighted.z}};
+    for (int i = 0; i < 3; ++i) kernel.added[i] = irradiance[i], kernel.added[i + 3] = weighted[i];
+    return kernel;
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -28,7 +28,8 @@ class HostSplat {
         const auto size = texels_of(inputs.view, divisor);
         const auto tiles = p.shape(kernels.tiles);
         maker_.emplace(kernel_rules(inputs, kernels.parameters, kernels.photons.power_unit),
-                       p.pixels<const std::uint32_t>(kernels.tiles), tiles.width);
+                       p.pixels<const std::uint32_t>(kernels.tiles), tiles.width,
+                       kernels.parameters.edge_probes ? &planes_ : nullptr);
         const bool tests_normals = kernels.parameters.facing_test;
         planes_.resize(size.x, size.y, tests_normals);
         const auto set = [&](std::vector<float>(&planes)[3], graph::ImageRef image) {
@@ -106,7 +107,6 @@ class HostSplat {
 }  // namespace
 
 void TexelPlanes::resize(int w, int h, bool has_normals) {
-    constexpr float nowhere = 1e18f;
     width = w, height = h, stride = w + padding;
     const auto count = static_cast<std::size_t>(stride) * static_cast<std::size_t>(h);
     for (auto& axis : position) axis.assign(count, nowhere);
