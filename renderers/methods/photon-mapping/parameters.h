@@ -94,8 +94,8 @@ int texels(Resolution resolution);
 /// What traces rays: Embree where passes with two bodies run on the host.
 passes::Tracer tracer_of(const graph::FrameInputs& inputs, const Parameters& parameters);
 
-/// What all random numbers of a frame come from: each frame has its own where radii shrink, so that frames are
-/// independent.
+/// What all random numbers of a frame come from: each frame has its own where radii shrink, so that frames
+/// are independent.
 std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters);
 
 }  // namespace ir::methods::photon_mapping

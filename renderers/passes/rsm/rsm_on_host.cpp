@@ -60,8 +60,8 @@ class HostLayer {
         Bvh::Packet16 packet;
         Hit hits[packet_side * packet_side];
         for (int i = 0; view_ && i < packet_side * packet_side; ++i) {
-            const auto [origin, direction] =
-                ray(static_cast<float>(first_x + i % packet_side) + 0.5f, static_cast<float>(first_y + i / packet_side) + 0.5f);
+            const auto [origin, direction] = ray(static_cast<float>(first_x + i % packet_side) + 0.5f,
+                                                 static_cast<float>(first_y + i / packet_side) + 0.5f);
             const float length = glm::length(direction);
             packet.ox[i] = origin.x, packet.oy[i] = origin.y, packet.oz[i] = origin.z;
             packet.dx[i] = direction.x / length, packet.dy[i] = direction.y / length;
@@ -75,7 +75,8 @@ class HostLayer {
             const auto texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(resolution_) +
                                static_cast<std::size_t>(x);
             clear(texel);
-            if (hits[i].is_hit()) set(texel, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, hits[i]);
+            if (hits[i].is_hit())
+                set(texel, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, hits[i]);
         }
     }
 

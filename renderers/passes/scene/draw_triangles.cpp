@@ -51,7 +51,8 @@ void draw_triangles(const graph::PassContext& p, const std::vector<TriangleRun>&
         counts.push_back(static_cast<GLsizei>(3 * run.count));
     }
     if (!runs.empty())
-        p.api().MultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(runs.size()));
+        p.api().MultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(),
+                                static_cast<GLsizei>(runs.size()));
 }
 
 }  // namespace ir::passes

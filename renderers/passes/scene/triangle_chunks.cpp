@@ -8,7 +8,8 @@ namespace {
 
 /// Whether all of the box lies on the negative side of the plane.
 bool is_behind(const glm::vec4& plane, const scene::Bounds& box) {
-    const glm::vec3 normal(plane), farthest = glm::mix(box.min, box.max, glm::greaterThan(normal, glm::vec3(0)));
+    const glm::vec3 normal(plane),
+        farthest = glm::mix(box.min, box.max, glm::greaterThan(normal, glm::vec3(0)));
     return glm::dot(normal, farthest) + plane.w < 0;
 }
 
@@ -27,14 +28,15 @@ TriangleChunks::TriangleChunks(const scene::World& world) {
 
 std::vector<TriangleRun> TriangleChunks::seen(const glm::mat4& clip_from_world, TriangleRun range) const {
     const auto rows = glm::transpose(clip_from_world);
-    const std::array planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3]};
+    const std::array planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1],
+                            rows[3]};
     std::vector<TriangleRun> runs;
     const auto end = range.first + range.count;
     for (auto first = range.first; first < end;) {
         const auto next = std::min(end, (first / chunk + 1) * chunk);
         const auto& box = bounds_[first / chunk];
-        const bool is_beside =
-            std::any_of(planes.begin(), planes.end(), [&](const auto& plane) { return is_behind(plane, box); });
+        const bool is_beside = std::any_of(planes.begin(), planes.end(),
+                                           [&](const auto& plane) { return is_behind(plane, box); });
         if (!is_beside) {
             if (!runs.empty() && runs.back().first + runs.back().count == first)
                 runs.back().count += next - first;

@@ -125,11 +125,12 @@ struct DrawShadow {
     IR_FIELDS(clip_from_world, origin_ws, depth_axis_ws)
 };
 
-void draw_shadow(const PassContext& p, const TriangleChunks& chunks, const ShadowViewData& view, bool masked) {
+void draw_shadow(const PassContext& p, const TriangleChunks& chunks, const ShadowViewData& view,
+                 bool masked) {
     const auto opaque = p.inputs().world->opaque_triangles;
     const auto all = static_cast<std::uint32_t>(p.inputs().world->triangles());
-    const auto runs =
-        chunks.seen(view.clip_from_world, masked ? TriangleRun{opaque, all - opaque} : TriangleRun{0, opaque});
+    const auto runs = chunks.seen(view.clip_from_world,
+                                  masked ? TriangleRun{opaque, all - opaque} : TriangleRun{0, opaque});
     if (runs.empty()) return;
     const auto& program =
         p.use({{"passes/shadow/shadow.vert", "passes/shadow/shadow.frag"}, {{"MASKED", masked ? "1" : "0"}}});

@@ -177,8 +177,9 @@ double relative_error(const Image& image, const Image& truth) {
     return std::sqrt(squared / pixels) / (sum / pixels);
 }
 
-/// The variance of a mean of K frames goes with K^-α, and the blur of large surfaces with K^(α-1): with α = 2/3 both
-/// errors go with K^-1/3. In bands along edges, whose width goes with the radius, the error goes with K^-1/12.
+/// The variance of a mean of K frames goes with K^-α, and the blur of large surfaces with K^(α-1): with α =
+/// 2/3 both errors go with K^-1/3. In bands along edges, whose width goes with the radius, the error goes
+/// with K^-1/12.
 TEST(PhotonMappingPicture, ProgressiveRadiiConverge) {
     const Settings progressive{{"accumulation", std::string("progressive")},
                                {"filter_passes", std::int64_t{0}},

@@ -282,8 +282,7 @@ class UpSamplingTest : public FilteringTest {
             for (int x = 0; x < e.width; ++x) {
                 const auto pixel = glm::ivec2(x, y) * divisor + pm::pixel_of_texel(divisor);
                 const bool is_seen = position.at(pixel.x, pixel.y, 3) > 0;
-                const auto p_vs =
-                    shot.view.view_from_world * glm::vec4(rgb(position, pixel.x, pixel.y), 1);
+                const auto p_vs = shot.view.view_from_world * glm::vec4(rgb(position, pixel.x, pixel.y), 1);
                 e.at(x, y) = glm::vec4(light(pixel.x + 0.5f, pixel.y + 0.5f, is_seen ? -p_vs.z : 1e9f));
             }
         return e;
@@ -365,7 +364,8 @@ TEST_F(UpSamplingTest, PixelsThatNoTexelIsForTakeTheOneThatFitsBest) {
     small.square({0, 0, 0}, {0, 0, 1}, 50);
     small.square({0.05f, 0, 1}, {0, 0, 1}, 0.04f);
     const Shot shot(small.scene(), looking({0, 0, 5}, {0, 0, 0}), temporal_size, temporal_size);
-    const auto low = estimate_of(shot, 4, [](float, float, float depth) { return depth < 4.5f ? 5.0f : 1.0f; });
+    const auto low =
+        estimate_of(shot, 4, [](float, float, float depth) { return depth < 4.5f ? 5.0f : 1.0f; });
     for (const auto& texel : low.value) ASSERT_EQ(texel.r, 1) << "a texel is for the strip";
     filter_once(shot, low, temporal(0.9f));
     const auto image = read("filter.temporal"), position = read("gbuffer.position");

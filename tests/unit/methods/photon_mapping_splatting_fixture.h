@@ -143,7 +143,8 @@ inline pm::Parameters with_radius(const Shot& shot, float radius) {
 }
 
 /// Photons on a camera's surfaces: at random pixels, with directions from above them.
-inline std::vector<SomePhoton> on_surfaces(const Image& positions, const Image& normals, int count, unsigned seed) {
+inline std::vector<SomePhoton> on_surfaces(const Image& positions, const Image& normals, int count,
+                                           unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> x(0, positions.width - 1), y(0, positions.height - 1), bounce(1, 4);
     std::uniform_real_distribution<float> unit(0.05f, 1);

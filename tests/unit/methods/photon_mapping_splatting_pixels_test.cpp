@@ -160,7 +160,8 @@ TEST_F(Splatted, SurfacesInFrontStayDarkAtEveryResolution) {
         }
 }
 
-/// A thick kernel on a floor reaches a wall beside it: light that came from behind the wall did not fall on it.
+/// A thick kernel on a floor reaches a wall beside it: light that came from behind the wall did not fall on
+/// it.
 TEST_F(Splatted, WithATestOfNormalsLightDoesNotGoAroundEdges) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 10);

@@ -102,8 +102,8 @@ TEST_F(Splatting, AnIcosahedronWithinTheKernelLosesAQuarterOfTheFlux) {
     }
 }
 
-/// Kernels hang over the edges of a square of 2 m. For each metre of an edge they lose the light of half the mean
-/// distance from a diameter, 2 r / (3 π): 11 % of all with a radius of 0.25 m.
+/// Kernels hang over the edges of a square of 2 m. For each metre of an edge they lose the light of half the
+/// mean distance from a diameter, 2 r / (3 π): 11 % of all with a radius of 0.25 m.
 TEST_F(Splatting, ProbesKeepTheLightThatHangsOverEdges) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 1);

@@ -35,14 +35,17 @@ class ATrousOnHost : public PassTest {
         graph().reset_history();
         run(shot, [&](graph::GraphBuilder& builder) {
             const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
-            a_trous::Signal input = a_trous::declare_signal(builder, {"input", "Input"}, !options.is_guided());
+            a_trous::Signal input =
+                a_trous::declare_signal(builder, {"input", "Input"}, !options.is_guided());
             builder.pass("make input").writes(input.value).execute([&, input](graph::PassContext& p) {
                 p.upload(input.value, std::as_bytes(std::span(values)));
             });
             if (input.direction)
-                builder.pass("make directions").writes(*input.direction).execute([&, input](graph::PassContext& p) {
-                    p.upload(*input.direction, std::as_bytes(std::span(directions)));
-                });
+                builder.pass("make directions")
+                    .writes(*input.direction)
+                    .execute([&, input](graph::PassContext& p) {
+                        p.upload(*input.direction, std::as_bytes(std::span(directions)));
+                    });
             a_trous::smooth(builder, a_trous::pack_surfaces(builder, gbuffer), input, {"result", "Result"},
                             {"level", "Level"}, options);
         });

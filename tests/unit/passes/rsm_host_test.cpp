@@ -58,7 +58,8 @@ TEST_F(RsmOnHost, ShowsWhatIsDrawn) {
         scene.lights[2].type = scene::LightType::directional;
         const Shot shot(scene, scene.cameras.at(0), 8, 8);
         for (const bool exact : {false, true}) {
-            const auto drawn = layers(shot, exact, Processor::gl), found = layers(shot, exact, Processor::host);
+            const auto drawn = layers(shot, exact, Processor::gl),
+                       found = layers(shot, exact, Processor::host);
             ASSERT_EQ(drawn.size(), 8u);
             for (std::size_t i = 0; i < drawn.size(); ++i) {
                 EXPECT_LT(mean_difference(drawn[i].depth, found[i].depth), 5e-3) << name << ' ' << i;

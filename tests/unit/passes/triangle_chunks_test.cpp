@@ -40,9 +40,9 @@ TEST(TriangleChunks, HoldAllThatAViewShowsAndLittleElse) {
         ASSERT_LE(end, triangles);
         for (std::uint32_t i = 0; i < triangles; ++i)
             for (int corner = 0; corner < 3; ++corner) {
-                const auto clip = view.clip_from_world * glm::vec4(world.positions[world.indices[3 * i + corner]], 1);
-                const bool is_inside =
-                    clip.w > 0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+                const auto clip =
+                    view.clip_from_world * glm::vec4(world.positions[world.indices[3 * i + corner]], 1);
+                const bool is_inside = clip.w > 0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
                 ASSERT_TRUE(is_drawn[i] || !is_inside) << i;
             }
     }

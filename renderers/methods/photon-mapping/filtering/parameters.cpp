@@ -47,15 +47,16 @@ void add_temporal(ParameterTable<Parameters>& table) {
               .hard = {0, 1},
               .soft = {0, 0.99},
               .active_when = while_recent})
-        .add(&Parameters::warm_up,
-             {.key = "warm_up",
-              .label = "Warm-up",
-              .doc = "While a pixel's history is n frames long, its weight is at most n/(n + 1), so that all "
-                     "of them count the same. Off, as published, the first frame counts as much as an endless "
-                     "history: a fifth of the picture after 32 frames.",
-              .active_when = while_recent,
-              .since_version = 3,
-              .value_in_older_projects = Value{false}})
+        .add(
+            &Parameters::warm_up,
+            {.key = "warm_up",
+             .label = "Warm-up",
+             .doc = "While a pixel's history is n frames long, its weight is at most n/(n + 1), so that all "
+                    "of them count the same. Off, as published, the first frame counts as much as an endless "
+                    "history: a fifth of the picture after 32 frames.",
+             .active_when = while_recent,
+             .since_version = 3,
+             .value_in_older_projects = Value{false}})
         .add(&Parameters::reject_ghosts,
              {.key = "reject_ghosts",
               .label = "Reject ghosts",

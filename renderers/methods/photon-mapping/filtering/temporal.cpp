@@ -37,8 +37,8 @@ struct Temporal {
     bool has_history, warms_up, stands_still;
     glm::vec3 previous_origin_dx, previous_origin_dy;
     glm::vec3 previous_direction_ws, previous_direction_dx, previous_direction_dy;
-    IR_FIELDS(edges, temporal_weight, has_history, warms_up, stands_still, previous_origin_dx, previous_origin_dy,
-              previous_direction_ws, previous_direction_dx, previous_direction_dy)
+    IR_FIELDS(edges, temporal_weight, has_history, warms_up, stands_still, previous_origin_dx,
+              previous_origin_dy, previous_direction_ws, previous_direction_dx, previous_direction_dy)
 };
 
 Temporal temporal(const graph::PassContext& context, const Parameters& parameters) {
@@ -47,8 +47,7 @@ Temporal temporal(const graph::PassContext& context, const Parameters& parameter
             .temporal_weight = parameters.temporal_weight,
             .has_history = context.has_previous(),
             .warms_up = parameters.warm_up,
-            .stands_still =
-                passes::stands_still(context.inputs(), passes::Watched::surfaces_and_lights),
+            .stands_still = passes::stands_still(context.inputs(), passes::Watched::surfaces_and_lights),
             .previous_origin_dx = previous.origin_dx,
             .previous_origin_dy = previous.origin_dy,
             .previous_direction_ws = previous.direction,
@@ -89,8 +88,7 @@ passes::a_trous::Signal accumulate(graph::GraphBuilder& builder, const passes::G
     const auto result =
         passes::a_trous::declare_signal(builder, builder.text_of_output("filter.temporal"), true);
     TemporalInputs in{gbuffer, surfaces, splat, result, {}, parameters};
-    if (parameters.temporal)
-        in.length = builder.output("history.length", {.format = gl::Format::r32f});
+    if (parameters.temporal) in.length = builder.output("history.length", {.format = gl::Format::r32f});
     const auto overflow =
         builder.counter({.key = "splat.overflow",
                          .label = "Texels beyond half floats",

@@ -9,16 +9,18 @@ const std::string bound_of_radius =
 
 void add_targets(ParameterTable<Parameters>& table) {
     table
-        .add(&Parameters::splat_resolution,
-             {.key = "splat_resolution",
-              .label = "Splatting resolution",
-              .doc = "Resolution at which kernels are added up. A texel is for one pixel's surface; the other pixels "
-                     "take from the texels around them that are on theirs.",
-              .citation = "Smal19 §6.2.1",
-              .choices = {{"full", "Full", "A texel for each pixel."},
-                          {"half", "Half", "A texel for 2 × 2 pixels, as published."},
-                          {"quarter", "Quarter", "A texel for 4 × 4 pixels."}},
-              .on_change = OnChange::reallocate})
+        .add(
+            &Parameters::splat_resolution,
+            {.key = "splat_resolution",
+             .label = "Splatting resolution",
+             .doc =
+                 "Resolution at which kernels are added up. A texel is for one pixel's surface; the other pixels "
+                 "take from the texels around them that are on theirs.",
+             .citation = "Smal19 §6.2.1",
+             .choices = {{"full", "Full", "A texel for each pixel."},
+                         {"half", "Half", "A texel for 2 × 2 pixels, as published."},
+                         {"quarter", "Quarter", "A texel for 4 × 4 pixels."}},
+             .on_change = OnChange::reallocate})
         .add(&Parameters::inside_test,
              {.key = "inside_test",
               .label = "Inside test",
@@ -128,9 +130,10 @@ void add_shape(ParameterTable<Parameters>& table) {
         .add(&Parameters::edge_probes,
              {.key = "edge_probes",
               .label = "Probes at edges",
-              .doc = "Divides a photon's power by the area that its kernel can light, estimated by eight looks "
-                     "at the picture's depths, instead of by all of its area: what hangs over edges is not "
-                     "lost.",
+              .doc =
+                  "Divides a photon's power by the area that its kernel can light, estimated by eight looks "
+                  "at the picture's depths, instead of by all of its area: what hangs over edges is not "
+                  "lost.",
               .since_version = 3});
 }
 

@@ -21,8 +21,8 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
 
 /// What kernels are tested against, at the splatting resolution.
 struct SplatSurfaces {
-    graph::ImageRef depth;    ///< "splat.depth": along the view axis, m, of each texel's pixel
-    graph::ImageRef stencil;  ///< "splat.stencil": for the depth test
+    graph::ImageRef depth;             ///< "splat.depth": along the view axis, m, of each texel's pixel
+    graph::ImageRef stencil;           ///< "splat.stencil": for the depth test
     graph::ImageRef geometric_normal;  ///< of the G-buffer
     int divisor = 1;
 };

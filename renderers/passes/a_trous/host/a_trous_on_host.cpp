@@ -63,8 +63,8 @@ class HostStep {
     void fill_row(const graph::PassContext& p, int y) {
         const auto surfaces = p.pixels<const glm::uvec2>(step_.surfaces);
         const auto values = p.pixels<const glm::vec4>(step_.from.value);
-        const auto directions =
-            step_.from.direction ? p.pixels<const glm::vec2>(*step_.from.direction) : std::span<const glm::vec2>();
+        const auto directions = step_.from.direction ? p.pixels<const glm::vec2>(*step_.from.direction)
+                                                     : std::span<const glm::vec2>();
         for (int x = 0; x < planes_.width; ++x) {
             const auto from = pixel(x, y), to = planes_.place(x, y);
             const float depth = glm::uintBitsToFloat(surfaces[from].y);
@@ -132,7 +132,8 @@ void FilterPlanes::resize(int w, int h, int reach) {
 
 FilteredRow::FilteredRow(int width) {
     for (auto* channels : {&next, &clipped})
-        for (auto& channel : *channels) channel.resize(static_cast<std::size_t>(width + FilterPlanes::vector));
+        for (auto& channel : *channels)
+            channel.resize(static_cast<std::size_t>(width + FilterPlanes::vector));
 }
 
 std::array<float, 3> kernel_weights(Kernel kernel) {

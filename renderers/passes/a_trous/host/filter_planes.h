@@ -18,7 +18,8 @@ struct FilterPlanes {
 
     void resize(int w, int h, int reach);
     std::size_t place(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(row) + static_cast<std::size_t>(pad + x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(row) +
+               static_cast<std::size_t>(pad + x);
     }
 };
 

@@ -1,5 +1,6 @@
-// One level of the edge-avoiding à-trous transform, many pixels at a time: shaders/passes/a_trous/a_trous.comp and
-// surface.glsl, whose names are used here. [Smal19 §7.3; Schied17 §4.3]
+// One level of the edge-avoiding à-trous transform, many pixels at a time:
+// shaders/passes/a_trous/a_trous.comp and surface.glsl, whose names are used here. [Smal19 §7.3; Schied17
+// §4.3]
 #include "renderers/passes/a_trous/host/filter_planes.h"
 #include "renderers/passes/vectors/targets.h"
 
@@ -58,8 +59,7 @@ HWY_INLINE Surfaces surfaces_at(const FilterPlanes& planes, const FilterRules& r
     s.gradient_x = hn::Div(x_part, facing);
     s.gradient_y = hn::Div(y_part, facing);
     constexpr float steepest = 0.5f;
-    const auto size =
-        hn::Sqrt(hn::MulAdd(s.gradient_x, s.gradient_x, hn::Mul(s.gradient_y, s.gradient_y)));
+    const auto size = hn::Sqrt(hn::MulAdd(s.gradient_x, s.gradient_x, hn::Mul(s.gradient_y, s.gradient_y)));
     const auto scale = hn::Mul(set(static_cast<float>(rules.stride)),
                                hn::Min(set(1), hn::Div(hn::Mul(set(steepest), s.depth), size)));
     s.gradient_x = hn::Mul(s.gradient_x, scale);
@@ -71,9 +71,9 @@ HWY_INLINE Surfaces surfaces_at(const FilterPlanes& planes, const FilterRules& r
 HWY_INLINE Floats log_weight(const FilterPlanes& planes, const FilterRules& rules, const Surfaces& p,
                              std::size_t at, glm::ivec2 offset) {
     const auto depth = load(planes.depth, at);
-    const auto cosine = hn::MulAdd(p.normal.z, load(planes.normal[2], at),
-                                   hn::MulAdd(p.normal.y, load(planes.normal[1], at),
-                                              hn::Mul(p.normal.x, load(planes.normal[0], at))));
+    const auto cosine = hn::MulAdd(
+        p.normal.z, load(planes.normal[2], at),
+        hn::MulAdd(p.normal.y, load(planes.normal[1], at), hn::Mul(p.normal.x, load(planes.normal[0], at))));
     const auto expected = hn::Abs(hn::MulAdd(p.gradient_x, set(static_cast<float>(offset.x)),
                                              hn::Mul(p.gradient_y, set(static_cast<float>(offset.y)))));
     constexpr float depth_epsilon = 1e-3f;
@@ -175,8 +175,8 @@ void with_guide(const FilterPlanes& planes, const FilterRules& rules, int y, Fil
         const auto centre = planes.place(x, y);
         const auto own = luminance(planes, centre);
         const auto deviation = hn::Sqrt(hn::Max(smooth_variance(planes, rules, x, y), hn::Zero(f)));
-        const auto tolerance = hn::Add(hn::MulAdd(set(rules.sigma_value), deviation, hn::Mul(set(1e-6f), own)),
-                                       set(1e-20f));
+        const auto tolerance =
+            hn::Add(hn::MulAdd(set(rules.sigma_value), deviation, hn::Mul(set(1e-6f), own)), set(1e-20f));
         const float middle = rules.kernel[0] * rules.kernel[0];
         auto total = set(middle);
         Floats sums[4];

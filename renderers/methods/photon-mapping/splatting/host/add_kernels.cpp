@@ -30,7 +30,7 @@ Floats along(const Vector3& d, const glm::vec3& row) {
 Mask covered(const TexelPlanes& planes, const HostKernel& k, std::size_t at) {
     const auto load = [&](int axis) { return hn::LoadU(f, planes.position[axis].data() + at); };
     const Vector3 d{hn::Sub(load(0), hn::Set(f, k.centre_ws.x)), hn::Sub(load(1), hn::Set(f, k.centre_ws.y)),
-                   hn::Sub(load(2), hn::Set(f, k.centre_ws.z))};
+                    hn::Sub(load(2), hn::Set(f, k.centre_ws.z))};
     const auto u = along(d, k.row_u), t = along(d, k.row_t), n = along(d, k.row_n);
     const auto inside = hn::Le(hn::MulAdd(n, n, hn::MulAdd(t, t, hn::Mul(u, u))), hn::Set(f, 1));
     if (planes.normal[0].empty()) return inside;

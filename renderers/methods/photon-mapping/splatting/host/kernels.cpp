@@ -71,9 +71,9 @@ float KernelMaker::radius(const Photon& photon) const {
     return r_.shrinking * std::max(s_l * s_d, r_.min_radius_texels * texel);
 }
 
-/// Planes that touch an ellipsoid with half-axes a_i about c meet (p·a_1)² + (p·a_2)² + (p·a_3)² = (p·c)²; for
-/// those through the eye and a column of texels this is a quadratic equation of the column. Columns count from
-/// that of the middle, so that nothing cancels.
+/// Planes that touch an ellipsoid with half-axes a_i about c meet (p·a_1)² + (p·a_2)² + (p·a_3)² = (p·c)²;
+/// for those through the eye and a column of texels this is a quadratic equation of the column. Columns count
+/// from that of the middle, so that nothing cancels.
 TexelBox KernelMaker::box_of(glm::vec3 centre_ws, const glm::mat3& half_axes) const {
     const glm::vec4 centre(centre_ws, 1);
     const float w = glm::dot(texel_w_, centre);
@@ -118,9 +118,12 @@ float KernelMaker::covered_part(const HostKernel& kernel, const glm::mat3& half_
     const float longest = std::max({sizes.x, sizes.y, sizes.z});
     int found = 0;
     for (int i = 0; i < probes; ++i) {
-        const float squared = (static_cast<float>(i) + 0.5f) / probes, angle = 2.3999632f * static_cast<float>(i);
-        const auto place = std::sqrt(squared) * (std::cos(angle) * half_axes[0] + std::sin(angle) * half_axes[1]);
-        found += finds_surface(kernel, n, kernel.centre_ws + place, std::sqrt(1 - squared) * sizes.z, longest);
+        const float squared = (static_cast<float>(i) + 0.5f) / probes,
+                    angle = 2.3999632f * static_cast<float>(i);
+        const auto place =
+            std::sqrt(squared) * (std::cos(angle) * half_axes[0] + std::sin(angle) * half_axes[1]);
+        found +=
+            finds_surface(kernel, n, kernel.centre_ws + place, std::sqrt(1 - squared) * sizes.z, longest);
     }
     return static_cast<float>(std::max(found, 1)) / probes;
 }

@@ -46,13 +46,15 @@ class HostSplat {
         arena_.execute([&] {
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, photons.size(), 256), [&](const auto& part) {
                 for (auto i = part.begin(); i < part.end(); ++i)
-                    if (const auto kernel = maker_->make(photons[i], round_.boxes[i])) round_.made[i] = *kernel;
+                    if (const auto kernel = maker_->make(photons[i], round_.boxes[i]))
+                        round_.made[i] = *kernel;
             });
         });
         for_rows(rows_at_once, [&](int first, int end) { add_to_rows(planes_, round_, first, end); });
     }
 
-    void write(const graph::PassContext& p, graph::ImageRef irradiance, graph::ImageRef direction, bool half) {
+    void write(const graph::PassContext& p, graph::ImageRef irradiance, graph::ImageRef direction,
+               bool half) {
         for_rows(rows_at_once, [&](int first, int end) {
             for (int y = first; y < end; ++y)
                 for (int x = 0; x < planes_.width; ++x) {
