@@ -5,7 +5,7 @@
 namespace ir::test {
 namespace {
 
-using passes::Tracer;
+using pm::Tracer;
 
 /// A closed box of coloured walls with a glossy block, seen from within.
 Shot box() {
