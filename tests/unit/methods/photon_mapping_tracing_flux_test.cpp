@@ -6,7 +6,7 @@
 namespace ir::test {
 namespace {
 
-using pm::Tracer;
+using methods::photon_mapping::Tracer;
 
 constexpr int paths = 20000;
 constexpr double power_unit = 2;  ///< W, of the fixture

@@ -5,7 +5,7 @@
 namespace ir::test {
 namespace {
 
-using pm::Tracer;
+using methods::photon_mapping::Tracer;
 
 /// A closed box of coloured walls with a glossy block, seen from within.
 Shot box() {
