@@ -171,7 +171,7 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     views.fingerprint = rsm.fingerprint;
     rsm.views = builder.buffer(views);
 
-    const bool has_two_bodies = !options.depth_prepass && rsm.resolution % 4 == 0;
+    const bool has_two_bodies = options.may_be_traced && !options.depth_prepass && rsm.resolution % 4 == 0;
     if (has_two_bodies && builder.inputs().processor == Processor::host) {
         rsm_on_host(builder, rsm, options);
         return rsm;

@@ -17,6 +17,9 @@ struct RsmOptions {
     bool normal_maps = true;
     bool depth_prepass = false;     ///< what lies behind a depth that is drawn first is not shaded
     bool geometric_normal = false;  ///< keeps the normals of triangles, too
+    /// On the host the map may be found by rays; depths and filtered textures then differ by rounding from
+    /// those of a map that is drawn.
+    bool may_be_traced = false;
     /// Half floats: steps of 1/255 are 10 % of a reflectance of 0.02.
     bool exact_albedo = false;
 };

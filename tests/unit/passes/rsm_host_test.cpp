@@ -27,6 +27,7 @@ class RsmOnHost : public PassTest {
                              {.views = views,
                               .resolution = rsm_size,
                               .geometric_normal = true,
+                              .may_be_traced = true,
                               .exact_albedo = exact_albedo});
         });
         std::vector<Layer> result;

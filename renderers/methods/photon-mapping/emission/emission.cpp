@@ -30,7 +30,8 @@ MappedEmission draw_maps(graph::GraphBuilder& builder, const passes::SceneBuffer
                           .opaque_only = parameters.transport.materials == Transport::Materials::lambert,
                           .normal_maps = parameters.transport.normal_maps,
                           .depth_prepass = parameters.depth_prepass,
-                          .geometric_normal = true});
+                          .geometric_normal = true,
+                          .may_be_traced = true});
     mapped.maps = emission_maps(builder, scene, mapped.rsm, parameters);
     return mapped;
 }
