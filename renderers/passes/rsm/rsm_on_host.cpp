@@ -1,13 +1,10 @@
 #include "renderers/passes/rsm/rsm_on_host.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/passes/gbuffer/glass.h"
 #include "renderers/passes/surface/host_surfaces.h"
 #include "renderers/passes/surface/surface.h"
@@ -149,13 +146,11 @@ void rsm_on_host(graph::GraphBuilder& builder, const Rsm& rsm, const RsmOptions&
                     std::ranges::copy(options.views, context.elements<ShadowViewData>(rsm.views).begin());
                 const auto tree = context.object<Bvh>(hierarchy);
                 const auto lookup = context.object<SurfaceLookup>(surfaces);
-                tbb::task_arena arena(arena_size(context.inputs().threads));
                 for (auto layer = slice.begin; layer < slice.end; ++layer) {
                     const HostLayer filled(context, rsm, options, static_cast<int>(layer), *tree, *lookup);
-                    arena.execute([&] {
-                        tbb::parallel_for(0, rsm.resolution / packet_side,
-                                          [&](int block) { filled.fill_rows(block * packet_side); });
-                    });
+                    parallel_for(
+                        context.inputs().threads, 0, rsm.resolution / packet_side,
+                        [&](std::int64_t block) { filled.fill_rows(static_cast<int>(block) * packet_side); });
                 }
             },
             1);

@@ -8,7 +8,7 @@
 #define HWY_TARGET_INCLUDE "renderers/passes/a_trous/host/filter_row.cpp"
 #include <hwy/foreach_target.h>
 
-#include "renderers/passes/vectors/floats.inl"
+#include "renderers/passes/vectors/vectors3.inl"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -21,18 +21,16 @@ using namespace vectors::HWY_NAMESPACE;
 static_assert(lanes <= FilterPlanes::vector);
 constexpr int radius = 2;
 
-Floats set(float value) {
-    return hn::Set(f, value);
-}
 Floats load(const std::vector<float>& plane, std::size_t at) {
     return hn::LoadU(f, plane.data() + at);
 }
 
-struct Vector3 {
-    Floats x, y, z;
-};
 HWY_INLINE Floats dot(const Vector3& a, const glm::vec3& b) {
     return hn::MulAdd(a.z, set(b.z), hn::MulAdd(a.y, set(b.y), hn::Mul(a.x, set(b.x))));
+}
+
+HWY_INLINE Vector3 normal_at(const FilterPlanes& planes, std::size_t at) {
+    return {load(planes.normal[0], at), load(planes.normal[1], at), load(planes.normal[2], at)};
 }
 
 /// The surfaces of some pixels of a row, and how fast their depth changes from pixel to pixel.
@@ -46,7 +44,7 @@ struct Surfaces {
 HWY_INLINE Surfaces surfaces_at(const FilterPlanes& planes, const FilterRules& rules, int x, int y) {
     const auto at = planes.place(x, y);
     Surfaces s;
-    s.normal = {load(planes.normal[0], at), load(planes.normal[1], at), load(planes.normal[2], at)};
+    s.normal = normal_at(planes, at);
     s.depth = load(planes.depth, at);
     s.exist = hn::Lt(s.depth, set(1e30f));
     const auto& rays = rules.edges.rays;
@@ -71,9 +69,7 @@ HWY_INLINE Surfaces surfaces_at(const FilterPlanes& planes, const FilterRules& r
 HWY_INLINE Floats log_weight(const FilterPlanes& planes, const FilterRules& rules, const Surfaces& p,
                              std::size_t at, glm::ivec2 offset) {
     const auto depth = load(planes.depth, at);
-    const auto cosine = hn::MulAdd(
-        p.normal.z, load(planes.normal[2], at),
-        hn::MulAdd(p.normal.y, load(planes.normal[1], at), hn::Mul(p.normal.x, load(planes.normal[0], at))));
+    const auto cosine = dot(p.normal, normal_at(planes, at));
     const auto expected = hn::Abs(hn::MulAdd(p.gradient_x, set(static_cast<float>(offset.x)),
                                              hn::Mul(p.gradient_y, set(static_cast<float>(offset.y)))));
     constexpr float depth_epsilon = 1e-3f;

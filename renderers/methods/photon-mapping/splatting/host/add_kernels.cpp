@@ -9,17 +9,13 @@
 #define HWY_TARGET_INCLUDE "renderers/methods/photon-mapping/splatting/host/add_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "renderers/passes/vectors/floats.inl"
+#include "renderers/passes/vectors/vectors3.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace ir::methods::photon_mapping::HWY_NAMESPACE {
 namespace {
 
 using namespace passes::vectors::HWY_NAMESPACE;
-
-struct Vector3 {
-    Floats x, y, z;
-};
 
 Floats along(const Vector3& d, const glm::vec3& row) {
     return hn::MulAdd(d.z, hn::Set(f, row.z),
