@@ -7,7 +7,7 @@
 namespace ir::test {
 namespace {
 
-using passes::Tracer;
+using methods::photon_mapping::Tracer;
 
 constexpr int photons_sent = 20000;
 constexpr auto clear_glass = static_cast<SmallWorld::Material>(2);
