@@ -27,16 +27,15 @@ double scalar(const Image& image, std::size_t pixel) {
     return sum / image.channels;
 }
 
-/// What the colours span: ꟻLIP all that it can be, others what the picture has, symmetric about 0 where
-/// differences have a sign.
+/// What the colours span: ꟻLIP all that it can be, others what most of the picture has, symmetric about 0
+/// where differences have a sign.
 std::pair<double, double> range_of(const Image& image, const DifferenceText& kind) {
     if (kind.kind == DifferenceKind::flip || kind.kind == DifferenceKind::hdr_flip) return {0, 1};
-    double largest = 0;
-    for (std::size_t i = 0; i < image.pixels.size() / image.channels; ++i)
-        if (const double value = scalar(image, i); std::isfinite(value))
-            largest = std::max(largest, std::abs(value));
-    if (largest == 0) largest = 1;
-    return {kind.has_sign ? -largest : 0, largest};
+    std::vector<float> magnitudes(image.pixels.size() / std::size_t(image.channels));
+    for (std::size_t i = 0; i < magnitudes.size(); ++i)
+        magnitudes[i] = std::abs(static_cast<float>(scalar(image, i)));
+    const double extent = shown_extent(std::move(magnitudes));
+    return {kind.has_sign ? -extent : 0, extent};
 }
 
 using Colour = std::array<unsigned char, 3>;

@@ -162,4 +162,13 @@ Image signed_difference(const Image& image, const Image& reference) {
     return difference(image, reference, DifferenceKind::signed_).image;
 }
 
+double shown_extent(std::vector<float> magnitudes) {
+    std::erase_if(magnitudes, [](float value) { return !std::isfinite(value); });
+    if (magnitudes.empty()) return 1;
+    const auto largest = *std::max_element(magnitudes.begin(), magnitudes.end());
+    const auto rank = magnitudes.begin() + std::ptrdiff_t(magnitudes.size() - 1 - magnitudes.size() / 100);
+    std::nth_element(magnitudes.begin(), rank, magnitudes.end());
+    return largest > 0 ? std::max(*rank, largest / 20) : 1;
+}
+
 }  // namespace ir

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "renderers/core/output.h"
 #include "renderers/image/image.h"
@@ -57,5 +58,10 @@ struct Noise {
 DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, const Noise& noise,
                            const Image* valid_a, const Image* valid_b,
                            Semantic semantic = Semantic::radiance);
+
+/// What the colours of a difference span, from the magnitudes of its pixels: the one that a hundredth of them
+/// exceeds, so that a few outliers do not make the rest pale, but no less than a twentieth of the largest, so
+/// that rounding does not look like an error. Values that are not finite do not count; 1 where all are 0.
+double shown_extent(std::vector<float> magnitudes);
 
 }  // namespace ir

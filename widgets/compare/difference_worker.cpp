@@ -174,9 +174,10 @@ void DifferenceWorker::clear() {
 }
 
 Display display_for_difference(DifferenceKind kind, const Image& difference) {
-    const Statistics numbers = statistics(difference, Semantic::generic);
-    const double largest = std::max(std::abs(numbers.min), std::abs(numbers.max));
-    const double m = largest > 0 ? largest : 1;  // equal pictures: any range shows them so
+    std::vector<float> magnitudes(difference.pixels.size());
+    std::transform(difference.pixels.begin(), difference.pixels.end(), magnitudes.begin(),
+                   [](float value) { return std::abs(value); });
+    const double m = shown_extent(std::move(magnitudes));
     Display display;
     display.mode = Display::Mode::scalar;
     display.hide_invalid = true;

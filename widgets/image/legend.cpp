@@ -22,11 +22,25 @@ struct Mark {
     Qt::BrushStyle style = Qt::SolidPattern;
 };
 
+/// A number at the bar; at an end that values go beyond, it says so.
+struct Tick {
+    double value;
+    QString text;
+};
+
+Tick tick_at(const PreparedPicture& picture, double value) {
+    const auto [low, high] = std::minmax(picture.display.low, picture.display.high);
+    const QString number = short_number(value);
+    if (value == low && picture.occurring->least < low) return {value, QStringLiteral("≤ ") + number};
+    if (value == high && picture.occurring->greatest > high) return {value, QStringLiteral("≥ ") + number};
+    return {value, number};
+}
+
 /// Everything that a legend says, before it is laid out.
 struct Contents {
     QStringList lines;
     bool bar = false;
-    std::vector<double> ticks;
+    std::vector<Tick> ticks;
     std::vector<Mark> marks;
 };
 
@@ -87,7 +101,8 @@ Contents contents_of(const PreparedPicture& picture) {
             break;
     }
     contents.bar = true;
-    contents.ticks = legend_ticks(display.low, display.high, 6);
+    for (const double value : legend_ticks(display.low, display.high, 6))
+        contents.ticks.push_back(tick_at(picture, value));
     return contents;
 }
 
@@ -101,8 +116,8 @@ struct Layout {
         if (fixed() + (contents.bar ? bar_height + line : 0) > room) contents.marks.clear();
         bar_height = std::clamp(room - fixed() - line, 40 * r, 130 * r);
         for (const auto& text : contents.lines) width = std::max(width, metrics.horizontalAdvance(text));
-        for (double tick : contents.ticks)
-            width = std::max(width, bar_width() + 8 * r + metrics.horizontalAdvance(short_number(tick)));
+        for (const auto& tick : contents.ticks)
+            width = std::max(width, bar_width() + 8 * r + metrics.horizontalAdvance(tick.text));
         for (const auto& mark : contents.marks)
             width = std::max(width, 18 * r + metrics.horizontalAdvance(mark.text));
         height = fixed() + (contents.bar ? bar_height + line : 0);
@@ -143,12 +158,12 @@ void paint_bar(QPainter& painter, const Display& display, const Contents& conten
     painter.setPen(QPen(QColor(235, 235, 235), layout.r));
     painter.drawRect(bar);
     const double width = display.high - display.low;
-    for (double tick : contents.ticks) {
-        const double fraction = width == 0 ? 0 : (tick - display.low) / width;
+    for (const auto& tick : contents.ticks) {
+        const double fraction = width == 0 ? 0 : (tick.value - display.low) / width;
         const qreal y = bar.bottom() - fraction * bar.height();
         painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4 * layout.r, y));
         painter.drawText(QRectF(bar.right() + 8 * layout.r, y - layout.line / 2, layout.width, layout.line),
-                         Qt::AlignLeft | Qt::AlignVCenter, short_number(tick));
+                         Qt::AlignLeft | Qt::AlignVCenter, tick.text);
     }
 }
 
@@ -265,7 +280,8 @@ void paint_legend_line(QPainter& painter, const PreparedPicture& picture, const 
     Line line(painter, row.adjusted(8 * pixel_ratio, 0, -8 * pixel_ratio, 0), pixel_ratio);
     for (const auto& text : contents.lines) line.text(text);
     if (contents.bar)
-        line.bar(picture.display, short_number(picture.display.low), short_number(picture.display.high));
+        line.bar(picture.display, tick_at(picture, picture.display.low).text,
+                 tick_at(picture, picture.display.high).text);
     for (const auto& mark : contents.marks) line.mark(mark);
     painter.restore();
 }

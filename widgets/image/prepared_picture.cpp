@@ -38,6 +38,7 @@ std::shared_ptr<const CoverMap> cover_of(const Picture& picture) {
 std::shared_ptr<const Occurring> occurring_in(const Picture& picture, const Image& shown,
                                               const CoverMap* cover) {
     auto found = std::make_shared<Occurring>();
+    bool any = false;
     std::vector<bool> named(picture.categories.size());
     const int values = value_channels(picture.semantic, shown.channels);
     const std::size_t pixels = shown.pixels.size() / std::size_t(std::max(1, shown.channels));
@@ -52,6 +53,10 @@ std::shared_ptr<const Occurring> occurring_in(const Picture& picture, const Imag
             found->plus_infinity |= std::isinf(pixel[c]) && pixel[c] > 0;
             found->minus_infinity |= std::isinf(pixel[c]) && pixel[c] < 0;
             found->negative |= pixel[c] < 0;
+            if (!std::isfinite(pixel[c]) || (cover && (*cover)[i] == Cover::hidden)) continue;
+            found->least = any ? std::min(found->least, pixel[c]) : pixel[c];
+            found->greatest = any ? std::max(found->greatest, pixel[c]) : pixel[c];
+            any = true;
         }
         for (std::size_t k = 0; k < named.size(); ++k)
             if (!named[k]) named[k] = shows(pixel, shown.channels, picture.categories[k]);

@@ -20,6 +20,7 @@ using CoverMap = std::vector<Cover>;
 /// What there is in a picture that a legend may have to explain.
 struct Occurring {
     bool nan = false, plus_infinity = false, minus_infinity = false, negative = false, hidden = false;
+    float least = 0, greatest = 0;     ///< of finite values that no mask hides
     std::vector<Category> categories;  ///< of the picture's
 };
 

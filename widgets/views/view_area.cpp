@@ -114,15 +114,20 @@ void ViewArea::arrange(Arrangement arrangement) {
     if (arrangement == A::side_by_side || arrangement == A::three || arrangement == A::four)
         splitDockWidget(dock(0), dock(1), Qt::Horizontal);
     if (arrangement == A::stacked) splitDockWidget(dock(0), dock(1), Qt::Vertical);
-    if (arrangement == A::three || arrangement == A::four) splitDockWidget(dock(1), dock(2), Qt::Vertical);
-    if (arrangement == A::four) splitDockWidget(dock(0), dock(3), Qt::Vertical);
+    if (arrangement == A::three) splitDockWidget(dock(1), dock(2), Qt::Vertical);
+    if (arrangement == A::four) {  // numbered as one reads
+        splitDockWidget(dock(0), dock(2), Qt::Vertical);
+        splitDockWidget(dock(1), dock(3), Qt::Vertical);
+    }
     for (std::size_t i = 0; i < count; ++i) dock(int(i))->show();
     if (count > 1 && arrangement != A::stacked)
         resizeDocks({dock(0), dock(1)}, {width() / 2, width() / 2}, Qt::Horizontal);
     if (arrangement == A::stacked)
         resizeDocks({dock(0), dock(1)}, {height() / 2, height() / 2}, Qt::Vertical);
-    if (count > 2) resizeDocks({dock(1), dock(2)}, {height() / 2, height() / 2}, Qt::Vertical);
-    if (count > 3) resizeDocks({dock(0), dock(3)}, {height() / 2, height() / 2}, Qt::Vertical);
+    if (arrangement == A::three) resizeDocks({dock(1), dock(2)}, {height() / 2, height() / 2}, Qt::Vertical);
+    if (arrangement == A::four)
+        for (const int left : {0, 1})
+            resizeDocks({dock(left), dock(left + 2)}, {height() / 2, height() / 2}, Qt::Vertical);
     arranging_ = false;
     if (!is_open(active_)) set_active(0);
     mark_active();

@@ -34,6 +34,10 @@ TEST_F(ViewsTest, OneToFourViewsOpenAndCloseByKeysAndOneStays) {
         trigger(action);
         EXPECT_EQ(area().open_views().size(), count) << action;
     }
+    trigger("views-4");  // numbered as one reads
+    EXPECT_LT(area().dock(2)->x(), area().dock(3)->x());
+    EXPECT_LT(area().dock(0)->y(), area().dock(2)->y());
+    trigger("views-1");
     QTest::keyClick(&window, Qt::Key_T, Qt::ControlModifier);
     EXPECT_EQ(area().open_views().size(), 2u);
     QTest::keyClick(&window, Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);

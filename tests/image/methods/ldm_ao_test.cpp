@@ -212,12 +212,12 @@ TEST_F(LdmAo, StoragesGiveEqualPictures) {
 
 TEST_F(LdmAo, OutermostDepthsAnswerHitsAtAnyDistanceAlone) {
     load("builtin:atrium?detail=0.3");
-    const auto settings = ao_maps(24, 150), outermost = with(settings, "storage", std::string("outermost"));
+    const auto settings = ao_maps(16, 100), outermost = with(settings, "storage", std::string("outermost"));
     const auto expected = render(camera("nave"), 96, 72, settings);
     const auto found = render(camera("nave"), 96, 72, outermost);
     EXPECT_EQ(found.pixels, expected.pixels);
-    EXPECT_EQ(report.counters["ldm.bytes"], 4 * 24 * 150 * 150);
-    EXPECT_LE(report.counters["ldm.nodes"], 2 * 24 * 150 * 150);
+    EXPECT_EQ(report.counters["ldm.bytes"], 4 * 16 * 100 * 100);
+    EXPECT_LE(report.counters["ldm.nodes"], 2 * 16 * 100 * 100);
     EXPECT_GT(report.counters["ldm.between"], report.counters["ldm.nodes"]);
     const auto says = [&](const char* words) {
         return std::any_of(report.messages.begin(), report.messages.end(), [&](const auto& message) {

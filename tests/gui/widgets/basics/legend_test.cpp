@@ -30,6 +30,22 @@ TEST(Legend, ListsOnlyWhatOccurs) {
     EXPECT_LT(legend_size(prepared(image), 1, 1000).height(), without);
 }
 
+TEST(Legend, MarksEndsThatValuesGoBeyond) {
+    Image image(2, 1, 1);
+    image.pixels = {0, 1};
+    const auto picture = make_picture(image, Semantic::generic);
+    Display display;
+    display.mode = Display::Mode::scalar;
+    const auto width = [&](double low, double high) {
+        display.low = low;
+        display.high = high;
+        return legend_size(PictureCache().prepare(picture, display), 1, 1000).width();
+    };
+    EXPECT_EQ(PictureCache().prepare(picture, display).occurring->greatest, 1);
+    EXPECT_GT(width(0, 0.25), width(0, 1.25));   // "≥ 0.25"
+    EXPECT_GT(width(0.25, 1), width(-0.25, 1));  // "≤ 0.25"
+}
+
 TEST(Legend, TicksAreRoundNumbersBetweenTheEnds) {
     EXPECT_EQ(legend_ticks(0, 1, 6), (std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1}));
     const auto ticks = legend_ticks(-3.3, 8.9, 6);

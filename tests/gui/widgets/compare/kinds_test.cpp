@@ -37,6 +37,20 @@ TEST(DifferenceKinds, AutomaticDisplaysFitTheKind) {
     EXPECT_DOUBLE_EQ(display_for_difference(Kind::squared, values).high, 0.25);
 }
 
+TEST(DifferenceKinds, OutliersDoNotMakeTheRestPale) {
+    Image values(300, 1, 1);
+    for (int i = 0; i < 300; ++i) values.pixels[std::size_t(i)] = i % 2 ? 0.01f : -0.01f;
+    values.pixels[7] = 0.1f;
+    const auto shown = display_for_difference(Kind::signed_, values);
+    EXPECT_FLOAT_EQ(float(shown.high), 0.01f);
+    EXPECT_FLOAT_EQ(float(shown.low), -0.01f);
+    // But rounding beside an error does not look like one, and few errors among equal pixels are seen.
+    values.pixels[7] = 10;
+    EXPECT_FLOAT_EQ(float(display_for_difference(Kind::absolute, values).high), 0.5f);
+    values.pixels.assign(300, 0);
+    EXPECT_EQ(display_for_difference(Kind::absolute, values).high, 1);
+}
+
 TEST(DifferenceKinds, SquaredAndPerceptualOnesAreComputed) {
     CompareView view;
     view.set_pictures({flat(1, "ours"), flat(3, "reference")});
