@@ -22,9 +22,9 @@ std::string surfel_fingerprint(const graph::FrameInputs& inputs, float reach, co
     ParameterTable<Parameters> table;
     add_surfel_parameters(table);
     std::ostringstream text;
-    text << std::hexfloat << inputs.geometry_fingerprint << " surfels " << inputs.view.width << " x "
-         << inputs.view.height << ' ' << inputs.view.near_plane << ' ' << inputs.view.far_plane << ' '
-         << reach << ' ' << random_seed(inputs, parameters);
+    text << std::hexfloat << inputs.geometry_fingerprint << " surfels " << static_cast<int>(inputs.processor)
+         << ' ' << inputs.view.width << " x " << inputs.view.height << ' ' << inputs.view.near_plane << ' '
+         << inputs.view.far_plane << ' ' << reach << ' ' << random_seed(inputs, parameters);
     add(text, inputs.view.view_from_world);
     add(text, inputs.view.clip_from_view);
     add(text, table.settings(parameters),
@@ -39,8 +39,8 @@ std::string splat_fingerprint(const graph::FrameInputs& inputs, const std::strin
     text << surfels << " splats " << static_cast<int>(inputs.processor) << ' ' << inputs.seed;
     add(text, parameter_table().settings(parameters),
         {"light_offset", "sender_samples", "glossy_senders", "reserve", "falloff", "environment_light",
-         "ambient", "estimator", "blur", "blur_radius", "blur_plane_tolerance", "blur_normal_power",
-         "material_tolerance", "balance", "history"});
+         "disc_light", "ambient", "estimator", "blur", "blur_radius", "blur_plane_tolerance",
+         "blur_normal_power", "material_tolerance", "balance", "history"});
     return text.str();
 }
 

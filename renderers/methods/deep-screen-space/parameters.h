@@ -19,6 +19,7 @@ enum class SubImages { independent, stratified };
 enum class Discard { mended, printed };
 enum class Backs { lit, black, open };
 enum class Discs { all, above, seen };
+enum class DiscLight { centre, averaged };
 enum class Level0 { discs, triangles };
 enum class LastShell { ends, open };
 enum class Shells { full_discs, shells };
@@ -57,6 +58,7 @@ struct Parameters {
     LastShell last_shell = LastShell::open;
     float coverage = 2.67f;  ///< area of a disc that rays are tested against, in areas of its surfel
     Discs discs = Discs::seen;
+    DiscLight disc_light = DiscLight::averaged;
     Level0 level0 = Level0::triangles;
     bool splat_culling = true;
     Influence influence = Influence::estimated;

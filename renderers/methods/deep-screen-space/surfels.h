@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "renderers/graph/builder.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
@@ -20,7 +22,12 @@ struct Surfels {
     bool are_lit() const { return lights.index >= 0; }
 };
 
-/// Surfels in this buffer, with `stored` and the pass that fills it.
+/// Those that a pass of the cpu queue may read; it reads `records` and `stored`.
+std::span<const Surfel> stored_surfels(const graph::PassContext& context, const Surfels& surfels);
+
+/// Surfels in this buffer, with `stored`.
+Surfels declare_surfels(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint);
+/// And with the pass that fills it, of what the device counted.
 Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint);
 
 /// Declares the passes that make surfels of the scene's triangles: cull and pre-tessellate, place fine

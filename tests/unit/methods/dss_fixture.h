@@ -5,7 +5,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
-#include "renderers/methods/deep-screen-space/splatting/host/splat_rules.h"
+#include "renderers/passes/sampling/pcg.h"
 #include "tests/unit/methods/dss_published.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
@@ -13,7 +13,7 @@
 namespace ir::test {
 
 namespace dss = methods::deep_screen_space;
-using dss::pcg4d;
+using passes::pcg4d;
 
 /// A surfel and what it sends, as two buffers hold them.
 struct Disc : dss::Surfel {

@@ -195,6 +195,12 @@ TEST_F(DssOnHost, WinnersSendTheSameLight) {
         {"diffuse", [](auto& p) { p.transport.materials = Transport::Materials::lambert; }},
         {"discs alone", [](auto& p) { p.level0 = dss::Level0::discs; }},
         {"black backs", [](auto& p) { p.backs = dss::Backs::black; }},
+        {"averaged", [](auto& p) { p.disc_light = dss::DiscLight::averaged; }},
+        {"averaged, full discs",
+         [](auto& p) {
+             p.disc_light = dss::DiscLight::averaged;
+             p.shells = dss::Shells::full_discs;
+         }},
     };
     for (const bool glows : {false, true}) {
         const auto shot = lit_corner_shot(width, height, glows);
@@ -235,6 +241,57 @@ TEST_F(DssOnHost, WinnersSendTheSameLight) {
             }
         }
     }
+}
+
+/// A ceiling of 64 × 64 discs along a curve, one of 64 of which is bright, over a floor that sees it on
+/// level 3.
+TEST_F(DssOnHost, DiscsThatStandForManySendTheirMeanLight) {
+    std::vector<Disc> discs;
+    for (std::uint32_t i = 0; i < 4096; ++i) {
+        const auto along = [&](unsigned axis) {
+            float cell = 0.5f;
+            for (unsigned bit = 0; bit < 6; ++bit)
+                cell += static_cast<float>((i >> (2 * bit + axis) & 1u) << bit);
+            return cell / 16 - 2;
+        };
+        discs.push_back(
+            disc({along(0), 1.5f, along(1)}, {0, -1, 0}, 0.035f, i, glm::vec3(i % 64 == 21 ? 64 : 0)));
+        discs.back().order = i;
+    }
+    VisibleRun run{.surfels = discs, .parameters = visible_parameters(4, 4, 0, 0.3f)};
+    run.wanted = {"splats.nearest", "bounce.incoming"};
+    run.parameters.transport.paths = Transport::Paths::indirect;
+    run.parameters.shells = dss::Shells::shells;
+    run.parameters.sub_images = dss::SubImages::stratified;
+    run.parameters.coverage = 2.67f;
+    run.parameters.glossy_senders = false;
+    struct Light {
+        double mean = 0, variance = 0;
+        int rays = 0;
+    };
+    const auto light_of = [&](dss::DiscLight choice) {
+        run.parameters.disc_light = choice;
+        run_shot(floor_shot(64, 1), method(run), run, run.seed, Processor::host);
+        Light light;
+        for (int s = 0; s < 4; ++s) {
+            const auto nearest = read("splats.nearest", s), incoming = read("bounce.incoming", s);
+            for (std::size_t i = 0; i < nearest.pixels.size(); ++i) {
+                if (nearest.pixels[i] == 0) continue;
+                const double value = incoming.pixels[4 * i];
+                ++light.rays;
+                light.mean += value;
+                light.variance += value * value;
+            }
+        }
+        light.mean /= light.rays;
+        light.variance = light.variance / light.rays - light.mean * light.mean;
+        return light;
+    };
+    const auto centre = light_of(dss::DiscLight::centre), averaged = light_of(dss::DiscLight::averaged);
+    EXPECT_GT(centre.rays, 4000);
+    EXPECT_NEAR(averaged.mean, 1, 0.15);
+    EXPECT_NEAR(centre.mean, 1, 0.3);
+    EXPECT_LT(averaged.variance, centre.variance / 4);
 }
 
 TEST_F(DssOnHost, NothingGivesNothing) {

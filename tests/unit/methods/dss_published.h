@@ -18,6 +18,7 @@ inline methods::deep_screen_space::Parameters published() {
     parameters.coverage = 1;
     parameters.shells = dss::Shells::full_discs;
     parameters.trade_off = 0.05f;
+    parameters.disc_light = dss::DiscLight::centre;
     parameters.reconstruction.balance = 0;
     return parameters;
 }

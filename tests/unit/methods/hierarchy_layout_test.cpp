@@ -15,9 +15,10 @@ glm::ivec2 unpacked(float packed) {
 
 class HierarchyTest : public DeepScreenSpaceTest {
   protected:
-    FrameReport shuffle(const Shot& shot, int levels, std::uint64_t seed = 0) {
+    FrameReport shuffle(const Shot& shot, int levels, std::uint64_t seed = 0, Processor on = Processor::gl) {
         auto inputs = shot.inputs();
         inputs.seed = seed;
+        inputs.processor = on;
         return run(inputs, [=](graph::GraphBuilder& builder) {
             dss::Parameters parameters;
             parameters.levels = levels;
@@ -69,6 +70,23 @@ TEST_F(HierarchyTest, EachSubImageGetsOnePixelOfEachNeighbourhoodAtTheSameRelati
             }
         // Places are different, and neighbourhoods as many as sub-images have places: one pixel each.
         for (const int n : taken) ASSERT_EQ(n, 1);
+    }
+}
+
+TEST_F(HierarchyTest, HostAndDeviceLayItOutAlike) {
+    constexpr int levels = 6;
+    const Shot shot("builtin:corner", "view", 71, 33);
+    std::vector<Image> device;
+    for (const auto on : {Processor::gl, Processor::host}) {
+        shuffle(shot, levels, 5, on);
+        for (int level = 0, i = 0; level < levels; ++level)
+            for (const auto* key : {"hierarchy.layout", "hierarchy.places"}) {
+                const auto image = read(key, level);
+                if (on == Processor::gl)
+                    device.push_back(image);
+                else
+                    EXPECT_EQ(image.pixels, device[static_cast<std::size_t>(i++)].pixels) << key << level;
+            }
     }
 }
 

@@ -204,5 +204,45 @@ TEST_F(SurfelTest, SystematicSurfelsHaveTheWorldsAreaHoweverSmallItsTriangles) {
     }
 }
 
+/// But for rounding, which moves surfels a little along the curve.
+TEST_F(SurfelTest, HostAndDevicePlaceTheSameSystematically) {
+    SmallWorld soup;
+    soup.add_soup(600, 3);
+    soup.square({0, 0, -2}, {0, 0, 1}, 3, SmallWorld::masked);
+    for (const bool orthographic : {false, true})
+        for (const bool culls : {false, true}) {
+            SCOPED_TRACE(std::string(orthographic ? "parallel" : "perspective") + (culls ? ", culled" : ""));
+            const Shot shot(soup.scene(), camera({0, 0, 4}, {0.5f, 0, 0}, orthographic), 64, 64);
+            SurfelRun run;
+            run.parameters.placement = dss::Placement::systematic;
+            run.parameters.frustum_culling = culls;
+            run.reach = 0.2f;
+            make(shot, run);
+            const auto device = surfels();
+            const auto expected = counts();
+            run.on = Processor::host;
+            make(shot, run);
+            const auto host = surfels();
+            const auto found = counts();
+            EXPECT_EQ(found.left, expected.left);
+            EXPECT_EQ(found.patches, expected.patches);
+            EXPECT_EQ(found.kept, expected.kept);
+            EXPECT_NEAR(found.kept_area, expected.kept_area, 1e-3 * expected.kept_area);
+            ASSERT_EQ(host.size(), device.size());
+            ASSERT_GT(host.size(), 1000u);
+            std::size_t moved = 0, holes = 0;
+            for (std::size_t i = 0; i < host.size(); ++i) {
+                const auto &a = host[i], &b = device[i];
+                holes += b.radius == 0;
+                EXPECT_EQ(a.order, b.order);
+                moved += a.triangle != b.triangle || std::abs(a.radius - b.radius) > 1e-4f * b.radius ||
+                         glm::distance(a.centre_ws, b.centre_ws) > 0.05f * b.radius ||
+                         glm::distance(a.normal_ws, b.normal_ws) > 1e-4f || a.identity != b.identity;
+            }
+            EXPECT_GT(holes, 10u);
+            EXPECT_LT(moved, host.size() / 20);
+        }
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -1,28 +1,12 @@
-#include "renderers/methods/deep-screen-space/splatting/steps.h"
+#include "renderers/methods/deep-screen-space/splatting/additive.h"
 
-#include "renderers/methods/deep-screen-space/splatting/splats.h"
-#include "renderers/methods/deep-screen-space/surfels/senders.h"
-#include "renderers/passes/bounce/receiver.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
 
 using graph::ImageRef;
 using graph::PassContext;
-
-/// What the parts of one additive splatting share.
-struct Additive {
-    Splats splats;
-    passes::bounce::Receivers receivers;
-    ImageRef splatted;  ///< "additive.splatted": occlusion, or light by a white Lambert part
-    ImageRef glossy;    ///< "additive.glossy": light by microfacets; none where materials have none
-    SenderInputs senders;
-
-    bool is_light() const { return receivers.options.light; }
-    bool has_highlights() const { return is_light() && sends_highlights(parameters()); }
-    bool has_gloss() const { return glossy.index >= 0; }
-    const Parameters& parameters() const { return splats.parameters; }
-};
 
 passes::bounce::Receivers receivers_of(const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
                                        const Parameters& parameters) {
@@ -52,11 +36,8 @@ void clear_layer(const gl::Api& gl, const Additive& additive) {
 /// Constants of additive.frag.
 struct AdditiveSplat {
     SplatConstants splat;
-    SenderConstants senders;
-    passes::bounce::ReceiverConstants receiver;
-    bool black_backs;
-    float falloff_distance;
-    IR_FIELDS(splat, senders, receiver, black_backs, falloff_distance)
+    ShareConstants share;
+    IR_FIELDS(splat, share)
 };
 
 /// Sums are in the order of the surfels.
@@ -70,17 +51,9 @@ const gl::Program& bind_layer(const PassContext& p, const Additive& additive, co
     gl.BlendEquation(GL_FUNC_ADD);
     gl.BlendFunc(GL_ONE, GL_ONE);
     if (layer.is_first) clear_layer(gl, additive);
-    gl::ProgramSource source{{folder + "splat.vert", folder + "additive.frag"}};
-    additive.receivers.define(source);
-    source.defines["GLOSSY_SENDERS"] = additive.has_highlights() ? "1" : "0";
-    const auto& program = p.use(source);
-    const auto& transport = additive.parameters().transport;
-    const bool smooth = transport.falloff == Transport::Falloff::smooth;
-    program.set(AdditiveSplat{.splat = splat_constants(additive.splats, layer),
-                              .senders = sender_constants(p.inputs(), additive.parameters()),
-                              .receiver = additive.receivers.constants(p.inputs()),
-                              .black_backs = additive.parameters().backs != Backs::lit,
-                              .falloff_distance = smooth ? transport.max_distance : 0.0f});
+    const auto& program = p.use(with_share({{folder + "splat.vert", folder + "additive.frag"}}, additive));
+    program.set(
+        AdditiveSplat{splat_constants(additive.splats, layer), share_constants(p.inputs(), additive)});
     return program;
 }
 
@@ -131,6 +104,21 @@ ImageRef resolve(graph::GraphBuilder& builder, const Additive& additive, const L
 
 }  // namespace
 
+gl::ProgramSource with_share(gl::ProgramSource source, const Additive& additive) {
+    additive.receivers.define(source);
+    source.defines["GLOSSY_SENDERS"] = additive.has_highlights() ? "1" : "0";
+    return source;
+}
+
+ShareConstants share_constants(const graph::FrameInputs& inputs, const Additive& additive) {
+    const auto& transport = additive.parameters().transport;
+    const bool smooth = transport.falloff == Transport::Falloff::smooth;
+    return {.senders = sender_constants(inputs, additive.parameters()),
+            .receiver = additive.receivers.constants(inputs),
+            .black_backs = additive.parameters().backs != Backs::lit,
+            .falloff_distance = smooth ? transport.max_distance : 0.0f};
+}
+
 ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                         const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
                         const Hierarchy& hierarchy, const Surfels& surfels, const Parameters& parameters,
@@ -145,6 +133,7 @@ ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers
     if (additive.has_gloss()) glossy = blur_levels(builder, gbuffer, hierarchy, additive.glossy, parameters);
     show_unshuffled(builder, hierarchy, additive.splatted);
     count_cover(builder, additive.splats);
+    explain_additive(builder, additive);
     return resolve(builder, additive, sums, glossy, std::move(text));
 }
 

@@ -100,6 +100,25 @@ std::vector<OutputDescription> additive_outputs() {
                 "green: how many of them have its surface within reach. A layer for each sample and, within "
                 "it, level.",
          .active_when = additive},
+        {.key = "additive.explain.surfels",
+         .label = "Surfels added to the pixel",
+         .kind = OutputKind::glyphs,
+         .doc =
+             "Surfels that were added to the pixel, those that give most first; found by a search over all "
+             "surfels. surfel: 1 + index; level: where it was splatted; distance: m to its centre; given: "
+             "occlusion, or what a white Lambert surface reflects of its light; glossy: what microfacets "
+             "do. Before the blur.",
+         .when_empty = no_surface,
+         .explains = true,
+         .active_when = additive},
+        {.key = "additive.explain.levels",
+         .label = "Levels of the pixel",
+         .kind = OutputKind::table,
+         .doc = "For each level how many surfels were added to the pixel, and what all of them give; kept: "
+                "what the framebuffer holds, which has to be the same but for rounding.",
+         .when_empty = no_surface,
+         .explains = true,
+         .active_when = additive},
     };
 }
 

@@ -1,6 +1,7 @@
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
+#include "renderers/methods/deep-screen-space/splatting/host/layout_on_host.h"
 #include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
@@ -37,7 +38,12 @@ void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy, unsigned seed) 
         declare(builder, hierarchy, "hierarchy.layout", gl::Format::r32ui, "layout_texture", fingerprint);
     const auto places = hierarchy.places =
         declare(builder, hierarchy, "hierarchy.places", gl::Format::r32ui, "", fingerprint);
+    if (inputs.processor == Processor::host) {
+        lay_out_on_host(builder, hierarchy, seed);
+        return;
+    }
     builder.pass("framebuffer layout")
+        .has_two_bodies()
         .writes("layout_image", layout)
         .writes("places_image", places)
         .compute({{folder + "layout.comp"}}, places, Layout{seed, view});

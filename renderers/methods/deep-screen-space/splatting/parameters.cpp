@@ -95,6 +95,20 @@ void add_visible(ParameterTable<Parameters>& table) {
               .active_when = only_with_visibility,
               .since_version = 2,
               .value_in_older_projects = std::string("above")})
+        .add(&Parameters::disc_light,
+             {.key = "disc_light",
+              .label = "Light of discs",
+              .doc = "What a disc sends that stands for 4^l surfels.",
+              .citation = "Nalbach15 §4.1",
+              .choices =
+                  {{"centre", "Of its centre",
+                    "As published: the light of one surfel, in place of that of 4^l. Where few surfels are "
+                    "bright, as beside a lamp, few rays meet them: the picture has blotches."},
+                   {"averaged", "Averaged",
+                    "The mean of up to 16 of the surfels in the disc, others for each ray."}},
+              .active_when = only_indirect,
+              .since_version = 4,
+              .value_in_older_projects = std::string("centre")})
         .add(&Parameters::level0,
              {.key = "level0",
               .label = "Level 0",

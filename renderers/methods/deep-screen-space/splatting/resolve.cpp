@@ -7,6 +7,15 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
+/// Constants of resolve.comp.
+struct Resolve {
+    SenderConstants senders;
+    VisibleLevel rules;
+    int levels;
+    unsigned seed;
+    IR_FIELDS(senders, rules, levels, seed)
+};
+
 struct Senders {
     bool glossy, exact;
     std::optional<graph::ImageRef> irradiance = {};  ///< of sources with an extent, where rays met triangles
@@ -18,6 +27,7 @@ struct Senders {
 gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders) {
     const auto& parameters = visible.splats.parameters;
     gl::ProgramSource source{{"methods/deep-screen-space/splatting/resolve.comp"}};
+    source.defines["AVERAGED"] = parameters.disc_light == DiscLight::averaged ? "1" : "0";
     source.defines["BLACK_BACKS"] = parameters.backs == Backs::black ? "1" : "0";
     source.defines["GLOSSY_SENDERS"] = senders.glossy ? "1" : "0";
     source.defines["EXACT"] = senders.exact ? "1" : "0";
@@ -41,15 +51,19 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
     auto pass = builder.pass("light of the winners");
     pass.has_two_bodies();
     pass.reads("Surfels", visible.splats.surfels.records)
+        .reads("Stored", visible.splats.surfels.stored)
         .reads("SurfelLights", visible.splats.surfels.lights)
+        .reads(visible.gbuffer.position)
         .reads("nearest", visible.nearest)
         .reads("directions", visible.directions.directions)
         .writes("incoming", incoming);
-    if (senders.exact) pass.reads(visible.gbuffer.position).reads("distances", distance);
+    if (senders.exact) pass.reads("distances", distance);
     if (senders.irradiance) pass.reads("irradiance", *senders.irradiance);
     if (senders.are_looked_up()) senders.inputs.read_by(pass);
-    passes::bounce::compute_by_tiles(pass, builder, source_of(visible, senders),
-                                     sender_constants(builder.inputs(), parameters));
+    passes::bounce::compute_by_tiles(
+        pass, builder, source_of(visible, senders),
+        Resolve{sender_constants(builder.inputs(), parameters), visible_level(visible.splats),
+                visible.splats.hierarchy.levels, random_seed(builder.inputs(), parameters)});
     return incoming;
 }
 

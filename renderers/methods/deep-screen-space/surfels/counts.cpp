@@ -1,5 +1,6 @@
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 
+#include <functional>
 #include <optional>
 
 #include "renderers/methods/deep-screen-space/surfels/view.h"
@@ -22,19 +23,20 @@ struct CountsRow {
     IR_FIELDS(groups, world_triangles)
 };
 
+/// `count` gives a pass the number of records.
 graph::BufferRef add_up(graph::GraphBuilder& builder, const std::string& what, bool is_fine,
-                        graph::BufferRef records, graph::CounterRef count, const Parameters& parameters,
-                        const std::string& fingerprint) {
+                        graph::BufferRef records, const std::function<void(graph::PassBuilder&)>& count,
+                        const Parameters& parameters, const std::string& fingerprint) {
     const auto sums = builder.buffer({.text = {.key = "surfels.sums." + what,
                                                .label = "Sums of surfels, " + what,
                                                .doc = "Of parts of the list."},
                                       .fields = {{"area"}, {"part"}},
                                       .elements = group_count,
                                       .fingerprint = fingerprint});
-    builder.pass("add up surfels, " + what)
-        .reads(is_fine ? "FineSurfels" : "Surfels", records)
+    auto pass = builder.pass("add up surfels, " + what);
+    count(pass);
+    pass.reads(is_fine ? "FineSurfels" : "Surfels", records)
         .writes("Sums", sums)
-        .counts("Count", count)
         .compute(
             {{"methods/deep-screen-space/surfels/sums.comp"}, {{"FINE", is_fine ? "1" : "0"}}},
             group_count * group_size,
@@ -50,21 +52,30 @@ void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const G
                    const Surfels& surfels, const Parameters& parameters) {
     std::optional<graph::BufferRef> of_fine;
     if (fine)
-        of_fine = add_up(builder, "fine", true, fine->buffer, fine->count, parameters, surfels.fingerprint);
-    const auto of_kept =
-        add_up(builder, "kept", false, surfels.records, surfels.count, parameters, surfels.fingerprint);
+        of_fine = add_up(
+            builder, "fine", true, fine->buffer,
+            [&](graph::PassBuilder& pass) { pass.counts("Count", fine->count); }, parameters,
+            surfels.fingerprint);
+    const auto of_kept = add_up(
+        builder, "kept", false, surfels.records,
+        [&](graph::PassBuilder& pass) { pass.reads("Stored", surfels.stored); }, parameters,
+        surfels.fingerprint);
+    const bool on_host = patches.left.index >= 0;
     const auto row = builder.output(
         "surfels.counts",
         {.fields = record_fields<SurfelCounts>(), .elements = 1, .fingerprint = surfels.fingerprint});
     auto pass = builder.pass("count surfels");
     if (fine) pass.reads("FineSums", *of_fine).counts("FineCount", fine->count);
+    if (on_host)
+        pass.reads("Left", patches.left);
+    else
+        pass.counts("TriangleCount", patches.triangles).counts("PatchCount", patches.list.count);
     pass.reads("KeptSums", of_kept)
+        .reads("Stored", surfels.stored)
         .writes("Row", row)
-        .counts("TriangleCount", patches.triangles)
-        .counts("PatchCount", patches.list.count)
-        .counts("KeptCount", surfels.count)
-        .compute({{"methods/deep-screen-space/surfels/counts.comp"}, {{"HAS_FINE", fine ? "1" : "0"}}}, 1,
-                 CountsRow{group_count, static_cast<unsigned>(builder.inputs().world->triangles())});
+        .compute({{"methods/deep-screen-space/surfels/counts.comp"},
+                  {{"HAS_FINE", fine ? "1" : "0"}, {"ON_HOST", on_host ? "1" : "0"}}},
+                 1, CountsRow{group_count, static_cast<unsigned>(builder.inputs().world->triangles())});
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -147,6 +147,22 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
 
 }  // namespace
 
+graph::CounterRef declare_units(GraphBuilder& builder) {
+    return builder.counter({.key = "surfels.units", .label = "Worth of patches"});
+}
+
+graph::CounterRef declare_triangles_left(GraphBuilder& builder) {
+    return builder.counter({.key = "surfels.triangles",
+                            .label = "Triangles left",
+                            .doc = "That are not culled, nor without area."});
+}
+
+graph::CounterDesc patches_counter() {
+    return {.key = "surfels.patches",
+            .label = "Patches",
+            .doc = "Triangles, or parts of them, that are divided into surfels."};
+}
+
 Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, graph::CounterRef total,
                     float reach, std::uint64_t reserve, const Parameters& parameters,
                     const std::string& fingerprint) {
@@ -178,10 +194,7 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
                                          "whether it is turned; level: of tessellation."},
                          .fields = record_fields<Patch>(),
                          .fingerprint = fingerprint},
-                        {.key = "surfels.patches",
-                         .label = "Patches",
-                         .doc = "Triangles, or parts of them, that the tessellator divides."},
-                        reserve);
+                        patches_counter(), reserve);
     s.points = growing(builder,
                        {.text = {.key = "surfels.points",
                                  .label = "Points of patches",
@@ -190,9 +203,7 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
                         .cleared = true,
                         .fingerprint = fingerprint},
                        {.key = "surfels.patches.points", .label = "Patches with places of points"}, reserve);
-    s.triangles = builder.counter({.key = "surfels.triangles",
-                                   .label = "Triangles left",
-                                   .doc = "That are not culled, nor without area."});
+    s.triangles = declare_triangles_left(builder);
     if (!s.systematic())
         s.coarse =
             builder.counter({.key = "surfels.coarse",

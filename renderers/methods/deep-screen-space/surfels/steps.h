@@ -17,7 +17,19 @@ struct Patches {
                                   ///< systematic how much all are worth, in units of patch.glsl
     graph::CounterRef total;      ///< of points or units
     graph::CounterRef triangles;  ///< that are not culled
+    graph::BufferRef left;        ///< "surfels.left": of the host, whose counters the device does not see
 };
+
+/// Surfels, unlit, and the patches that they were placed on.
+struct Placed {
+    Patches patches;
+    Surfels surfels;
+};
+
+/// What both bodies count of patches.
+graph::CounterRef declare_units(graph::GraphBuilder& builder);  ///< systematic placement's total
+graph::CounterRef declare_triangles_left(graph::GraphBuilder& builder);
+graph::CounterDesc patches_counter();
 
 /// Declares the passes that cull triangles and split those that are too large, and add to `total` how many
 /// points, or units, that makes. [Nalbach15 fig. 6 a]

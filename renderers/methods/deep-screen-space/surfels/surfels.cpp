@@ -3,7 +3,9 @@
 #include <cmath>
 #include <optional>
 
+#include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/fingerprints.h"
+#include "renderers/methods/deep-screen-space/surfels/host/place_on_host.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
 
@@ -18,7 +20,13 @@ struct CountStored {
 
 }  // namespace
 
-Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint) {
+std::span<const Surfel> stored_surfels(const graph::PassContext& context, const Surfels& surfels) {
+    const auto stored = context.elements<const StoredSurfels>(surfels.stored)[0].stored;
+    return context.elements<const Surfel>(surfels.records).first(stored);
+}
+
+Surfels declare_surfels(graph::GraphBuilder& builder, const Growing& records,
+                        const std::string& fingerprint) {
     Surfels surfels{records.buffer, records.count, {}, {}, fingerprint};
     surfels.stored =
         builder.buffer({.text = {.key = "surfels.stored",
@@ -28,6 +36,11 @@ Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const
                         .fields = record_fields<StoredSurfels>(),
                         .elements = 1,
                         .fingerprint = fingerprint});
+    return surfels;
+}
+
+Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint) {
+    const auto surfels = declare_surfels(builder, records, fingerprint);
     builder.pass("count stored surfels")
         .reads(surfels.records)
         .writes("Stored", surfels.stored)
@@ -62,16 +75,20 @@ Surfels make_surfels(graph::GraphBuilder& builder, const passes::SceneBuffers& s
     };
     const auto reserve = room_for(1, 0);
     const auto kept_while = surfel_fingerprint(builder.inputs(), reach, parameters);
-    const auto patch_room = room_for(0.1, 0.25);
+    const bool systematic = parameters.placement == Placement::systematic;
     std::optional<Growing> fine;
-    if (parameters.placement != Placement::systematic)
+    if (!systematic)
         fine = declare_fine(builder, room_for(2, 0.65), kept_while);  // three for a triangle however small
-    const auto total =
-        fine ? fine->count : builder.counter({.key = "surfels.units", .label = "Worth of patches"});
-    const auto patches = cut_patches(builder, scene, total, reach, patch_room, parameters, kept_while);
-    if (fine) tessellate(builder, scene, patches, *fine, parameters, kept_while);
-    auto surfels = fine ? thin(builder, scene, *fine, reserve, parameters, kept_while)
-                        : place(builder, scene, patches, reserve, parameters, kept_while);
+    const auto on_device = [&]() -> Placed {
+        const auto patches = cut_patches(builder, scene, fine ? fine->count : declare_units(builder), reach,
+                                         room_for(0.1, 0.25), parameters, kept_while);
+        if (!fine) return {patches, place(builder, scene, patches, reserve, parameters, kept_while)};
+        tessellate(builder, scene, patches, *fine, parameters, kept_while);
+        return {patches, thin(builder, scene, *fine, reserve, parameters, kept_while)};
+    };
+    auto [patches, surfels] = systematic && builder.inputs().processor == Processor::host
+                                  ? place_on_host(builder, reach, reserve, parameters, kept_while)
+                                  : on_device();
     if (parameters.transport.paths != Transport::Paths::ao)
         surfels.lights = shade(builder, scene, shadow, surfels, parameters);
     show_surfels(builder, surfels, reserve, parameters);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
+#include "renderers/core/constants.h"
 #include "renderers/core/fields.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/scene/view.h"
@@ -15,6 +17,25 @@ struct Ideal {
     IR_FIELDS(ideal_eye_ws, ideal_axis_ws, ideal_radius, ideal_corner_cosine, ideal_nearest)
 };
 Ideal ideal(const scene::View& view, const Parameters& parameters);
+
+inline bool is_parallel(const Ideal& ideal) {
+    return ideal.ideal_axis_ws == glm::vec3(0);
+}
+
+/// As ideal.glsl; of parallel rays the distance is 1.
+inline float ideal_distance(const Ideal& ideal, glm::vec3 position_ws) {
+    if (is_parallel(ideal)) return 1;
+    const auto offset = position_ws - ideal.ideal_eye_ws;
+    return std::max({glm::dot(offset, ideal.ideal_axis_ws), ideal.ideal_corner_cosine * glm::length(offset),
+                     ideal.ideal_nearest});
+}
+inline float ideal_area_at(const Ideal& ideal, float distance) {
+    const float radius = ideal.ideal_radius * (is_parallel(ideal) ? 1 : distance);
+    return pi * radius * radius;
+}
+inline float ideal_area(const Ideal& ideal, glm::vec3 position_ws) {
+    return ideal_area_at(ideal, ideal_distance(ideal, position_ws));
+}
 
 /// Planes of split.comp: the view's frustum, with `reach` (m) to all sides.
 struct Frustum {

@@ -1,94 +1,27 @@
-// Adds what a surfel does to the surface at a place: its form factor, or the light that it sends there, if the
-// surface lies in the surfel's shell of this level.  [Nalbach15 §4.1; Nalbach14]
-#include "lib/constants.glsl"
+// Adds what a surfel does to the surface at a place.
 #include "methods/deep-screen-space/splatting/splat_common.glsl"
-#if LIGHT
-#include "passes/bounce/receiver.glsl"
-#if GLOSSY_SENDERS
-#include "methods/deep-screen-space/surfels/sent.glsl"
-#include "methods/deep-screen-space/splatting/resolve_glossy.glsl"
-#endif
+#include "methods/deep-screen-space/splatting/additive_share.glsl"
 
-uniform bool black_backs;
-layout(std430) readonly buffer SurfelLights { SurfelLight surfel_lights[]; };
-layout(location = 0) out vec4 add_diffuse;  // reflected by a white Lambert part, W/(m² sr)
+#if LIGHT
+layout(location = 0) out vec4 add_diffuse;
 #if MATERIALS != 2  // SCATTERING_LAMBERT
-layout(location = 1) out vec4 add_glossy;  // reflected by the microfacets
+layout(location = 1) out vec4 add_glossy;
 #endif
 #else
-uniform float falloff_distance;  // m, of the smooth fall-off; 0: hard
 layout(location = 0) out float add_occlusion;
-#endif
-
-/// ∫ of |cos| at the sender over the disc's solid angle, so that times the receiver's cosine over π it is the form
-/// factor from a point to the disc: exact for discs that face the point on their axis, where it is
-/// R² / (x² + R²), and for small ones; never more than π.  [Wallace89; Bunnell05]
-float solid_angle(float area, float squared_distance, float sender_cosine) {
-    return area * sender_cosine / (squared_distance + area / PI);
-}
-
-/// On level l a surfel is splatted into one of 4^l sub-images, where it stands for 4^l of its kind.
-// DEVIATION [Nalbach15 §4.1]: one disc of 4^l times the area in their place would hide itself, A being grown in
-// the denominator, too: sums of levels would be too small in expectation, by up to 4 ε of a level. Measured where
-// ε is 0.23 (a corner, d = 1/16 m): RMSE 0.076 against 0.050; none where ε is 0.01.
-float surfels_stood_for() {
-    return ldexp(1.0, 2 * level);
-}
-
-#if LIGHT
-vec3 sent_along(Surfel surfel, vec3 l) {
-    bool is_front = dot(surfel.normal_ws, l) < 0.0;
-    if (!is_front && black_backs) return vec3(0);
-    vec3 sent = light_of_side(surfel_lights[surfel_index], is_front);
-#if GLOSSY_SENDERS
-    sent = max(sent + sent_to_one_side(surfel, l), 0.0);
-#endif
-    return sent;
-}
-
-void add_light(Surfel surfel, vec3 l, float omega) {
-    ivec2 pixel = own_pixel();
-    vec4 material = texelFetch(gbuffer_material, pixel, 0);
-    if (is_unlit(material)) discard;
-    Receiver receiver = receiver_at(pixel);
-    Scatterer s = scatterer_of(receiver, texelFetch(gbuffer_albedo, pixel, 0).rgb, material);
-    if (!is_above(s, l)) discard;
-    vec3 sent = sent_along(surfel, l);
-    // The diffuse part without its colour, so that blurring leaves textures alone.
-    float n_dot_l = dot(s.n, l);
-    Scatterer diffuse = s;
-    diffuse.diffuse = vec3(1);
-    diffuse.specular = 0.0;
-    vec3 viewer = viewer_of(receiver);
-    add_diffuse = vec4(scattering_value(diffuse, seen_from(diffuse, viewer), l, n_dot_l) * sent * omega, 0);
-#if MATERIALS != 2
-    s.diffuse = vec3(0);
-    add_glossy = vec4(scattering_value(s, seen_from(s, viewer), l, n_dot_l) * sent * omega, 0);
-#endif
-}
-#else
-void add_form_factor(vec3 l, float omega, float distance) {
-    float cosine = dot(own_normal(), l);
-    if (cosine <= 0.0) discard;
-    float relative = falloff_distance > 0.0 ? min(distance / falloff_distance, 1.0) : 0.0;
-    add_occlusion = cosine * omega / PI * (1.0 - relative * relative);
-}
 #endif
 
 void main() {
     vec4 position = own_position();
     if (position.w == 0.0) discard;
-    Surfel surfel = surfels[surfel_index];
-    vec3 way = surfel.centre_ws - position.xyz;
-    float squared = dot(way, way), distance = sqrt(squared);
-    Shell shell = shell_of(surfel, level);
-    if (distance <= shell.inner || distance > shell.outer) discard;
-    vec3 l = way / distance;
-    float area = PI * surfel.radius * surfel.radius;
-    float omega = surfels_stood_for() * solid_angle(area, squared, abs(dot(surfel.normal_ws, l)));
+    Share share = share_of(surfels[surfel_index], surfel_index, level, own_pixel(), position.xyz, own_normal());
+    if (!share.counts) discard;
 #if LIGHT
-    add_light(surfel, l, omega);
+    add_diffuse = vec4(share.diffuse, 0);
+#if MATERIALS != 2
+    add_glossy = vec4(share.glossy, 0);
+#endif
 #else
-    add_form_factor(l, omega, distance);
+    add_occlusion = share.diffuse.x;
 #endif
 }

@@ -1,5 +1,6 @@
 // Pixels and places as "hierarchy.layout" and "hierarchy.places" hold them.
 
+// C++: ir::methods::deep_screen_space::padding
 const uint PADDING = 0xffffffffu;
 
 uint packed_place(uvec2 place) { return place.x | place.y << 16; }

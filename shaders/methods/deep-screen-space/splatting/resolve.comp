@@ -1,5 +1,5 @@
 // What the surfels that rays met send towards the pixels. [Nalbach15 §3.2]
-// BLACK_BACKS: nothing from behind; GLOSSY_SENDERS: with highlights. EXTENDED: triangles are lit by sources with an
+// AVERAGED: light of discs. BLACK_BACKS: nothing from behind; GLOSSY_SENDERS: with highlights. EXTENDED: triangles are lit by sources with an
 // extent, too. MATERIALS: as sent.glsl has them.
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/exact.glsl"
@@ -7,10 +7,14 @@
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 layout(std430) readonly buffer SurfelLights { SurfelLight surfel_lights[]; };
+layout(std430) readonly buffer Stored { uint stored, made; };
 
 uniform usampler2DArray nearest;
 uniform sampler2DArray directions;
 layout(rgba32f) uniform writeonly image2DArray incoming;
+
+#include "methods/deep-screen-space/splatting/visible_level.glsl"
+#include "methods/deep-screen-space/splatting/disc_light.glsl"
 
 #if GLOSSY_SENDERS || EXACT
 #include "methods/deep-screen-space/surfels/sent.glsl"
@@ -19,8 +23,20 @@ layout(rgba32f) uniform writeonly image2DArray incoming;
 #include "methods/deep-screen-space/splatting/resolve_glossy.glsl"
 #endif
 
-#if EXACT
 uniform sampler2D gbuffer_position;
+uniform int levels;
+uniform uint seed;
+
+/// By its stored light, of a disc that was enlarged for the shell that x_p lies in.
+vec3 sent_by_disc(uint index, bool is_front, ivec3 at) {
+    SplatLevel l = splat_level(levels - 1, surfels[index]);
+    l.full_discs = true;  // whichever shell it is
+    int shell = splat_shell(l, texelFetch(gbuffer_position, at.xy, 0).xyz, surfels[index].centre_ws);
+    uint random = pcg4d(uvec4(at, seed)).w;
+    return light_of_disc(l, index, max(shell, 0), is_front, unit_float(random));
+}
+
+#if EXACT
 uniform sampler2DArray distances;
 #if EXTENDED
 uniform sampler2DArray irradiance;
@@ -66,9 +82,9 @@ vec3 sent(uint winner, vec3 direction_ws, ivec3 at) {
     if (!is_front) return vec3(0);
 #endif
 #if EXACT
-    vec3 radiance = is_exact ? sent_by_triangle(s, direction_ws, at) : light_of_side(surfel_lights[winner - 1u], is_front);
+    vec3 radiance = is_exact ? sent_by_triangle(s, direction_ws, at) : sent_by_disc(winner - 1u, is_front, at);
 #else
-    vec3 radiance = light_of_side(surfel_lights[winner - 1u], is_front);
+    vec3 radiance = sent_by_disc(winner - 1u, is_front, at);
 #endif
 #if GLOSSY_SENDERS
     radiance = max(radiance + sent_to_one_side(s, direction_ws), 0.0);

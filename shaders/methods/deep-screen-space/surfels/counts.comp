@@ -1,4 +1,4 @@
-// "surfels.counts": one row. HAS_FINE: there are fine surfels.
+// "surfels.counts": one row. HAS_FINE: there are fine surfels; ON_HOST: the host found what is left.
 layout(local_size_x = 1) in;
 
 #if HAS_FINE
@@ -6,9 +6,13 @@ layout(std430) readonly buffer FineSums { vec2 fine_sums[]; };
 layout(std430) readonly buffer FineCount { uint fine_count; };
 #endif
 layout(std430) readonly buffer KeptSums { vec2 kept_sums[]; };
+#if ON_HOST
+layout(std430) readonly buffer Left { uint triangle_count, patch_count; };
+#else
 layout(std430) readonly buffer TriangleCount { uint triangle_count; };
 layout(std430) readonly buffer PatchCount { uint patch_count; };
-layout(std430) readonly buffer KeptCount { uint kept_count; };
+#endif
+layout(std430) readonly buffer Stored { uint stored, kept_count; };
 layout(std430) buffer Row {
     uint triangles, left, patches, fine, kept;
     float fine_area, kept_area, fine_part, kept_part;

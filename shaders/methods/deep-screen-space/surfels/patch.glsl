@@ -8,6 +8,7 @@ struct Patch {
     uint level;  // of tessellation; 0 as long as it is not known
 };
 
+// C++: ir::methods::deep_screen_space::max_splits
 const uint MAX_SPLITS = 64u;  // of a side, in each of the two rounds
 const uint MAX_LEVEL = 64u;   // every device has it
 
@@ -28,8 +29,14 @@ Patch patch_part(Patch p, uint splits, uvec2 corner, bool is_turned) {
     return Patch(p.triangle, p.splits * splits, patch_place(part, is_turned != patch_is_turned(p)), 0u);
 }
 
+// Of systematic placement.
+// C++: ir::methods::deep_screen_space::units_of_surfel
 const uint UNITS_OF_SURFEL = 256u;  // where surfels are counted in parts
-const float SURFELS_OF_PATCH = 16.0;  // at most, there
+// C++: ir::methods::deep_screen_space::surfels_of_patch
+const float SURFELS_OF_PATCH = 16.0;  // at most
+/// Of a patch, in distances: within it all surfels are of equal area.
+// C++: ir::methods::deep_screen_space::max_patch_length
+const float MAX_PATCH_LENGTH = 0.3;
 
 /// How many distinct vertices the tessellator makes of a triangle whose levels are all n, equally spaced: rings of
 /// 3k with k = n, n - 2, …, and where n is even the middle. [OpenGL 4.5 core §11.2.2.2]

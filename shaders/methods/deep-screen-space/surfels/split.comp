@@ -108,9 +108,6 @@ float surfels_of(Corners c, Patch p) {
 }
 
 #if SYSTEMATIC
-/// Of a patch, in distances: within it all surfels are of equal area.
-const float MAX_LENGTH = 0.3;
-
 uniform uint seed;
 
 /// The longest side, in distances of the nearest point; parallel views have no distance.
@@ -133,7 +130,7 @@ uint units_of(Corners c, Patch p) {
 /// Into how many parts along each side; in the first round at most half of the way, as the parts' distances differ.
 uint splits_of(Corners c, Patch p) {
 #if SYSTEMATIC
-    float needed = max(sqrt(surfels_of(c, p) / SURFELS_OF_PATCH), length_of(c, p) / MAX_LENGTH);
+    float needed = max(sqrt(surfels_of(c, p) / SURFELS_OF_PATCH), length_of(c, p) / MAX_PATCH_LENGTH);
 #else
     float needed = sqrt(surfels_of(c, p) / float(tessellated_points(MAX_LEVEL)));
 #endif

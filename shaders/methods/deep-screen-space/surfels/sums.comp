@@ -9,7 +9,11 @@ layout(local_size_x = 256) in;
 #include "methods/deep-screen-space/records.glsl"
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 #endif
+#if FINE
 layout(std430) readonly buffer Count { uint count; };
+#else
+layout(std430) readonly buffer Stored { uint count, made; };
+#endif
 layout(std430) writeonly buffer Sums { vec2 sums[]; };
 
 uniform uint capacity;

@@ -7,6 +7,7 @@
 
 #include "renderers/core/parallel_for.h"
 #include "renderers/graph/image_layers.h"
+#include "renderers/methods/deep-screen-space/splatting/host/disc_light.h"
 #include "renderers/methods/deep-screen-space/splatting/level0_light.h"
 #include "renderers/methods/deep-screen-space/surfels/host/host_senders.h"
 #include "renderers/passes/surface/host_surfaces.h"
@@ -29,8 +30,13 @@ class HostLight {
           parameters_(visible.splats.parameters),
           senders_(context, objects.surfaces, shadow, parameters_),
           is_glossy_(sends_highlights(parameters_)),
-          surfels_(context.elements<const Surfel>(visible.splats.surfels.records)),
-          lights_(context.elements<const SurfelLight>(visible.splats.surfels.lights)),
+          discs_{stored_surfels(context, visible.splats.surfels),
+                 context.elements<const SurfelLight>(visible.splats.surfels.lights),
+                 visible_level(visible.splats),
+                 visible.splats.hierarchy.levels,
+                 random_seed(context.inputs(), parameters_),
+                 parameters_.disc_light == DiscLight::averaged},
+          width_(static_cast<std::size_t>(context.inputs().view.width)),
           positions_(context.pixels<const glm::vec4>(visible.gbuffer.position)) {
         if (objects.has_sources()) level0_.emplace(context, objects.bvh, objects.sources, parameters_);
     }
@@ -41,12 +47,13 @@ class HostLight {
     /// and as many for each layer before as there are pixels.
     glm::vec3 sent(std::uint32_t winner, glm::vec3 direction_ws, float distance, std::size_t ray) const {
         if (winner & exact_hit) return sent_by_triangle(winner & ~exact_hit, direction_ws, distance, ray);
-        const auto& surfel = surfels_[winner - 1];
+        const auto& surfel = discs_.surfels[winner - 1];
         const bool is_front = glm::dot(surfel.normal_ws, direction_ws) <= 0;
         if (!is_front && parameters_.backs == Backs::black) return glm::vec3(0);
-        const auto& light = lights_[winner - 1];
-        const auto& side = is_front ? light.front : light.back;
-        const glm::vec3 radiance(side[0], side[1], side[2]);
+        const auto pixel = ray % pixels();
+        const auto radiance =
+            discs_.sent(winner - 1, is_front, positions_[pixel], {pixel % width_, pixel / width_},
+                        static_cast<unsigned>(ray / pixels()));
         if (!is_glossy_) return radiance;
         const auto place = senders_.place(surfel.triangle, glm::unpackUnorm2x16(surfel.barycentrics),
                                           surfel.centre_ws, surfel.radius, direction_ws);
@@ -69,8 +76,8 @@ class HostLight {
     Parameters parameters_;
     HostSenders senders_;
     bool is_glossy_;
-    std::span<const Surfel> surfels_;
-    std::span<const SurfelLight> lights_;
+    DiscLights discs_;
+    std::size_t width_;
     std::span<const glm::vec4> positions_;
     std::optional<Level0Light> level0_;
 };
@@ -91,8 +98,9 @@ graph::ImageRef resolve_light_on_host(graph::GraphBuilder& builder, const passes
     const auto incoming = passes::bounce::declare_incoming_light(builder, samples);
     auto pass = builder.pass("light of the winners", graph::Queue::cpu);
     pass.has_two_bodies()
-        .reads(objects.surfaces, shadow.maps, visible.splats.surfels.records, visible.splats.surfels.lights,
-               visible.gbuffer.position, visible.nearest, distance, visible.directions.directions)
+        .reads(objects.surfaces, shadow.maps, visible.splats.surfels.records, visible.splats.surfels.stored,
+               visible.splats.surfels.lights, visible.gbuffer.position, visible.nearest, distance,
+               visible.directions.directions)
         .writes(incoming);
     if (objects.has_sources()) pass.reads(objects.bvh, objects.sources);
     const auto& view = builder.inputs().view;

@@ -19,24 +19,16 @@ RayRanges::RayRanges(const scene::View& view, const VisibleLevel& rules, std::sp
       shells_per_radius_(rules.influence.trade_off > 0 ? 1 / std::sqrt(rules.influence.trade_off) : 0) {
     for (const auto& s : surfels) {
         if (s.radius == 0) continue;
-        const float part = s.radius / distance(s.centre_ws);
+        const float part = s.radius / ideal_distance(ideal_, s.centre_ws);
         least_ = std::min(least_, part);
         most_ = std::max(most_, part);
         largest_ = std::max(largest_, s.radius);
     }
 }
 
-/// As ideal_distance of ideal.glsl; of parallel rays 1.
-float RayRanges::distance(glm::vec3 position_ws) const {
-    if (is_parallel()) return 1;
-    const auto offset = position_ws - ideal_.ideal_eye_ws;
-    return std::max({glm::dot(offset, ideal_.ideal_axis_ws), ideal_.ideal_corner_cosine * glm::length(offset),
-                     ideal_.ideal_nearest});
-}
-
 /// The largest t with t ≤ beyond + factor · distance(x + t direction).
 float RayRanges::last(float beyond, float factor, glm::vec3 x_ws, glm::vec3 direction_ws) const {
-    if (is_parallel()) return beyond + factor;
+    if (is_parallel(ideal_)) return beyond + factor;
     const auto offset = x_ws - ideal_.ideal_eye_ws;
     const auto solve = [&](float at_x, float slope) {
         return factor * slope < 1 ? (beyond + factor * at_x) / (1 - factor * slope) : infinity;
@@ -49,7 +41,7 @@ float RayRanges::last(float beyond, float factor, glm::vec3 x_ws, glm::vec3 dire
 
 /// No t below it has t ≥ factor · distance(x + t direction).
 float RayRanges::first(float factor, glm::vec3 x_ws, glm::vec3 direction_ws) const {
-    if (is_parallel()) return factor;
+    if (is_parallel(ideal_)) return factor;
     const auto offset = x_ws - ideal_.ideal_eye_ws;
     const float size = glm::length(offset);
     const auto solve = [&](float at_x, float slope) {
@@ -65,7 +57,8 @@ float RayRanges::first(float factor, glm::vec3 x_ws, glm::vec3 direction_ws) con
 }
 
 float RayRanges::exact_reach(glm::vec3 x_ws) const {
-    const float reach = shell_of(rules_.influence, ideal_.ideal_radius * distance(x_ws), 0).outer;
+    const float reach =
+        shell_of(rules_.influence, ideal_.ideal_radius * ideal_distance(ideal_, x_ws), 0).outer;
     return rules_.max_distance > 0 ? std::min(reach, rules_.max_distance) : reach;
 }
 
@@ -75,7 +68,7 @@ RayRanges::Range RayRanges::of(int level, glm::vec3 x_ws, glm::vec3 direction_ws
     Range range;
     range.far = rules_.max_distance > 0 ? rules_.max_distance : i.whole_reach + disc * largest_;
     // How much farther from the eye than a point of the disc its centre may be.
-    const float apart = is_parallel() ? 0 : disc * most_;
+    const float apart = is_parallel(ideal_) ? 0 : disc * most_;
     if (level != i.open_level && apart < 1) {
         const float size = disc * most_ / (1 - apart);
         const float shell = std::ldexp(shells_per_radius_, level) * most_ / (1 - apart);

@@ -28,8 +28,6 @@ class RayRanges {
     Range of(int level, glm::vec3 x_ws, glm::vec3 direction_ws) const;
 
   private:
-    bool is_parallel() const { return ideal_.ideal_axis_ws == glm::vec3(0); }
-    float distance(glm::vec3 position_ws) const;
     float last(float beyond, float factor, glm::vec3 x_ws, glm::vec3 direction_ws) const;
     float first(float factor, glm::vec3 x_ws, glm::vec3 direction_ws) const;
 

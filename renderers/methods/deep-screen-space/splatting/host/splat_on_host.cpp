@@ -12,7 +12,7 @@
 #include "renderers/graph/image_layers.h"
 #include "renderers/methods/deep-screen-space/splatting/host/disc_level.h"
 #include "renderers/methods/deep-screen-space/splatting/host/ray_ranges.h"
-#include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
+#include "shaders/methods/deep-screen-space/splatting/places.glsl.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
@@ -20,8 +20,16 @@ namespace {
 using graph::PassContext;
 using graph::Slice;
 
-/// Pixels of a side of the squares that a thread does at a time.
+/// Pixels, or places of a level, of a side of the squares that a thread does at a time.
 constexpr int side = 16;
+
+struct Tiles {
+    int across, down;
+    std::int64_t count() const { return std::int64_t{across} * down; }
+};
+Tiles tiles_of(const Hierarchy& hierarchy) {
+    return {(hierarchy.width + side - 1) / side, (hierarchy.height + side - 1) / side};
+}
 
 struct ReleaseDevice {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -34,15 +42,14 @@ class HostSplats {
 
     void begin(const PassContext& p) {
         const auto& splats = visible_.splats;
-        const auto stored = p.elements<const StoredSurfels>(splats.surfels.stored)[0].stored;
-        surfels_ = p.elements<const Surfel>(splats.surfels.records).first(stored);
+        surfels_ = stored_surfels(p, splats.surfels);
         seed_ = random_seed(p.inputs(), splats.parameters);
         ranges_.emplace(p.inputs().view, rules_, surfels_, splats.parameters);
         positions_ = p.pixels<const glm::vec4>(visible_.gbuffer.position);
         seen_.emplace(p.inputs().view, positions_, splats.parameters);
         normals_ = p.pixels<const glm::vec4>(visible_.gbuffer.geometric_normal);
-        for (int level = 0; level < splats.hierarchy.levels; ++level)
-            places_.push_back(p.pixels<const std::uint32_t>(splats.hierarchy.places, level));
+        places_ = graph::layers<const std::uint32_t>(p, splats.hierarchy.places);
+        layout_ = graph::layers<const std::uint32_t>(p, splats.hierarchy.layout);
         if (bvh_.index >= 0) tree_ = p.object<passes::Bvh>(bvh_);
         width_ = p.inputs().view.width;
         height_ = p.inputs().view.height;
@@ -70,18 +77,23 @@ class HostSplats {
                         " surfels on each level; raise surfel_radius");
     }
 
-    int tiles_across() const { return (width_ + side - 1) / side; }
-
     /// Calls `to` with the number and the place of each pixel of the tile.
     template <class To>
     void each_pixel(std::int64_t tile, const To& to) const {
-        const int first_x = static_cast<int>(tile % tiles_across()) * side,
-                  first_y = static_cast<int>(tile / tiles_across()) * side;
-        for (int y = first_y; y < std::min(first_y + side, height_); ++y)
-            for (int x = first_x; x < std::min(first_x + side, width_); ++x)
-                to(static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                       static_cast<std::size_t>(x),
-                   glm::uvec2(x, y));
+        each_texel(tile, glm::ivec2(width_, height_), [&](glm::uvec2 pixel) { to(number_of(pixel), pixel); });
+    }
+
+    /// The same with the pixels that stand in a tile of the level: those of a sub-image meet the same discs.
+    template <class To>
+    void each_pixel(std::int64_t tile, int level, const To& to) const {
+        const auto& hierarchy = visible_.splats.hierarchy;
+        const auto width = static_cast<std::size_t>(hierarchy.width);
+        each_texel(tile, glm::ivec2(hierarchy.width, hierarchy.height), [&](glm::uvec2 place) {
+            const auto word = layout_[static_cast<std::size_t>(level)][place.y * width + place.x];
+            if (word == padding) return;
+            const glm::uvec2 pixel(word & 0xffff, word >> 16);
+            to(number_of(pixel), pixel);
+        });
     }
 
     bool is_ray(std::size_t pixel, const glm::vec4& direction) const {
@@ -126,34 +138,53 @@ class HostSplats {
         passes::Hit hit = {};
     };
     Exact exact(const Receiver& from, glm::vec3 direction_ws) const {
-        if (visible_.splats.parameters.level0 != Level0::triangles) return {};
-        const float reach = ranges_->exact_reach(from.x_ws);
+        const float reach = known_up_to(from.x_ws);
+        if (reach == 0) return {};
         return {reach, tree_->closest_hit(passes::offset_origin(from.x_ws, from.geometric_normal_ws),
                                           direction_ws, 0, reach)};
     }
 
-    /// Of all levels, as combine.comp chooses.
-    Winner winner(std::size_t index, glm::uvec2 pixel, glm::vec3 direction_ws, int sample) const {
-        const auto from = receiver(index);
-        const bool nearest = nearest_decides(visible_.splats);
-        const auto [known, hit] = exact(from, direction_ws);
+    /// Before discs are asked.
+    Winner first_winner(std::size_t index, glm::vec3 direction_ws) const {
+        const auto hit = exact(receiver(index), direction_ws).hit;
         if (hit.is_hit()) return {exact_hit | hit.triangle, 0, hit.distance};
+        return {};
+    }
+
+    /// After the finer levels, as combine.comp chooses.
+    Winner winner(Winner finer, std::size_t index, glm::uvec2 pixel, glm::vec3 direction_ws, int level,
+                  int sample) const {
+        if (finer.number & exact_hit || (finer.number != 0 && !nearest_decides(visible_.splats)))
+            return finer;
+        const auto from = receiver(index);
+        auto range = ranges_->of(level, from.x_ws, direction_ws);
         DiscRay ray(from, direction_ws);
-        ray.known = known;
-        Winner result;
-        for (int level = 0; level < visible_.splats.hierarchy.levels; ++level) {
-            auto range = ranges_->of(level, from.x_ws, direction_ws);
-            if (result.number != 0) range.far = std::min(range.far, result.distance);
-            ask(ray, pixel, level, sample, range);
-            if (ray.winner == 0) continue;
-            result = {ray.winner, level,
-                      splat_plane_distance(from.x_ws, direction_ws, surfels_[ray.winner - 1])};
-            if (!nearest) break;
+        ray.known = known_up_to(from.x_ws);
+        if (finer.number != 0) {
+            range.far = std::min(range.far, finer.distance);
+            ray.z = splat_z(rules_.influence, finer.distance);
         }
-        return result;
+        ask(ray, pixel, level, sample, range);
+        if (ray.winner == 0) return finer;
+        return {ray.winner, level, splat_plane_distance(from.x_ws, direction_ws, surfels_[ray.winner - 1])};
     }
 
   private:
+    template <class To>
+    void each_texel(std::int64_t tile, glm::ivec2 size, const To& to) const {
+        const int across = tiles_of(visible_.splats.hierarchy).across;
+        const int first_x = static_cast<int>(tile % across) * side,
+                  first_y = static_cast<int>(tile / across) * side;
+        for (int y = first_y; y < std::min(first_y + side, size.y); ++y)
+            for (int x = first_x; x < std::min(first_x + side, size.x); ++x) to(glm::uvec2(x, y));
+    }
+    std::size_t number_of(glm::uvec2 pixel) const {
+        return std::size_t{pixel.y} * static_cast<std::size_t>(width_) + pixel.x;
+    }
+    /// m; 0 where level 0 has discs.
+    float known_up_to(glm::vec3 x_ws) const {
+        return visible_.splats.parameters.level0 == Level0::triangles ? ranges_->exact_reach(x_ws) : 0;
+    }
     bool is_stratified() const { return visible_.splats.parameters.sub_images == SubImages::stratified; }
 
     VisibleSplats visible_;
@@ -164,59 +195,78 @@ class HostSplats {
     std::optional<RayRanges> ranges_;
     std::optional<WhatIsSeen> seen_;
     std::span<const glm::vec4> positions_, normals_;
-    std::vector<std::span<const std::uint32_t>> places_;
+    std::vector<std::span<const std::uint32_t>> places_, layout_;
     std::shared_ptr<passes::Bvh> tree_;
     int width_ = 0, height_ = 0;
     std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice> device_;
     std::vector<std::unique_ptr<DiscLevel>> levels_;
 };
 
-/// Calls `run(splats, sample, tile)` for all of them, sample by sample: only the discs of one are held.
+/// Calls `run(splats, sample, stage, tile)` for all of them, sample by sample, so that only the discs of one
+/// are held, and stage by stage.
 template <class Run>
-void execute(graph::PassBuilder& pass, const graph::GraphBuilder& builder, const VisibleSplats& visible,
-             graph::ObjectRef bvh, const Run& make_run) {
-    const auto& view = builder.inputs().view;
-    const auto tiles = std::int64_t{(view.width + side - 1) / side} * ((view.height + side - 1) / side);
+void execute(graph::PassBuilder& pass, const VisibleSplats& visible, graph::ObjectRef bvh, int stages,
+             const Run& make_run) {
+    const auto& hierarchy = visible.splats.hierarchy;
+    const auto tiles = tiles_of(hierarchy).count(), of_sample = tiles * stages;
     const auto splats = std::make_shared<HostSplats>(visible, bvh);
-    pass.reads(visible.splats.surfels.records, visible.splats.surfels.stored, visible.splats.hierarchy.places,
-               visible.gbuffer.position, visible.gbuffer.geometric_normal, visible.directions.directions);
+    pass.reads(visible.splats.surfels.records, visible.splats.surfels.stored, hierarchy.places,
+               hierarchy.layout, visible.gbuffer.position, visible.gbuffer.geometric_normal,
+               visible.directions.directions);
     if (bvh.index >= 0) pass.reads(bvh);
-    pass.execute_sliced(tiles * visible.splats.samples, [=](PassContext& p, Slice slice) {
+    pass.execute_sliced(of_sample * visible.splats.samples, [=](PassContext& p, Slice slice) {
         const int threads = p.inputs().threads;
         tbb::task_arena arena(arena_size(threads));
         arena.execute([&] {
             if (slice.first) splats->begin(p);
             const auto run = make_run(p, slice);
             for (auto item = slice.begin; item < slice.end;) {
-                const auto sample = static_cast<int>(item / tiles);
+                const auto sample = static_cast<int>(item / of_sample);
+                const auto stage = static_cast<int>(item % of_sample / tiles);
                 const auto first = item % tiles, end = std::min(tiles, first + slice.end - item);
-                if (first == 0) splats->begin_sample(sample);
-                tbb::parallel_for(first, end, [&](std::int64_t tile) { run(*splats, sample, tile); });
+                if (item % of_sample == 0) splats->begin_sample(sample);
+                tbb::parallel_for(first, end, [&](std::int64_t tile) { run(*splats, sample, stage, tile); });
                 item += end - first;
             }
         });
     });
 }
 
-/// The pass of the picture: only the winners of all levels together are looked for.
+/// The pass of the picture: only the winners of all levels together are looked for. Triangles first, then
+/// level by level the pixels of a sub-image after each other, as they meet the same discs: half the time of
+/// all levels pixel by pixel.
 void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh,
                      graph::ImageRef distance) {
     auto pass = builder.pass("splat", graph::Queue::cpu);
     pass.has_two_bodies().writes(visible.nearest, visible.hit_level, distance);
-    execute(pass, builder, visible, bvh, [=](const PassContext& p, Slice) {
+    const int stages = 1 + visible.splats.hierarchy.levels;
+    execute(pass, visible, bvh, stages, [=](const PassContext& p, Slice) {
         return [directions = graph::layers<const glm::vec4>(p, visible.directions.directions),
                 nearest = graph::layers<std::uint32_t>(p, visible.nearest),
                 levels = graph::layers<std::uint16_t>(p, visible.hit_level),
                 distances = graph::layers<float>(p, distance)](const HostSplats& splats, int sample,
-                                                               std::int64_t tile) {
+                                                               int stage, std::int64_t tile) {
             const auto layer = static_cast<std::size_t>(sample);
-            splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {
-                HostSplats::Winner winner;
-                const auto& direction = directions[layer][index];
-                if (splats.is_ray(index, direction)) winner = splats.winner(index, pixel, direction, sample);
+            const auto store = [&](std::size_t index, const HostSplats::Winner& winner) {
                 nearest[layer][index] = winner.number;
                 levels[layer][index] = glm::packHalf1x16(static_cast<float>(winner.level));
                 distances[layer][index] = winner.distance;
+            };
+            if (stage == 0) {
+                splats.each_pixel(tile, [&](std::size_t index, glm::uvec2) {
+                    const auto& direction = directions[layer][index];
+                    store(index, splats.is_ray(index, direction) ? splats.first_winner(index, direction)
+                                                                 : HostSplats::Winner{});
+                });
+                return;
+            }
+            splats.each_pixel(tile, stage - 1, [&](std::size_t index, glm::uvec2 pixel) {
+                const auto& direction = directions[layer][index];
+                if (!splats.is_ray(index, direction)) return;
+                const HostSplats::Winner finer{nearest[layer][index],
+                                               static_cast<int>(glm::unpackHalf1x16(levels[layer][index])),
+                                               distances[layer][index]};
+                store(index, splats.winner(finer, index, pixel, direction, stage - 1, sample));
             });
         };
     });
@@ -226,7 +276,7 @@ void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible,
 void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh) {
     auto pass = builder.pass("splat level by level", graph::Queue::cpu);
     pass.writes(visible.depth, visible.winner);
-    execute(pass, builder, visible, bvh, [=](const PassContext& p, Slice slice) {
+    execute(pass, visible, bvh, 1, [=](const PassContext& p, Slice slice) {
         const auto depths = graph::layers<float>(p, visible.depth);
         const auto winners = graph::layers<std::uint32_t>(p, visible.winner);
         if (slice.first) {
@@ -234,7 +284,7 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
             for (const auto layer : winners) std::ranges::fill(layer, 0u);
         }
         return [=, directions = graph::layers<const glm::vec4>(p, visible.directions.directions)](
-                   const HostSplats& splats, int sample, std::int64_t tile) {
+                   const HostSplats& splats, int sample, int, std::int64_t tile) {
             const auto& hierarchy = visible.splats.hierarchy;
             splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {
                 const auto& direction = directions[static_cast<std::size_t>(sample)][index];

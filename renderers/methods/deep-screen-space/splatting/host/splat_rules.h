@@ -8,36 +8,22 @@
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
+#include "renderers/passes/sampling/pcg.h"
 #include "shaders/methods/deep-screen-space/splatting/accepted.glsl.h"
 #include "shaders/methods/deep-screen-space/splatting/visible_hit.glsl.h"
 
 /// What influence.glsl, sub_image.glsl, visible_hit.glsl and accepted.glsl say, on the host.
 namespace ir::methods::deep_screen_space {
 
-/// As pcg4d of lib/random.glsl.
-inline glm::uvec4 pcg4d(glm::uvec4 v) {
-    v = v * 1664525u + 1013904223u;
-    const auto mix = [&] {
-        v.x += v.y * v.w;
-        v.y += v.z * v.x;
-        v.z += v.x * v.y;
-        v.w += v.y * v.z;
-    };
-    mix();
-    v ^= v >> 16u;
-    mix();
-    return v;
-}
-
 /// Row · 2^level + column of the sub-image that a surfel is splatted into.
 inline std::uint32_t random_sub_image(const Surfel& surfel, unsigned level, unsigned sample, unsigned seed) {
-    const auto random = pcg4d({surfel.identity, level, sample, seed});
+    const auto random = passes::pcg4d({surfel.identity, level, sample, seed});
     return random.y >> 16 << level >> 16 << level | random.x >> 16 << level >> 16;
 }
 
 /// Stratified, a surfel goes to the sub-image (order + this) mod 4^level.
 inline std::uint32_t sub_image_offset(unsigned level, unsigned sample, unsigned seed) {
-    return pcg4d({0u, level, sample, seed}).x;
+    return passes::pcg4d({0u, level, sample, seed}).x;
 }
 
 inline float first_shell(const InfluenceConstants& i, float radius) {

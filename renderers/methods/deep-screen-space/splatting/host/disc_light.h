@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+
+#include "renderers/methods/deep-screen-space/splatting/host/splat_rules.h"
+#include "shaders/methods/deep-screen-space/splatting/disc_light.glsl.h"
+
+namespace ir::methods::deep_screen_space {
+
+/// What discs send that stand for many surfels: disc_light.glsl and sent_by_disc of resolve.comp, on the
+/// host.
+struct DiscLights {
+    std::span<const Surfel> surfels;
+    std::span<const SurfelLight> lights;
+    VisibleLevel rules;
+    int levels;
+    unsigned seed;
+    bool averaged;
+
+    glm::vec3 of_side(std::size_t index, bool is_front) const {
+        const auto& side = is_front ? lights[index].front : lights[index].back;
+        return {side[0], side[1], side[2]};
+    }
+
+    /// To the pixel's point x_ws.
+    glm::vec3 sent(std::size_t index, bool is_front, glm::vec3 x_ws, glm::uvec2 pixel,
+                   unsigned sample) const {
+        if (!averaged) return of_side(index, is_front);
+        const auto& s = surfels[index];
+        const auto to_centre = s.centre_ws - x_ws;
+        auto any_shell = rules;
+        any_shell.full_discs = true;
+        const int shell =
+            std::max(splat_shell(any_shell, levels - 1, s.radius, glm::dot(to_centre, to_centre)), 0);
+        return mean(index, shell, is_front, passes::unit_float(passes::pcg4d({pixel, sample, seed}).w));
+    }
+
+  private:
+    glm::vec3 mean(std::size_t index, int shell, bool is_front, float random) const {
+        const auto& s = surfels[index];
+        const int around = 1 << 2 * shell, picks = std::min(around, disc_light_picks);
+        const float reach = splat_disc_radius(rules, shell, s.radius);
+        glm::vec3 sum(0);
+        int count = 0;
+        for (int i = 0; i < picks; ++i) {
+            const auto step = static_cast<float>(i) + random;
+            const auto other = static_cast<std::int64_t>(index) +
+                               static_cast<int>(step * static_cast<float>(around / picks)) - around / 2;
+            if (other < 0 || other >= static_cast<std::int64_t>(surfels.size())) continue;
+            const auto& o = surfels[static_cast<std::size_t>(other)];
+            const auto offset = o.centre_ws - s.centre_ws;
+            if (o.radius == 0 || glm::dot(o.normal_ws, s.normal_ws) < disc_light_facing ||
+                glm::dot(offset, offset) > reach * reach)
+                continue;
+            sum += of_side(static_cast<std::size_t>(other), is_front);
+            ++count;
+        }
+        return count > 0 ? sum / static_cast<float>(count) : of_side(index, is_front);
+    }
+};
+
+}  // namespace ir::methods::deep_screen_space
