@@ -43,8 +43,9 @@ std::vector<OutputDescription> pictures() {
 std::vector<OutputDescription> outputs() {
     return joined({pictures(), bounce::direction_outputs(with_visibility),
                    bounce::sample_outputs(with_visibility), bounce::reconstruction_outputs(with_visibility),
-                   passes::direct_outputs(), surfel_outputs(), hierarchy_outputs(), visible_outputs(),
-                   additive_outputs(), explanation_outputs(), passes::reprojection_outputs()});
+                   passes::direct_outputs(), surfel_outputs(), hierarchy_outputs(), splat_outputs(),
+                   visible_outputs(), additive_outputs(), explanation_outputs(),
+                   passes::reprojection_outputs()});
 }
 
 MethodDescription description() {

@@ -43,6 +43,7 @@ graph::ImageRef splat_additive(graph::GraphBuilder& builder, const passes::Scene
                                const Parameters& parameters, graph::ResourceText text);
 
 std::vector<OutputDescription> hierarchy_outputs();
+std::vector<OutputDescription> splat_outputs();
 std::vector<OutputDescription> visible_outputs();   ///< only with visibility
 std::vector<OutputDescription> additive_outputs();  ///< only without
 

@@ -11,7 +11,8 @@ class AdditiveExplained : public AdditiveTest {
     static graph::Method method(const AdditiveRun& run) {
         graph::Method method;
         method.description.id = "test";
-        method.description.outputs = joined({dss::hierarchy_outputs(), dss::additive_outputs()});
+        method.description.outputs =
+            joined({dss::hierarchy_outputs(), dss::splat_outputs(), dss::additive_outputs()});
         method.setup = [run](graph::GraphBuilder& builder, const Settings&) {
             const auto scene = passes::upload_scene(builder);
             const auto gbuffer = passes::gbuffer(builder, scene);

@@ -50,7 +50,7 @@ inline std::vector<Disc> discs_of_square(glm::vec3 centre, glm::vec3 u, glm::vec
 class DeepScreenSpaceTest : public PassTest {
   protected:
     std::vector<OutputDescription> outputs() const override {
-        return joined({dss::hierarchy_outputs(), dss::additive_outputs()});
+        return joined({dss::hierarchy_outputs(), dss::splat_outputs(), dss::additive_outputs()});
     }
     /// Declares surfels with these contents. `capacity`: 0: as many as there are; `uncounted` is added to the
     /// counter: surfels that found no place.

@@ -37,8 +37,9 @@ class VisibleTest : public DeepScreenSpaceTest {
         graph::Method method;
         method.description.id = "test";
         method.description.outputs =
-            joined({dss::hierarchy_outputs(), dss::visible_outputs(), dss::explanation_outputs(),
-                    passes::bounce::direction_outputs({}), passes::bounce::sample_outputs({})});
+            joined({dss::hierarchy_outputs(), dss::splat_outputs(), dss::visible_outputs(),
+                    dss::explanation_outputs(), passes::bounce::direction_outputs({}),
+                    passes::bounce::sample_outputs({})});
         method.setup = [run](graph::GraphBuilder& builder, const Settings&) {
             const auto& parameters = run.parameters;
             const auto scene = passes::upload_scene(builder);

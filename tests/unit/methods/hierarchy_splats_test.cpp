@@ -3,6 +3,7 @@
 #include <random>
 
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
+#include "shaders/methods/deep-screen-space/splatting/show_culling.comp.h"
 #include "tests/unit/methods/dss_fixture.h"
 
 namespace ir::test {
@@ -60,6 +61,7 @@ class SplatsTest : public DeepScreenSpaceTest {
                 builder.image({.text = {"drawn", "Drawn"},
                                .format = gl::Format::rg32f,
                                .extent = graph::Extent::fixed(hierarchy.width, hierarchy.height)});
+            dss::show_culling(builder, splats);
             dss::draw_splats(
                 builder.pass("draw").writes(drawn), splats,
                 [=](const graph::PassContext& p, const dss::SplatLayer& layer) -> const gl::Program& {
@@ -147,6 +149,13 @@ TEST_F(SplatsTest, CullingTakesAwayOnlySplatsWithoutAnyEffect) {
         c.parameters.splat_culling = true;
         const auto with = draw(shot, c);
         const auto red_with = total(0);
+        double shown_drawn = 0, shown_culled = 0;
+        for (const auto& surfel : elements<dss::CulledSplats>("splats.by_surfel")) {
+            shown_drawn += surfel.drawn;
+            shown_culled += surfel.culled;
+        }
+        EXPECT_EQ(shown_drawn, with.counters.at("splats.drawn"));
+        EXPECT_EQ(shown_culled, with.counters.at("splats.culled"));
         c.parameters.splat_culling = false;
         const auto without = draw(shot, c);
         EXPECT_EQ(with.counters.at("splats.drawn") + with.counters.at("splats.culled"),

@@ -133,6 +133,7 @@ ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers
     if (additive.has_gloss()) glossy = blur_levels(builder, gbuffer, hierarchy, additive.glossy, parameters);
     show_unshuffled(builder, hierarchy, additive.splatted);
     count_cover(builder, additive.splats);
+    show_culling(builder, additive.splats);
     explain_additive(builder, additive);
     return resolve(builder, additive, sums, glossy, std::move(text));
 }

@@ -105,7 +105,8 @@ void add_visible(ParameterTable<Parameters>& table) {
                     "As published: the light of one surfel, in place of that of 4^l. Where few surfels are "
                     "bright, as beside a lamp, few rays meet them: the picture has blotches."},
                    {"averaged", "Averaged",
-                    "The mean of up to 16 of the surfels in the disc, others for each ray."}},
+                    "The mean of up to 16 of the surfels in the disc, others for each ray. Highlights are as "
+                    "much wider as the disc is wide. With visibility."}},
               .active_when = only_indirect,
               .since_version = 4,
               .value_in_older_projects = std::string("centre")})

@@ -1,6 +1,9 @@
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/deep-screen-space/fingerprints.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
+#include "renderers/methods/deep-screen-space/surfels/packing.h"
+#include "shaders/methods/deep-screen-space/splatting/show_culling.comp.h"
 #include "shaders/methods/deep-screen-space/surfels/commands.comp.h"
 
 #include <algorithm>
@@ -21,15 +24,34 @@ bool is_counted(const Splats& splats) {
     return splats.drawn.index >= 0;
 }
 
-/// Constants of rectangles.comp.
-struct SplatRectangles {
+/// Constants of drawn_splat.glsl.
+struct DrawnSplat {
     InfluenceConstants influence;
     SphereBounds bounds;
+    bool culls, shells;
+    IR_FIELDS(influence, bounds, culls, shells)
+};
+
+DrawnSplat drawn_splat(const PassContext& p, const Splats& splats) {
+    const auto& parameters = splats.parameters;
+    return {influence_constants(splats), sphere_bounds(p.inputs().view), parameters.splat_culling,
+            !parameters.visibility || parameters.shells == Shells::shells};
+}
+
+/// Constants of rectangles.comp.
+struct SplatRectangles {
+    DrawnSplat drawn;
     unsigned first, end, level, sample_index, seed;
     glm::ivec2 hierarchy_size;
-    bool culls, shells, stratified_sub_images;
-    IR_FIELDS(influence, bounds, first, end, level, sample_index, seed, hierarchy_size, culls, shells,
-              stratified_sub_images)
+    bool stratified_sub_images;
+    IR_FIELDS(drawn, first, end, level, sample_index, seed, hierarchy_size, stratified_sub_images)
+};
+
+/// Constants of show_culling.comp.
+struct ShowCulling {
+    DrawnSplat drawn;
+    int levels;
+    IR_FIELDS(drawn, levels)
 };
 
 /// Constants of splat.vert.
@@ -47,16 +69,13 @@ void find_rectangles(const PassContext& p, const Splats& splats, const SplatLaye
     source.defines["DARK_IS_IDLE"] = splats.dark_is_idle() ? "1" : "0";
     const auto& program = p.use(source);
     const auto& parameters = splats.parameters;
-    program.set(SplatRectangles{.influence = influence_constants(splats),
-                                .bounds = sphere_bounds(p.inputs().view),
+    program.set(SplatRectangles{.drawn = drawn_splat(p, splats),
                                 .first = static_cast<unsigned>(first),
                                 .end = static_cast<unsigned>(end),
                                 .level = static_cast<unsigned>(layer.level),
                                 .sample_index = static_cast<unsigned>(layer.sample),
                                 .seed = random_seed(p.inputs(), parameters),
                                 .hierarchy_size = {splats.hierarchy.width, splats.hierarchy.height},
-                                .culls = parameters.splat_culling,
-                                .shells = !parameters.visibility || parameters.shells == Shells::shells,
                                 .stratified_sub_images = parameters.sub_images == SubImages::stratified});
     program.dispatch(static_cast<std::int64_t>(end - first));
     p.barrier();
@@ -126,6 +145,41 @@ SphereBounds sphere_bounds(const scene::View& view) {
             .far_plane = view.far_plane,
             .perspective = perspective,
             .view_size = {view.width, view.height}};
+}
+
+void show_culling(graph::GraphBuilder& builder, const Splats& splats) {
+    const auto room = builder.buffers().at(static_cast<std::size_t>(splats.surfels.records.index)).elements;
+    const auto shown = growing(builder,
+                               {.text = builder.text_of_output("splats.by_surfel"),
+                                .kind = OutputKind::glyphs,
+                                .fields = record_fields<CulledSplats>()},
+                               {.key = "splats.surfels", .label = "Surfels whose splats are shown"}, room);
+    auto pass = builder.pass("show culled splats");
+    if (splats.dark_is_idle()) pass.reads("SurfelLights", splats.surfels.lights);
+    pass.reads("Surfels", splats.surfels.records)
+        .reads("Stored", splats.surfels.stored)
+        .reads("min_texture", splats.hierarchy.min, all_levels)
+        .reads("max_texture", splats.hierarchy.max, all_levels)
+        .writes("Shown", shown.buffer)
+        .counts("ShownCount", shown.count)
+        .execute_sliced(surfel_parts, [=](PassContext& p, graph::Slice slice) {
+            const auto& program = p.use(
+                {{folder + "show_culling.comp"}, {{"DARK_IS_IDLE", splats.dark_is_idle() ? "1" : "0"}}});
+            program.set(ShowCulling{drawn_splat(p, splats), splats.hierarchy.levels});
+            const auto capacity = static_cast<std::int64_t>(p.capacity(splats.surfels.records));
+            gl::dispatch_items(program, capacity * slice.begin / surfel_parts,
+                               capacity * slice.end / surfel_parts);
+        });
+}
+
+std::vector<OutputDescription> splat_outputs() {
+    return {{.key = "splats.by_surfel",
+             .label = "Splats of surfels",
+             .kind = OutputKind::glyphs,
+             .unit = "m",
+             .doc = "For each surfel on how many levels its splat is drawn, and on how many it is culled, as "
+                    "nothing that the picture shows there is within its reach. The same for every sample. On "
+                    "the host nothing is drawn; it shows what a device would do."}};
 }
 
 Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,

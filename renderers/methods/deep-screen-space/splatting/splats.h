@@ -34,6 +34,9 @@ struct Splats {
 Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,
                       const Parameters& parameters, int samples);
 
+/// Declares "splats.by_surfel", for people to look at.
+void show_culling(graph::GraphBuilder& builder, const Splats& splats);
+
 /// A part of the surfels that is to be drawn into one layer.
 struct SplatLayer {
     int sample = 0, level = 0;

@@ -113,6 +113,7 @@ passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes
                                                            parameters.transport)
                            : resolve_light(builder, scene, shadow, visible, samples.distance);
     show_levels(builder, visible, samples.distance);
+    show_culling(builder, visible.splats);
     explain_splats(builder, visible);
     return samples;
 }

@@ -44,7 +44,7 @@ vec3 sent_along(Surfel surfel, uint index, vec3 l) {
     if (!is_front && black_backs) return vec3(0);
     vec3 sent = light_of_side(surfel_lights[index], is_front);
 #if GLOSSY_SENDERS
-    sent = max(sent + sent_to_one_side(surfel, l), 0.0);
+    sent = max(sent + sent_to_one_side(surfel, l, 0.0), 0.0);
 #endif
     return sent;
 }

@@ -37,3 +37,14 @@ vec3 light_of_disc(SplatLevel l, uint index, int shell, bool is_front, float ran
 #endif
     return own;
 }
+
+/// Variance, along each axis, of the slopes of half vectors over the disc as x_p sees it at this distance: half of that
+/// of the directions to its points. The highlight is averaged over the disc, too.
+float disc_slope_variance(float surfel_radius, int shell, float distance_m) {
+#if AVERAGED
+    float wide = ldexp(surfel_radius, shell) / distance_m;
+    return wide * wide / 16.0;
+#else
+    return 0.0;
+#endif
+}

@@ -1,6 +1,6 @@
 // What the surfels that rays met send towards the pixels. [Nalbach15 §3.2]
-// AVERAGED: light of discs. BLACK_BACKS: nothing from behind; GLOSSY_SENDERS: with highlights. EXTENDED: triangles are lit by sources with an
-// extent, too. MATERIALS: as sent.glsl has them.
+// AVERAGED: discs send the mean of what they stand for. BLACK_BACKS: nothing from behind; GLOSSY_SENDERS: with
+// highlights. EXTENDED: triangles are lit by sources with an extent, too. MATERIALS: as sent.glsl has them.
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/exact.glsl"
 #include "passes/bounce/tiles.glsl"
@@ -27,13 +27,24 @@ uniform sampler2D gbuffer_position;
 uniform int levels;
 uniform uint seed;
 
-/// By its stored light, of a disc that was enlarged for the shell that x_p lies in.
-vec3 sent_by_disc(uint index, bool is_front, ivec3 at) {
-    SplatLevel l = splat_level(levels - 1, surfels[index]);
-    l.full_discs = true;  // whichever shell it is
-    int shell = splat_shell(l, texelFetch(gbuffer_position, at.xy, 0).xyz, surfels[index].centre_ws);
-    uint random = pcg4d(uvec4(at, seed)).w;
-    return light_of_disc(l, index, max(shell, 0), is_front, unit_float(random));
+/// Which the disc was enlarged for: that in which x_p lies.
+int shell_at(SplatLevel l, Surfel s, vec3 x_ws) {
+    l.full_discs = true;
+    return max(splat_shell(l, x_ws, s.centre_ws), 0);
+}
+
+vec3 sent_by_disc(uint index, vec3 direction_ws, ivec3 at) {
+    Surfel s = surfels[index];
+    vec3 x_ws = texelFetch(gbuffer_position, at.xy, 0).xyz;
+    SplatLevel l = splat_level(levels - 1, s);
+    int shell = shell_at(l, s, x_ws);
+    vec3 radiance = light_of_disc(l, index, shell, dot(s.normal_ws, direction_ws) <= 0.0,
+                                  unit_float(pcg4d(uvec4(at, seed)).w));
+#if GLOSSY_SENDERS
+    float distance_m = splat_plane_distance(x_ws, direction_ws, s.centre_ws, s.normal_ws);
+    radiance += sent_to_one_side(s, direction_ws, disc_slope_variance(s.radius, shell, distance_m));
+#endif
+    return radiance;
 }
 
 #if EXACT
@@ -67,29 +78,19 @@ vec3 sent_by_triangle(Surfel s, vec3 direction_ws, ivec3 at) {
 /// By what "splats.nearest" says of the sample.
 vec3 sent(uint winner, vec3 direction_ws, ivec3 at) {
 #if EXACT
-    bool is_exact = (winner & EXACT_HIT) != 0u;
-    Surfel s;
-    if (is_exact)
-        s = point_of(winner & ~EXACT_HIT, texelFetch(gbuffer_position, at.xy, 0).xyz +
-                                              texelFetch(distances, at, 0).x * direction_ws);
-    else
-        s = surfels[winner - 1u];
-#else
-    Surfel s = surfels[winner - 1u];
-#endif
-    bool is_front = dot(s.normal_ws, direction_ws) <= 0.0;
-#if BLACK_BACKS
-    if (!is_front) return vec3(0);
-#endif
-#if EXACT
-    vec3 radiance = is_exact ? sent_by_triangle(s, direction_ws, at) : sent_by_disc(winner - 1u, is_front, at);
-#else
-    vec3 radiance = sent_by_disc(winner - 1u, is_front, at);
-#endif
+    if ((winner & EXACT_HIT) != 0u) {
+        Surfel s = point_of(winner & ~EXACT_HIT, texelFetch(gbuffer_position, at.xy, 0).xyz +
+                                                     texelFetch(distances, at, 0).x * direction_ws);
+        if (BLACK_BACKS != 0 && dot(s.normal_ws, direction_ws) > 0.0) return vec3(0);
+        vec3 radiance = sent_by_triangle(s, direction_ws, at);
 #if GLOSSY_SENDERS
-    radiance = max(radiance + sent_to_one_side(s, direction_ws), 0.0);
+        radiance += sent_to_one_side(s, direction_ws, 0.0);
 #endif
-    return radiance;
+        return max(radiance, 0.0);
+    }
+#endif
+    if (BLACK_BACKS != 0 && dot(surfels[winner - 1u].normal_ws, direction_ws) > 0.0) return vec3(0);
+    return max(sent_by_disc(winner - 1u, direction_ws, at), 0.0);
 }
 
 void main() {

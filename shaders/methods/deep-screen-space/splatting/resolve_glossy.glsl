@@ -12,13 +12,21 @@ vec3 whole_brdf(HitSurface s, vec3 l, vec3 v) {
 #endif
 }
 
+/// Roughness of a highlight that is the mean over half vectors whose slopes vary by `variance` along each axis, added
+/// to the α²/2 of the microfacets'.
+float widened_roughness(float roughness, float variance) {
+    float alpha = roughness * roughness;
+    return min(sqrt(sqrt(alpha * alpha + 2.0 * variance)), 1.0);
+}
+
 /// At the surfel's centre, where what it stores was found, and from there towards the ray's origin: a point of an
-/// enlarged disc need not lie on the surface.
-vec3 sent_to_one_side(Surfel surfel, vec3 direction_ws) {
+/// enlarged disc need not lie on the surface. `variance`: of the half vectors' slopes.
+vec3 sent_to_one_side(Surfel surfel, vec3 direction_ws, float variance) {
     vec2 weights = unpackUnorm2x16(surfel.barycentrics);
     HitSurface s = hit_surface(surfel.triangle, weights.x, weights.y, direction_ws, normal_maps != 0);
     vec3 sum = vec3(0);
     if (s.is_unlit) return sum;
+    s.roughness = widened_roughness(s.roughness, variance);
     vec3 stored = diffuse_albedo(s) / PI;
     for (int i = 0; i < light_count; ++i) {
         if (!is_punctual(lights[i])) continue;

@@ -22,17 +22,25 @@ struct DiscLights {
         return {side[0], side[1], side[2]};
     }
 
-    /// To the pixel's point x_ws.
-    glm::vec3 sent(std::size_t index, bool is_front, glm::vec3 x_ws, glm::uvec2 pixel,
-                   unsigned sample) const {
+    /// Which the disc was enlarged for: that in which the pixel's point lies.
+    int shell(std::size_t index, glm::vec3 x_ws) const {
+        auto any = rules;
+        any.full_discs = true;
+        const auto to_centre = surfels[index].centre_ws - x_ws;
+        const float squared = glm::dot(to_centre, to_centre);
+        return std::max(splat_shell(any, levels - 1, surfels[index].radius, squared), 0);
+    }
+
+    /// `ray`: pixel and sample.
+    glm::vec3 sent(std::size_t index, int shell, bool is_front, glm::uvec3 ray) const {
         if (!averaged) return of_side(index, is_front);
-        const auto& s = surfels[index];
-        const auto to_centre = s.centre_ws - x_ws;
-        auto any_shell = rules;
-        any_shell.full_discs = true;
-        const int shell =
-            std::max(splat_shell(any_shell, levels - 1, s.radius, glm::dot(to_centre, to_centre)), 0);
-        return mean(index, shell, is_front, passes::unit_float(passes::pcg4d({pixel, sample, seed}).w));
+        return mean(index, shell, is_front, passes::unit_float(passes::pcg4d({ray, seed}).w));
+    }
+
+    /// As disc_slope_variance.
+    float slope_variance(std::size_t index, int shell, float distance_m) const {
+        const float wide = averaged ? std::ldexp(surfels[index].radius, shell) / distance_m : 0;
+        return wide * wide / 16;
     }
 
   private:

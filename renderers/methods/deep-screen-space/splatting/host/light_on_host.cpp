@@ -51,13 +51,14 @@ class HostLight {
         const bool is_front = glm::dot(surfel.normal_ws, direction_ws) <= 0;
         if (!is_front && parameters_.backs == Backs::black) return glm::vec3(0);
         const auto pixel = ray % pixels();
+        const int shell = discs_.shell(winner - 1, positions_[pixel]);
         const auto radiance =
-            discs_.sent(winner - 1, is_front, positions_[pixel], {pixel % width_, pixel / width_},
-                        static_cast<unsigned>(ray / pixels()));
+            discs_.sent(winner - 1, shell, is_front, {pixel % width_, pixel / width_, ray / pixels()});
         if (!is_glossy_) return radiance;
         const auto place = senders_.place(surfel.triangle, glm::unpackUnorm2x16(surfel.barycentrics),
                                           surfel.centre_ws, surfel.radius, direction_ws);
-        return glm::max(radiance + senders_.glossy_rest(place, direction_ws), glm::vec3(0));
+        const float variance = discs_.slope_variance(winner - 1, shell, distance);
+        return glm::max(radiance + senders_.glossy_rest(place, direction_ws, variance), glm::vec3(0));
     }
 
   private:

@@ -1,6 +1,7 @@
 #include "renderers/methods/deep-screen-space/surfels/host/host_senders.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "renderers/passes/lights/punctual.h"
@@ -12,6 +13,12 @@ namespace {
 using Materials = Transport::Materials;
 
 constexpr float one_over_pi = std::numbers::inv_pi_v<float>;
+
+/// As resolve_glossy.glsl has it.
+float widened_roughness(float roughness, float variance) {
+    const float alpha = roughness * roughness;
+    return std::min(std::sqrt(std::sqrt(alpha * alpha + 2 * variance)), 1.0f);
+}
 
 }  // namespace
 
@@ -64,9 +71,10 @@ glm::vec3 HostSenders::diffuse(const Place& place, glm::vec3 extended) const {
     return one_over_pi * colour * sum + of_extended(s, extended);
 }
 
-glm::vec3 HostSenders::glossy_rest(const Place& place, glm::vec3 direction_ws) const {
-    const auto& s = place.surface;
+glm::vec3 HostSenders::glossy_rest(Place place, glm::vec3 direction_ws, float variance) const {
+    auto& s = place.surface;
     if (!is_glossy_ || s.is_unlit) return glm::vec3(0);
+    s.roughness = widened_roughness(s.roughness, variance);
     const auto stored = one_over_pi * albedo(s);
     return sum_of_lights(
         place, [&](glm::vec3 l) { return whole_brdf(s, l, -direction_ws) - stored * below_interface(s, l); });

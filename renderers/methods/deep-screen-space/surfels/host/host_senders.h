@@ -28,7 +28,8 @@ class HostSenders {
     /// W/(m² sr), to all sides alike. `extended`: irradiance by sources with an extent, W/m².
     glm::vec3 diffuse(const Place& place, glm::vec3 extended) const;
     /// What is sent to the ray's origin more, or less, of lights without extent; 0 without glossy senders.
-    glm::vec3 glossy_rest(const Place& place, glm::vec3 direction_ws) const;
+    /// `variance`: of the slopes of half vectors along each axis, over which highlights are averaged.
+    glm::vec3 glossy_rest(Place place, glm::vec3 direction_ws, float variance) const;
     /// Both together.
     glm::vec3 all(const Place& place, glm::vec3 direction_ws, glm::vec3 extended) const;
 
