@@ -243,10 +243,11 @@ TEST_F(DssOnHost, WinnersSendTheSameLight) {
     }
 }
 
-/// A ceiling of 64 × 64 discs along a curve, one of 64 of which is bright, over a floor that sees it on
+/// A ceiling of 64 × 64 discs along a curve, one of 16 of which is bright, over a floor that sees it on
 /// level 3.
 TEST_F(DssOnHost, DiscsThatStandForManySendTheirMeanLight) {
     std::vector<Disc> discs;
+    std::mt19937 random(9);
     for (std::uint32_t i = 0; i < 4096; ++i) {
         const auto along = [&](unsigned axis) {
             float cell = 0.5f;
@@ -254,8 +255,8 @@ TEST_F(DssOnHost, DiscsThatStandForManySendTheirMeanLight) {
                 cell += static_cast<float>((i >> (2 * bit + axis) & 1u) << bit);
             return cell / 16 - 2;
         };
-        discs.push_back(
-            disc({along(0), 1.5f, along(1)}, {0, -1, 0}, 0.035f, i, glm::vec3(i % 64 == 21 ? 64 : 0)));
+        const auto radiance = glm::vec3(random() % 16 == 0 ? 16 : 0);
+        discs.push_back(disc({along(0), 1.5f, along(1)}, {0, -1, 0}, 0.035f, i, radiance));
         discs.back().order = i;
     }
     VisibleRun run{.surfels = discs, .parameters = visible_parameters(4, 4, 0, 0.3f)};
@@ -288,9 +289,9 @@ TEST_F(DssOnHost, DiscsThatStandForManySendTheirMeanLight) {
         return light;
     };
     const auto centre = light_of(dss::DiscLight::centre), averaged = light_of(dss::DiscLight::averaged);
-    EXPECT_GT(centre.rays, 4000);
-    EXPECT_NEAR(averaged.mean, 1, 0.15);
-    EXPECT_NEAR(centre.mean, 1, 0.3);
+    EXPECT_GT(centre.rays, 3000);
+    EXPECT_NEAR(averaged.mean, 1, 0.2);
+    EXPECT_NEAR(centre.mean, averaged.mean, 0.25);
     EXPECT_LT(averaged.variance, centre.variance / 4);
 }
 

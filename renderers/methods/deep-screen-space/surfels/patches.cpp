@@ -215,7 +215,7 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
     first_round(builder, s);
     second_round(builder, s);
     passes::scan_in_place(builder, "surfels.fine", s.points.buffer, total);
-    return {s.patches, s.points, total, s.triangles};
+    return {s.patches, s.points, total, s.triangles, {}};
 }
 
 }  // namespace ir::methods::deep_screen_space

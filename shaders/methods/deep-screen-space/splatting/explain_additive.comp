@@ -3,8 +3,8 @@ layout(local_size_x = 64) in;
 
 #include "lib/floats.glsl"
 #include "methods/deep-screen-space/splatting/splat_search.glsl"
-#include "methods/deep-screen-space/splatting/additive_share.glsl"
 #include "passes/bounce/receiver.glsl"
+#include "methods/deep-screen-space/splatting/additive_share.glsl"
 
 /// As fields of "additive.explain.surfels".
 // C++: ir::methods::deep_screen_space::AdditiveShare
