@@ -1,12 +1,9 @@
 #include "renderers/methods/deep-screen-space/splatting/host/layout_on_host.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <array>
 #include <utility>
 
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/graph/image_layers.h"
 #include "renderers/passes/sampling/pcg.h"
 #include "shaders/methods/deep-screen-space/splatting/places.glsl.h"
@@ -53,21 +50,17 @@ void lay_out_on_host(graph::GraphBuilder& builder, const Hierarchy& hierarchy, u
             const glm::uvec2 seen(view.width, view.height);
             const auto layout = graph::layers<std::uint32_t>(p, hierarchy.layout);
             const auto places = graph::layers<std::uint32_t>(p, hierarchy.places);
-            tbb::task_arena arena(arena_size(p.inputs().threads));
-            arena.execute([&] {
-                tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t row) {
-                    const auto level = static_cast<std::uint32_t>(row / size.y);
-                    const auto y = static_cast<std::uint32_t>(row % size.y);
-                    for (std::uint32_t x = 0; x < size.x; ++x) {
-                        const glm::uvec2 pixel(x, y);
-                        const auto place =
-                            sub_image_of(pixel, level, seed) * (size >> level) + (pixel >> level);
-                        const bool is_seen = x < seen.x && y < seen.y;
-                        places[level][std::size_t{y} * size.x + x] = packed_place(place);
-                        layout[level][std::size_t{place.y} * size.x + place.x] =
-                            is_seen ? packed_place(pixel) : padding;
-                    }
-                });
+            parallel_for(p.inputs().threads, slice.begin, slice.end, [&](std::int64_t row) {
+                const auto level = static_cast<std::uint32_t>(row / size.y);
+                const auto y = static_cast<std::uint32_t>(row % size.y);
+                for (std::uint32_t x = 0; x < size.x; ++x) {
+                    const glm::uvec2 pixel(x, y);
+                    const auto place = sub_image_of(pixel, level, seed) * (size >> level) + (pixel >> level);
+                    const bool is_seen = x < seen.x && y < seen.y;
+                    places[level][std::size_t{y} * size.x + x] = packed_place(place);
+                    layout[level][std::size_t{place.y} * size.x + place.x] =
+                        is_seen ? packed_place(pixel) : padding;
+                }
             });
         });
 }

@@ -233,8 +233,7 @@ void execute(graph::PassBuilder& pass, const VisibleSplats& visible, graph::Obje
 }
 
 /// The pass of the picture: only the winners of all levels together are looked for. Triangles first, then
-/// level by level the pixels of a sub-image after each other, as they meet the same discs: half the time of
-/// all levels pixel by pixel.
+/// level by level the pixels of a sub-image after each other, as they meet the same discs.
 void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh,
                      graph::ImageRef distance) {
     auto pass = builder.pass("splat", graph::Queue::cpu);

@@ -1,8 +1,5 @@
 #include "renderers/methods/deep-screen-space/surfels/host/place_on_host.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
@@ -10,7 +7,7 @@
 #include <vector>
 
 #include "renderers/core/constants.h"
-#include "renderers/core/threads.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/methods/deep-screen-space/surfels/host/curve.h"
 #include "renderers/passes/raytracing/alpha_masks.h"
 #include "renderers/passes/sampling/pcg.h"
@@ -165,12 +162,9 @@ Placed place_on_host(graph::GraphBuilder& builder, float reach, std::uint64_t re
             [=, placing = std::make_shared<PlacingOnHost>(parameters)](graph::PassContext& context,
                                                                        graph::Slice slice) {
                 if (slice.first) placing->begin(context, reach, context.elements<const std::uint32_t>(order));
-                tbb::task_arena arena(arena_size(context.inputs().threads));
-                const auto in_parallel = [&](std::int64_t begin, std::int64_t end, const auto& run) {
-                    arena.execute([&] { tbb::parallel_for(begin, end, run); });
-                };
-                in_parallel(slice.begin, std::min(slice.end, packing_parts),
-                            [&](std::int64_t part) { placing->cut(part); });
+                const auto threads = context.inputs().threads;
+                parallel_for(threads, slice.begin, std::min(slice.end, packing_parts),
+                             [&](std::int64_t part) { placing->cut(part); });
                 if (slice.begin <= packing_parts && slice.end > packing_parts) {
                     const auto counts = placing->count();
                     context.add(patches.triangles, counts.triangles);
@@ -184,8 +178,8 @@ Placed place_on_host(graph::GraphBuilder& builder, float reach, std::uint64_t re
                                                                           counts.surfels};
                 }
                 const auto records = context.elements<Surfel>(kept.buffer);
-                in_parallel(std::max(slice.begin, packing_parts), slice.end,
-                            [&](std::int64_t part) { placing->place(part - packing_parts, records); });
+                parallel_for(threads, std::max(slice.begin, packing_parts), slice.end,
+                             [&](std::int64_t part) { placing->place(part - packing_parts, records); });
             },
             1);
     return {patches, surfels};
