@@ -108,7 +108,7 @@ void add_visible(ParameterTable<Parameters>& table) {
                     "The mean of up to 16 of the surfels in the disc, others for each ray. Highlights are as "
                     "much wider as the disc is wide. With visibility."}},
               .active_when = only_indirect,
-              .since_version = 4,
+              .since_version = 5,
               .value_in_older_projects = std::string("centre")})
         .add(&Parameters::level0,
              {.key = "level0",
