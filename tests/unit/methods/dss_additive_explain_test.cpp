@@ -31,7 +31,9 @@ class AdditiveExplained : public AdditiveTest {
 
     /// Levels of three pixels, each with what was found and what is there.
     void expect_explained(const AdditiveRun& run) {
-        const auto shot = floor();
+        auto scene = floor().scene;
+        scene.materials[0].metallic = 0;
+        const Shot shot(scene, dss_camera({0, 3, 0}, {0, 0, 0}, true, 2), 32, 32);
         graph::FrameOptions options;
         options.wanted = {"additive.*", "result"};
         auto inputs = shot.inputs();

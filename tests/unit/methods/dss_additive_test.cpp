@@ -63,7 +63,7 @@ TEST_F(AdditiveTest, FourLevelsDoSoInExpectation) {
     RecordProperty("relative_error", std::to_string(mean) + " +- " + std::to_string(error));
     EXPECT_LT(error, 0.01) << "too noisy to tell";
     EXPECT_LT(std::abs(mean), 5.24 * error + 0.002);
-    break_shader("methods/deep-screen-space/splatting/additive.frag", "ldexp(1.0, 2 * level)", "1.0");
+    break_shader("methods/deep-screen-space/splatting/additive_share.glsl", "ldexp(1.0, 2 * level)", "1.0");
     const auto [wrong, wrong_error] = relative_error();
     EXPECT_GT(std::abs(wrong), 5.24 * wrong_error + 0.002);
 }

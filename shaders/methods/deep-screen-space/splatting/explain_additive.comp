@@ -1,6 +1,7 @@
 // All surfels that add to one pixel, found over all surfels. KEPT: components of the framebuffer.
 layout(local_size_x = 64) in;
 
+#include "lib/constants.glsl"  // first: a file is included once, and the receiver needs it with LIGHT alone
 #include "lib/floats.glsl"
 #include "methods/deep-screen-space/splatting/splat_search.glsl"
 #include "passes/bounce/receiver.glsl"
