@@ -33,21 +33,10 @@ class MetSources {
                float (*combine)(float, float), const DrawnRay& ray)
         : panes_(panes), surfaces_(surfaces), lights_(lights), combine_(combine), ray_(ray) {}
 
-    /// Rays are only traced as far as something could be met.
+    /// Rays are only traced where something could be met.
     glm::vec3 radiance() const {
-        if (lights_.has_emissive_meshes()) return met(sight());
-        const bool sees_sky = lights_.has_environment();
-        float farthest = 0;
-        lights_.visit_lights(ray_.origin, ray_.direction, no_limit,
-                             [&](const LightHit& light) { farthest = std::max(farthest, light.distance); });
-        if (!sees_sky && farthest == 0) return glm::vec3(0);
-        return met(sight());
-    }
-
-  private:
-    Panes::Sight sight() const { return panes_.look(ray_.origin, ray_.direction, no_limit); }
-
-    glm::vec3 met(const Panes::Sight& sight) const {
+        if (!lights_.may_meet(ray_.origin, ray_.direction)) return glm::vec3(0);
+        const auto sight = panes_.look(ray_.origin, ray_.direction, no_limit);
         const auto& hit = sight.end;
         const auto passed = sight.passed(no_limit);  // from behind all panes
         glm::vec3 sum(0);
@@ -67,6 +56,7 @@ class MetSources {
                               lights_.pdf_of_triangle(ray_.origin, ray_.normal, ray_.direction, hit));
     }
 
+  private:
     glm::vec3 weighted(glm::vec3 radiance, float pdf) const {
         return ray_.pdf > 0 ? radiance * combine_(ray_.pdf, pdf) : radiance;
     }

@@ -30,6 +30,10 @@ class LightChoice {
     std::optional<Chosen> choose(glm::vec3 position_ws, glm::vec3 normal_ws, double u) const;
     float probability(glm::vec3 position_ws, glm::vec3 normal_ws, int emitter) const;
     float environment_probability(glm::vec3 normal_ws) const;
+    /// LightTree::may_meet() of what has a place.
+    bool may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
+        return tree_.may_meet(origin_ws, direction_ws);
+    }
 
   private:
     struct Sun {

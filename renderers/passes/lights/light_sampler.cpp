@@ -163,6 +163,15 @@ bool LightSampler::has_emissive_meshes() const {
     return impl_->triangles && impl_->triangles->size() > 0;
 }
 
+bool LightSampler::may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
+    if (has_environment()) return true;
+    if (has_emissive_meshes() && impl_->choice->may_meet(origin_ws, direction_ws)) return true;
+    bool meets_flat = false;
+    visit_lights(origin_ws, direction_ws, std::numeric_limits<float>::infinity(),
+                 [&](const LightHit&) { meets_flat = true; });
+    return meets_flat;
+}
+
 int LightSampler::extended_lights() const {
     return static_cast<int>(impl_->flat.size());
 }

@@ -63,6 +63,8 @@ class LightSampler {
     bool has_emissive_meshes() const;
     /// Whether rays can meet any of the sources.
     bool has_extent() const { return has_environment() || has_emissive_meshes() || extended_lights() > 0; }
+    /// False only where a ray along a unit direction meets no source, whatever is in between.
+    bool may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const;
     /// Rectangles and disks that a ray meets within (0, far), in no order; calls `visit` for each.
     template <class Visit>
     void visit_lights(glm::vec3 origin_ws, glm::vec3 direction_ws, float far, Visit visit) const {

@@ -192,4 +192,26 @@ float LightTree::probability(glm::vec3 position_ws, glm::vec3 normal_ws, std::ui
     return probability;
 }
 
+std::uint32_t LightTree::after(std::uint32_t node) const {
+    for (auto at = node; nodes_[at].parent != none; at = nodes_[at].parent)
+        if (const auto right = nodes_[nodes_[at].parent].right; right != at) return right;
+    return none;
+}
+
+bool LightTree::may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
+    constexpr float room = 1e-4f;  // more than eight offsets of rays (ray_offset.h) and rounding
+    for (std::uint32_t at = nodes_.empty() ? none : 0; at != none;) {
+        const auto& node = nodes_[at];
+        const auto offset = node.centre - origin_ws;
+        const float reach =
+            std::sqrt(node.squared_radius) + room * (glm::length(offset) + glm::length(node.centre));
+        // where the ray comes closest to the centre
+        const auto closest = offset - std::max(glm::dot(offset, direction_ws), 0.0f) * direction_ws;
+        const bool is_met = glm::dot(closest, closest) <= reach * reach;
+        if (is_met && node.right == none) return true;
+        at = is_met ? at + 1 : after(at);
+    }
+    return false;
+}
+
 }  // namespace ir::passes

@@ -30,6 +30,10 @@ class LightTree {
     /// With which choose() chooses a light (by its index at construction).
     float probability(glm::vec3 position_ws, glm::vec3 normal_ws, std::uint32_t light) const;
 
+    /// False only where a ray along a unit direction meets none of the lights, nor does one that is moved
+    /// aside as far as rays are that start anew at panes.
+    bool may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const;
+
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
     struct Node {
@@ -46,6 +50,8 @@ class LightTree {
     struct Builder;
 
     float importance(const Node& node, glm::vec3 position_ws, glm::vec3 normal_ws) const;
+    /// The first node after a node's subtree, or none.
+    std::uint32_t after(std::uint32_t node) const;
 
     std::vector<Node> nodes_;            ///< the root first
     std::vector<std::uint32_t> leaves_;  ///< per light: its node or none

@@ -85,6 +85,26 @@ TEST(LightTreeTest, NothingThatSendsLightIsLeftOut) {
     }
 }
 
+TEST(LightTreeTest, RaysThatMeetALightMayMeetIt) {
+    const auto lights = random_lights(300, 7);
+    const LightTree tree(lights);
+    Uniform uniform(9);
+    const auto place = [&] {
+        const float x = uniform.number(), y = uniform.number(), z = uniform.number();
+        return 4.0f * glm::vec3(x, y, z) - 2.0f;
+    };
+    int spared = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const auto from = place();
+        spared += !tree.may_meet(from, glm::normalize(place()));
+        const auto& light = lights[static_cast<std::size_t>(i) % lights.size()];
+        for (const auto& corner : {light.min, light.max})
+            ASSERT_TRUE(tree.may_meet(from, glm::normalize(corner - from)));
+    }
+    EXPECT_GT(spared, 200) << "it says so of all rays";
+    EXPECT_FALSE(LightTree({}).may_meet({0, 0, 0}, up));
+}
+
 TEST(LightTreeTest, LightsInOnePlaceAndWithoutIntensity) {
     std::vector<LightBounds> lights(5);
     for (auto& light : lights) light.intensity = 1;
