@@ -50,7 +50,7 @@ int run_command_line(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error with a line, as a full disk is
     CLI::App app{
         "Interreflect on the command line: renders, compares and checks experiments without a window."};
-    app.set_version_flag("--version", "interreflect-cli " + engine::version());
+    app.set_version_flag("--version", "interreflect-cli " + engine::version_and_commit());
     app.require_subcommand(1);
     Run run;
     add_info(app, run);

@@ -29,6 +29,8 @@ int print_info(const std::string& backend, bool as_json) {
         backend.empty() ? gl::Context::create_best() : gl::Context::create(gl::parse_backend(backend));
     const auto& info = context->info();
     Json json{{"version", engine::version()},
+              {"commit", engine::commit()},
+              {"build", engine::build()},
               {"backend", gl::to_string(info.backend)},
               {"platform", info.platform},
               {"device", info.renderer},

@@ -14,6 +14,7 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
+#include "projects/light_help.h"
 #include "projects/light_spec.h"
 #include "projects/match.h"
 #include "projects/samples.h"
@@ -145,10 +146,16 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--scene", flags->scene, "A .gltf or .glb file, or builtin:NAME");
     command->add_option("--method", flags->method, method_doc);
     add_experiment_flags(*command, flags->experiment);
-    command->add_option(
-        "--light", flags->lights,
-        "Light that replaces the scene's, such as point:position=0,2,0;flux=40; a rect's size is "
-        "its width, held level (along X where it points straight up or down), and height");
+    command
+        ->add_option(
+            "--light", flags->lights,
+            "Light that replaces the scene's, such as point:position=0,2,0;flux=40 (help lists types "
+            "and fields); a rect's size is its width, held level (along X where it points straight up "
+            "or down), and height")
+        ->each([](const std::string& spec) {
+            // Printed as a version is, whatever else is missing.
+            if (spec == "help") throw CLI::CallForVersion(projects::light_help(), done);
+        });
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
     command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
     command->add_option("--pick", flags->inspection.pick,

@@ -103,8 +103,8 @@ void move_files(const RerunFlags& flags, Original& original) {
 /// In what today's run is not that of the file, though nobody asked for it.
 Json differences(const Original& original, const ImageAttributes& now) {
     Json list = Json::array();
-    for (const char* what :
-         {"version", "build", "method_version", "scene_hash", "lighting", "backend", "device", "processor"}) {
+    for (const char* what : {"version", "commit", "build", "method_version", "scene_hash", "lighting",
+                             "backend", "device", "processor"}) {
         const auto then = original.attribute(what);
         const auto found = now.find(engine::attribute_prefix + what);
         const auto today = found == now.end() ? std::string() : found->second;

@@ -130,8 +130,8 @@ std::optional<StoredState> Execution::state() const {
                       origins_};
     if (is_extended_ || origins_.empty()) {
         const auto& report = graph_->last_report();
-        state.origins.push_back(
-            {version(), report.device, report.backend, projects::utc_now(), samples_, report.processor});
+        state.origins.push_back({version_and_commit(), report.device, report.backend, projects::utc_now(),
+                                 samples_, report.processor});
     }
     return state;
 }

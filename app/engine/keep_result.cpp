@@ -28,7 +28,8 @@ KeptResult describe(const projects::Project& now, const projects::Experiment& ex
     result.inputs = projects::picture_inputs(now, rendered, registry());
     result.key = projects::result_key(now, samples < asked ? rendered : experiment, registry());
     result.experiment = experiment.id;
-    result.provenance = {version(), report.device, report.backend, projects::utc_now(), {}, report.processor};
+    result.provenance = {version_and_commit(), report.device, report.backend, projects::utc_now(), {},
+                         report.processor};
     // Where the scene moves, more frames are a later picture, not a better one.
     if (projects::accumulates(execution.method()) && !execution.scene().is_animated()) {
         result.state_key = projects::state_key(now, experiment, registry());

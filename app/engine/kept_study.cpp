@@ -57,7 +57,7 @@ void keep_study(const projects::Project& project, const projects::ErrorPlot& plo
     const auto now = projects::with_contents(project, projects::read_contents(project, folder));
     Json json{{"schema", study_schema},
               {"key", study_key(now, plot)},
-              {"build", version()},
+              {"build", version_and_commit()},
               {"date", projects::utc_now()},
               {"inputs", study_inputs(now, plot)}};
     json["study"] = projects::parse_json(study_json(study), plot.id);

@@ -112,6 +112,7 @@ ImageAttributes attributes(const Execution& execution) {
                to_string(Value{double{v.z}});
     };
     result[attribute_prefix + "version"] = version();
+    result[attribute_prefix + "commit"] = commit();
     result[attribute_prefix + "build"] = build();
     if (!experiment.recipe.empty()) result[recipe_attribute] = experiment.recipe;
     result[attribute_prefix + "method"] = method.id;

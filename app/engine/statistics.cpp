@@ -48,6 +48,7 @@ std::string statistics_json(const Execution& execution, const FrameReport& repor
     Json json;
     json["picture"] = picture_json(execution);
     json["version"] = version();
+    json["commit"] = commit();
     json["build"] = build();
     json["command"] = command_line();
     json["backend"] = report.backend;

@@ -19,6 +19,10 @@ std::string version() {
     return INTERREFLECT_VERSION;
 }
 
+std::string version_and_commit() {
+    return version() + ", commit " + commit();
+}
+
 std::string build() {
     return INTERREFLECT_BUILD;
 }

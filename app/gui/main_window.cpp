@@ -450,7 +450,7 @@ void MainWindow::show_about() {
     QMessageBox::about(
         this, tr("About Interreflect"),
         tr("<b>Interreflect %1</b><p>A workbench for research on interactive global illumination.</p>")
-            .arg(QString::fromStdString(engine::version())));
+            .arg(QString::fromStdString(engine::version_and_commit())));
 }
 
 }  // namespace ir::gui

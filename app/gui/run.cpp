@@ -41,7 +41,7 @@ struct Arguments {
 };
 
 void describe(CLI::App& command, Arguments& arguments) {
-    command.set_version_flag("--version", "interreflect " + engine::version());
+    command.set_version_flag("--version", "interreflect " + engine::version_and_commit());
     command.add_option("project", arguments.project,
                        "Project folder, scene file (.gltf, .glb) or builtin:NAME to open");
     command.add_option("--layout", arguments.layout,

@@ -46,6 +46,12 @@ TEST_F(ShellCommand, EachShellHearsOfEveryCommand) {
     EXPECT_EQ(run("completion csh").status, 2);
 }
 
+TEST_F(ShellCommand, LightsAreExplainedWhateverElseIsMissing) {
+    const auto help = output("render --light help");
+    for (const auto* part : {"point:position=", "rect:position=", "[inner]", "or flux", "W/sr"})
+        EXPECT_NE(help.find(part), std::string::npos) << part << "\n" << help;
+}
+
 TEST_F(ShellCommand, TheManualHasEveryCommandAndNoRequestByChance) {
     const auto page = output("manual");
     EXPECT_EQ(page.rfind(".TH ", 0), 0u);

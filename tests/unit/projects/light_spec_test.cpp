@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <set>
+#include <sstream>
 
+#include "projects/light_help.h"
 #include "renderers/core/error.h"
 
 namespace ir::projects {
@@ -77,6 +80,31 @@ TEST(LightSpec, RefusalsNameFieldAndWhatIsAllowed) {
               std::string::npos);
     EXPECT_NE(spec_refusal("").find("unknown type"), std::string::npos);
     EXPECT_EQ(spec_refusal("point:position=0,0,0;flu\nx=1").find('\n'), std::string::npos);
+}
+
+TEST(LightSpec, HelpHasEachTypeWithAnExampleThatParses) {
+    std::istringstream help(light_help());
+    std::set<LightSpec::Type> types;
+    std::set<std::string> told;
+    for (std::string line; std::getline(help, line);) {
+        if (line.empty() || line.rfind("A light", 0) == 0) continue;
+        if (line[0] == ' ') {
+            EXPECT_GT(line.size(), 30u) << "a field without a text: " << line;
+            const auto name = line.substr(2, line.find_last_not_of(' ', 17) - 1);
+            told.insert(name[0] == '[' ? name.substr(1, name.size() - 2) : name);
+        } else {
+            EXPECT_TRUE(types.insert(parse_light(line).type).second) << line;
+            for (auto at = line.find(':') + 1; at < line.size(); at = line.find(';', at) + 1) {
+                auto shorter = line;
+                EXPECT_THROW(parse_light(shorter.erase(at, line.find(';', at) - at)), UsageError) << shorter;
+                if (line.find(';', at) == std::string::npos) break;
+            }
+        }
+    }
+    EXPECT_EQ(types.size(), 5u);
+    for (const auto* name : {"position", "target", "or direction", "direction", "color", "outer", "inner",
+                             "size", "intensity", "or flux", "irradiance", "radiance"})
+        EXPECT_EQ(told.count(name), 1u) << name;
 }
 
 TEST(Vectors, ParseWholeTextOnly) {
