@@ -120,7 +120,8 @@ void move_scene_lights(Experiment& result, const projects::Project& project, con
 }
 
 void set_lights(Experiment& result, const projects::Project& project, const std::string& id,
-                const std::filesystem::path& folder, bool lasts) {
+                const std::filesystem::path& folder, const std::optional<scene::Environment>& map,
+                bool lasts) {
     if (id == projects::scene_lights) return move_scene_lights(result, project, id, lasts);
     const auto* set = projects::find_item(project.lights, id);
     if (!set) throw Error("experiment uses lights '" + id + "', which the project does not have");
@@ -136,8 +137,9 @@ void set_lights(Experiment& result, const projects::Project& project, const std:
     if (environment.kind == Kind::constant) {
         result.environment = scene::Environment{glm::vec3(environment.constant), nullptr};
     } else if (environment.kind == Kind::map) {
-        const auto file = projects::resolve(environment.source, folder);
-        result.environment = scene::map_environment(std::make_shared<Image>(read_image(file)));
+        result.environment = map ? *map
+                                 : scene::map_environment(std::make_shared<Image>(
+                                       read_image(projects::resolve(environment.source, folder))));
     }
 }
 
@@ -158,7 +160,7 @@ scene::Light to_scene_light(const projects::LightSpec& spec, const std::string& 
 }
 
 Experiment from_project(const projects::Project& project, const projects::Experiment& chosen,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, const std::optional<scene::Environment>& map) {
     const auto experiment = projects::effective(chosen);
     const auto* scene = projects::find_item(project.scenes, experiment.scene);
     if (!scene)
@@ -183,7 +185,7 @@ Experiment from_project(const projects::Project& project, const projects::Experi
     // What adds up over frames is a picture of one moment, in which camera and lights stand still.
     const bool lasts = !method || !projects::accumulates(*method);
     set_camera(result, project, experiment.camera, lasts);
-    set_lights(result, project, experiment.lights, folder, lasts);
+    set_lights(result, project, experiment.lights, folder, map, lasts);
     auto recipe = projects::recipe_of(project, chosen, folder);
     recipe.experiments.front().values = result.settings;  // whatever defaults will be
     result.recipe = projects::to_json(recipe).dump();

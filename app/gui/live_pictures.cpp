@@ -21,6 +21,7 @@ namespace {
 engine::Experiment with_pose(engine::Experiment experiment, const widgets::CameraPose& pose) {
     experiment.camera = engine::camera_of(pose);
     experiment.camera_motion.reset();
+    experiment.recipe.clear();  // it tells of the camera before
     return experiment;
 }
 
@@ -220,12 +221,10 @@ std::optional<engine::Experiment> LivePictures::resolved(const projects::Experim
         if (const auto error = images_.error(file); !error.empty()) throw Error(error);
         return {};
     }
-    projects::Project without = document;  // the map is here already and not to be read again
-    projects::find_item(without.lights, lights->id)->environment.kind = Kind::scene;
-    auto wanted = engine::from_project(without, chosen, folder);
-    wanted.environment = scene::Environment{
-        glm::vec3(0), std::shared_ptr<const Image>(map, &map->front().image), images_.hash(file)};
-    return wanted;
+    return engine::from_project(
+        document, chosen, folder,
+        scene::Environment{glm::vec3(0), std::shared_ptr<const Image>(map, &map->front().image),
+                           images_.hash(file)});
 }
 
 void LivePictures::send(const std::string& id, Entry& entry, const engine::Experiment& experiment) {

@@ -5,6 +5,8 @@
 
 #include "app/engine/camera_pose.h"
 #include "app/gui/light_places.h"
+#include "projects/document_json.h"
+#include "renderers/image/exr.h"
 #include "renderers/scene/view.h"
 #include "tests/gui/window/window_fixture.h"
 #include "widgets/document/makers.h"
@@ -134,6 +136,33 @@ TEST_F(LightTest, OneStandsBeforeTheSurfaceUnderTheCursorAndShinesAtOnce) {
     window.action("redo")->trigger();
     ASSERT_TRUE(settle());
     EXPECT_EQ(set().lights.size(), 1u);
+}
+
+/// A picture is exported with the recipe that its request had.
+TEST_F(LightTest, RecipesHoldLightsAndEnvironment) {
+    open_scene();
+    const auto recipe = [this] {
+        return projects::read_project(renderer.requests.back().experiment.recipe, "recipe", fake_registry())
+            .project;
+    };
+    place("light-here");
+    ASSERT_EQ(recipe().lights.size(), 1u);
+    EXPECT_EQ(recipe().lights[0].id, set().id);
+    EXPECT_EQ(recipe().lights[0].lights, set().lights);
+    EXPECT_TRUE(recipe().lights[0].use_scene_lights);
+    EXPECT_EQ(recipe().experiments.at(0).lights, set().id);
+
+    const QTemporaryDir folder;
+    const auto map = folder.filePath("map.exr").toStdString();
+    write_exr(map, {{"", {"R", "G", "B"}, Image(4, 2, 3, 0.5f)}}, {});
+    window.session().edit(widgets::makers::set_environment_map(set().id, map));
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(renderer.requests.back().experiment.environment);
+    ASSERT_TRUE(renderer.requests.back().experiment.environment->map);
+    EXPECT_EQ(renderer.requests.back().experiment.environment->map->pixels, Image(4, 2, 3, 0.5f).pixels);
+    EXPECT_EQ(recipe().lights.at(0).environment.kind, projects::Environment::Kind::map);
+    EXPECT_EQ(recipe().lights[0].environment.source, map);
+    EXPECT_EQ(recipe().lights[0].lights, set().lights);
 }
 
 TEST_F(LightTest, ExperimentsThatAreComparedStayComparable) {
