@@ -174,9 +174,12 @@ void DifferenceWorker::clear() {
 }
 
 Display display_for_difference(DifferenceKind kind, const Image& difference) {
-    std::vector<float> magnitudes(difference.pixels.size());
-    std::transform(difference.pixels.begin(), difference.pixels.end(), magnitudes.begin(),
-                   [](float value) { return std::abs(value); });
+    // Of a pixel the channel of largest magnitude is shown.
+    std::vector<float> magnitudes(difference.pixels.size() / std::size_t(difference.channels), 0.0f);
+    for (std::size_t i = 0; i < difference.pixels.size(); ++i)
+        if (auto& largest = magnitudes[i / std::size_t(difference.channels)];
+            std::isfinite(difference.pixels[i]))
+            largest = std::max(largest, std::abs(difference.pixels[i]));
     const double m = shown_extent(std::move(magnitudes));
     Display display;
     display.mode = Display::Mode::scalar;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "renderers/passes/raytracing/ray_offset.h"
+
 namespace ir::passes {
 namespace {
 
@@ -199,12 +201,13 @@ std::uint32_t LightTree::after(std::uint32_t node) const {
 }
 
 bool LightTree::may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
-    constexpr float room = 1e-4f;  // more than eight offsets of rays (ray_offset.h) and rounding
+    // More than eight offsets of rays, as panes move them, and rounding.
+    constexpr float least = 8 * min_ray_offset_m, room = 1e-4f;
     for (std::uint32_t at = nodes_.empty() ? none : 0; at != none;) {
         const auto& node = nodes_[at];
         const auto offset = node.centre - origin_ws;
         const float reach =
-            std::sqrt(node.squared_radius) + room * (glm::length(offset) + glm::length(node.centre));
+            std::sqrt(node.squared_radius) + least + room * (glm::length(offset) + glm::length(node.centre));
         // where the ray comes closest to the centre
         const auto closest = offset - std::max(glm::dot(offset, direction_ws), 0.0f) * direction_ws;
         const bool is_met = glm::dot(closest, closest) <= reach * reach;

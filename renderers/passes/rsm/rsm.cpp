@@ -150,10 +150,13 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     rsm.resolution = options.resolution;
     rsm.views_drawn = static_cast<int>(options.views.size());
     rsm.layers = std::max(1, rsm.views_drawn);
+    const bool has_two_bodies = options.may_be_traced && rsm.resolution % 4 == 0;
+    const bool is_traced = has_two_bodies && builder.inputs().processor == Processor::host;
     const auto& world = builder.inputs().world_fingerprint;
     if (!world.empty())
         rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) +
-                          (options.opaque_only ? " opaque" : "") + (options.normal_maps ? " mapped" : "");
+                          (options.opaque_only ? " opaque" : "") + (options.normal_maps ? " mapped" : "") +
+                          (is_traced ? " traced" : "");
     const auto text = [&](const char* key) { return builder.text_of_output(key); };
     rsm.albedo_roughness = declare(builder, rsm, "rsm_albedo_roughness", text("rsm.albedo_roughness"),
                                    options.exact_albedo ? gl::Format::rgba16f : gl::Format::rgba8);
@@ -171,8 +174,7 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     views.fingerprint = rsm.fingerprint;
     rsm.views = builder.buffer(views);
 
-    const bool has_two_bodies = options.may_be_traced && !options.depth_prepass && rsm.resolution % 4 == 0;
-    if (has_two_bodies && builder.inputs().processor == Processor::host) {
+    if (is_traced) {  // rays shade nothing that is hidden: they need no prepass
         rsm_on_host(builder, rsm, options);
         return rsm;
     }

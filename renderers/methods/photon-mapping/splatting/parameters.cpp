@@ -18,8 +18,8 @@ void add_targets(ParameterTable<Parameters>& table) {
                  "take from the texels around them that are on theirs.",
              .citation = "Smal19 §6.2.1",
              .choices = {{"full", "Full", "A texel for each pixel."},
-                         {"half", "Half", "A texel for 2 × 2 pixels, as published."},
-                         {"quarter", "Quarter", "A texel for 4 × 4 pixels."}},
+                         {"half", "Half", "A texel for one of 2 × 2 pixels."},
+                         {"quarter", "Quarter", "A texel for one of 4 × 4 pixels."}},
              .on_change = OnChange::reallocate})
         .add(&Parameters::inside_test,
              {.key = "inside_test",

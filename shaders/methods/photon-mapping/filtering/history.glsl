@@ -19,8 +19,9 @@ struct History {
     Signal signal;
 };
 
-/// α of a mean over frames while there are few: with 1 the first frame would count as much as all that it is the
-/// history of, 20 % of the picture after 32 frames at a weight of 0.95.
+/// α of a mean over frames while there are few.
+/// DEVIATION [Smal19 §7.2]: there α is the same from the first frame on, which is then 20 % of the picture after 32
+/// frames at a weight of 0.95. Here the first n frames count 1/n each, unless `warm_up` is off.
 float warm_weight(float frames) { return warms_up ? min(temporal_weight, frames / (frames + 1.0)) : temporal_weight; }
 
 #ifdef PROGRESSIVE

@@ -49,6 +49,10 @@ TEST(DifferenceKinds, OutliersDoNotMakeTheRestPale) {
     EXPECT_FLOAT_EQ(float(display_for_difference(Kind::absolute, values).high), 0.5f);
     values.pixels.assign(300, 0);
     EXPECT_EQ(display_for_difference(Kind::absolute, values).high, 1);
+    // A hundredth of the pixels, not of the values: an error in one channel of 2 % of them is seen.
+    Image colours(100, 1, 3);
+    colours.pixels[0] = colours.pixels[30] = 0.5f;
+    EXPECT_FLOAT_EQ(float(display_for_difference(Kind::absolute, colours).high), 0.5f);
 }
 
 TEST(DifferenceKinds, SquaredAndPerceptualOnesAreComputed) {
