@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "renderers/core/resources_path.h"
@@ -24,6 +26,12 @@ struct TestDevice {
     std::unique_ptr<gl::Device> device = gl::make_gl_device(*context);
     gl::ProgramLibrary programs{*context, shader_directory()};
 };
+
+/// Whether a pass whose name begins so ran on the host's threads.
+inline bool ran_on_host(const FrameReport& report, std::string_view pass) {
+    return std::any_of(report.passes.begin(), report.passes.end(),
+                       [&](const auto& each) { return each.name.starts_with(pass) && each.queue == "cpu"; });
+}
 
 /// A graph of its own on that device; any error that OpenGL reports fails the test.
 class DeviceTest : public testing::Test {

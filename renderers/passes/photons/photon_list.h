@@ -27,6 +27,21 @@ struct PhotonRange {
 /// The photons of some parts.
 PhotonRange photons_of(const graph::PassContext& context, const PhotonList& photons, graph::Slice slice);
 
+/// Calls `add` for photons that are stored, `at_once` at a time, in a host pass of photon_parts. Slices take
+/// whole rounds: how many are added at once does not depend on what a slice takes.
+template <class Photon, class Add>
+void add_stored(graph::PassContext& context, const PhotonList& photons, graph::Slice slice,
+                std::int64_t at_once, Add add) {
+    const auto stored = std::int64_t{context.elements<const std::uint32_t>(photons.stored)[0]};
+    const auto records = context.elements<const Photon>(photons.records);
+    const auto rounds = (stored + at_once - 1) / at_once;
+    for (auto i = rounds * slice.begin / photon_parts; i < rounds * slice.end / photon_parts; ++i) {
+        context.cancel().check();
+        add(records.subspan(static_cast<std::size_t>(i * at_once),
+                            static_cast<std::size_t>(std::min(at_once, stored - i * at_once))));
+    }
+}
+
 /// Runs a compute program in use for each photon of the slice, as gl::dispatch_items.
 void dispatch_photons(const graph::PassContext& context, const gl::Program& program,
                       const PhotonList& photons, graph::Slice slice);

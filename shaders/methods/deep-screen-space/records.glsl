@@ -23,3 +23,5 @@ vec3 light_of_side(SurfelLight light, bool is_front) {
     return is_front ? vec3(light.front[0], light.front[1], light.front[2])
                     : vec3(light.back[0], light.back[1], light.back[2]);
 }
+
+bool is_dark(SurfelLight light) { return light_of_side(light, true) == vec3(0) && light_of_side(light, false) == vec3(0); }

@@ -15,9 +15,11 @@ uniform float sigma_depth, sigma_normal;
 
 /// Part of a depth below which differences do not count. The print's ε has no value; this one keeps the
 /// rounding of depths and the bulge of curved surfaces from stopping the filter.
+// C++: ir::passes::a_trous::depth_epsilon
 const float DEPTH_EPSILON = 1e-3;
 /// Part of its depth that a surface may gain within a pixel: edge-on the gradient has no bound, and would let
 /// everything in.
+// C++: ir::passes::a_trous::steepest
 const float STEEPEST = 0.5;
 
 bool is_surface(FilterSurface s) { return s.depth < NO_SURFACE; }

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "app/engine/pictures.h"
+#include "tests/device_fixture.h"
 #include "tests/image/methods/every_method.h"
 
 namespace ir::test {
@@ -134,7 +135,12 @@ Image cornell(const std::string& method, const Settings& more, int size, int fra
     engine::Execution execution(machine(), experiment);
     graph::FrameOptions options;
     options.wanted = {"radiance"};
-    for (int i = 0; i < frames; ++i) execution.run_frame(options);
+    for (int i = 0; i < frames; ++i) {
+        const auto report = execution.run_frame(options);
+        if (processor) {
+            EXPECT_EQ(ran_on_host(report, "splat"), *processor == Processor::host);
+        }
+    }
     machine().set_processor({});
     return main_result(execution);
 }

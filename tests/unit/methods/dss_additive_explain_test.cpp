@@ -75,5 +75,18 @@ TEST_F(AdditiveExplained, SurfelsGiveWhatThePixelHolds) {
         }
 }
 
+/// They are not drawn where nothing sends highlights.
+TEST_F(AdditiveExplained, DarkSurfelsAreNotListed) {
+    AdditiveRun run{.surfels = square_above(0.4f, 1, 24, glm::vec3(2))};
+    for (const auto& dark : square_above(0.6f, 1, 24, glm::vec3(0))) run.surfels.push_back(dark);
+    run.parameters.levels = 4;
+    run.parameters.glossy_senders = false;
+    run.parameters.transport.max_distance = 4;
+    run.parameters.transport.paths = Transport::Paths::indirect;
+    expect_explained(run);
+    for (const auto& share : elements<dss::AdditiveShare>("additive.explain.surfels"))
+        EXPECT_GT(amount(share), 0);
+}
+
 }  // namespace
 }  // namespace ir::test

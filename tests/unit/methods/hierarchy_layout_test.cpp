@@ -78,7 +78,8 @@ TEST_F(HierarchyTest, HostAndDeviceLayItOutAlike) {
     const Shot shot("builtin:corner", "view", 71, 33);
     std::vector<Image> device;
     for (const auto on : {Processor::gl, Processor::host}) {
-        shuffle(shot, levels, 5, on);
+        const auto report = shuffle(shot, levels, 5, on);
+        EXPECT_EQ(ran_on_host(report, "framebuffer layout"), on == Processor::host);
         for (int level = 0, i = 0; level < levels; ++level)
             for (const auto* key : {"hierarchy.layout", "hierarchy.places"}) {
                 const auto image = read(key, level);

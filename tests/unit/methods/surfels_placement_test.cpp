@@ -221,7 +221,7 @@ TEST_F(SurfelTest, HostAndDevicePlaceTheSameSystematically) {
             const auto device = surfels();
             const auto expected = counts();
             run.on = Processor::host;
-            make(shot, run);
+            EXPECT_TRUE(ran_on_host(make(shot, run), "place surfels"));
             const auto host = surfels();
             const auto found = counts();
             EXPECT_EQ(found.left, expected.left);

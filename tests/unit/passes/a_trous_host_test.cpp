@@ -33,7 +33,7 @@ class ATrousOnHost : public PassTest {
         std::vector<glm::vec2> directions;
         for (const auto& value : noise(4)) directions.emplace_back(value);
         graph().reset_history();
-        run(shot, [&](graph::GraphBuilder& builder) {
+        const auto report = run(shot, [&](graph::GraphBuilder& builder) {
             const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
             a_trous::Signal input =
                 a_trous::declare_signal(builder, {"input", "Input"}, !options.is_guided());
@@ -49,6 +49,7 @@ class ATrousOnHost : public PassTest {
             a_trous::smooth(builder, a_trous::pack_surfaces(builder, gbuffer), input, {"result", "Result"},
                             {"level", "Level"}, options);
         });
+        EXPECT_EQ(ran_on_host(report, options.name), processor == Processor::host);
         return read("result");
     }
 

@@ -22,7 +22,7 @@ class RsmOnHost : public PassTest {
         processor_ = processor;
         graph().reset_history();
         const auto views = passes::shadow_views(shot.world, rsm_size);
-        run(shot, [&](graph::GraphBuilder& builder) {
+        const auto report = run(shot, [&](graph::GraphBuilder& builder) {
             passes::draw_rsm(builder, passes::upload_scene(builder),
                              {.views = views,
                               .resolution = rsm_size,
@@ -30,6 +30,7 @@ class RsmOnHost : public PassTest {
                               .may_be_traced = true,
                               .exact_albedo = exact_albedo});
         });
+        EXPECT_EQ(ran_on_host(report, "RSM"), processor == Processor::host);
         std::vector<Layer> result;
         for (int i = 0; i < static_cast<int>(views.size()); ++i)
             result.push_back({read("rsm.albedo_roughness", i), read("rsm.normal_metalness", i),

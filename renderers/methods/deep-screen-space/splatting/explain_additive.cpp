@@ -25,8 +25,9 @@ struct ExplainAdditive {
 
 void search(const graph::PassContext& p, graph::Slice slice, const Additive& additive) {
     const auto& splats = additive.splats;
-    gl::ProgramSource source{{folder + "explain_additive.comp"},
-                             {{"KEPT", additive.is_light() ? "rgb" : "xxx"}}};
+    gl::ProgramSource source{
+        {folder + "explain_additive.comp"},
+        {{"KEPT", additive.is_light() ? "rgb" : "xxx"}, {"DARK_IS_IDLE", splats.dark_is_idle() ? "1" : "0"}}};
     const auto& program = p.use(with_share(std::move(source), additive));
     program.set(
         ExplainAdditive{.influence = influence_constants(splats),

@@ -11,7 +11,8 @@ bool is_perspective(const scene::View& view) {
     return view.clip_from_view[3][3] == 0;
 }
 
-/// Frames before this one that saw the same; less only where something moved since the history began.
+/// Frames before this one that saw the same. A motion of the document that has ended counts as standing, so
+/// that radii go on from there while the history begins anew.
 int frames_standing(const graph::FrameInputs& inputs) {
     return passes::stands_still(inputs, passes::Watched::surfaces_and_lights) ? inputs.frame : 0;
 }

@@ -34,9 +34,13 @@ class HostStep {
                   .sigma_value = options_.sigma_value,
                   .bounds_dark_details = options_.bounds_dark_details,
                   .stride = 1 << step_.index};
-        planes_.resize(view.width, view.height, 2 * rules_.stride);
+        planes_.resize(view.width, view.height, 2 * rules_.stride,
+                       step_.from.direction ? FilterPlanes::channels : 4);
         arena_.execute([&] { tbb::parallel_for(0, view.height, [&](int y) { fill_row(p, y); }); });
     }
+
+    /// Until the next frame other steps need the memory.
+    void end() { planes_ = {}; }
 
     void run(const graph::PassContext& p, int first_row, int end_row) {
         arena_.execute([&] {
@@ -122,12 +126,12 @@ class HostStep {
 
 }  // namespace
 
-void FilterPlanes::resize(int w, int h, int reach) {
+void FilterPlanes::resize(int w, int h, int reach, int used) {
     width = w, height = h, pad = reach, row = w + 2 * reach + vector;
     const auto count = static_cast<std::size_t>(row) * static_cast<std::size_t>(h);
     depth.assign(count, nothing);
     for (auto& axis : normal) axis.assign(count, 0.0f);
-    for (auto& channel : value) channel.assign(count, 0.0f);
+    for (int i = 0; i < used; ++i) value[i].assign(count, 0.0f);
 }
 
 FilteredRow::FilteredRow(int width) {
@@ -161,6 +165,7 @@ void filter_on_host(graph::GraphBuilder& builder, const Step& step, const Option
             if (slice.first) host->begin(p);
             host->run(p, static_cast<int>(slice.begin) * rows_at_once,
                       std::min(static_cast<int>(slice.end) * rows_at_once, height));
+            if (slice.last) host->end();
         },
         std::max(1, blocks / 8));
 }

@@ -16,7 +16,8 @@ struct FilterPlanes {
     std::vector<float> normal[3], depth;  ///< depth: infinite where nothing is
     std::vector<float> value[channels];
 
-    void resize(int w, int h, int reach);
+    /// `used`: of the channels.
+    void resize(int w, int h, int reach, int used);
     std::size_t place(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(row) +
                static_cast<std::size_t>(pad + x);

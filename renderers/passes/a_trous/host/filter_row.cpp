@@ -3,6 +3,7 @@
 // §4.3]
 #include "renderers/passes/a_trous/host/filter_planes.h"
 #include "renderers/passes/vectors/targets.h"
+#include "shaders/passes/a_trous/surface.glsl.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/passes/a_trous/host/filter_row.cpp"
@@ -56,7 +57,6 @@ HWY_INLINE Surfaces surfaces_at(const FilterPlanes& planes, const FilterRules& r
     const auto y_part = hn::MulAdd(s.depth, dot(s.normal, rays.direction_dy), dot(s.normal, rays.origin_dy));
     s.gradient_x = hn::Div(x_part, facing);
     s.gradient_y = hn::Div(y_part, facing);
-    constexpr float steepest = 0.5f;
     const auto size = hn::Sqrt(hn::MulAdd(s.gradient_x, s.gradient_x, hn::Mul(s.gradient_y, s.gradient_y)));
     const auto scale = hn::Mul(set(static_cast<float>(rules.stride)),
                                hn::Min(set(1), hn::Div(hn::Mul(set(steepest), s.depth), size)));
@@ -72,7 +72,6 @@ HWY_INLINE Floats log_weight(const FilterPlanes& planes, const FilterRules& rule
     const auto cosine = dot(p.normal, normal_at(planes, at));
     const auto expected = hn::Abs(hn::MulAdd(p.gradient_x, set(static_cast<float>(offset.x)),
                                              hn::Mul(p.gradient_y, set(static_cast<float>(offset.y)))));
-    constexpr float depth_epsilon = 1e-3f;
     const auto tolerance =
         hn::MulAdd(set(rules.edges.sigma_depth), expected, hn::Mul(set(depth_epsilon), p.depth));
     const auto depths = hn::Div(hn::Abs(hn::Sub(depth, p.depth)), tolerance);

@@ -23,8 +23,7 @@ struct DrawnSplat {
 // depends on the radiance that is sent, which here only counts as none or some, as ε would else depend on exposure.
 bool is_idle(uint surfel) {
 #if DARK_IS_IDLE
-    SurfelLight light = surfel_lights[surfel];
-    return light_of_side(light, true) == vec3(0) && light_of_side(light, false) == vec3(0);
+    return is_dark(surfel_lights[surfel]);
 #else
     return false;
 #endif

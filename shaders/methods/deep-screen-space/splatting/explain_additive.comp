@@ -1,4 +1,5 @@
 // All surfels that add to one pixel, found over all surfels. KEPT: components of the framebuffer.
+// DARK_IS_IDLE: as in drawn_splat.glsl.
 layout(local_size_x = 64) in;
 
 #include "lib/constants.glsl"  // first: a file is included once, and the receiver needs it with LIGHT alone
@@ -47,6 +48,9 @@ void main() {
     uint i = first_item + gl_GlobalInvocationID.x;
     if (i == 0u) begin_levels();
     if (i >= min(end_item, stored) || of_levels.length() < levels) return;
+#if DARK_IS_IDLE
+    if (is_dark(surfel_lights[i])) return;  // was not drawn
+#endif
     Surfel s = surfels[i];
     for (int level = 0; level < levels; ++level) {
         if (!is_in_range(splat_range(s, level), picked, level) || !is_in_sub_image(s, level, 0, place_of(picked, level)))

@@ -43,7 +43,12 @@ float kernel_radius(Photon photon) {
 }
 
 #ifdef EDGE_PROBES
+/// Places of a kernel that are looked at.
+// C++: ir::methods::photon_mapping::probe_count
 const int PROBES = 8;
+/// Between them, radians.
+// C++: ir::methods::photon_mapping::golden_angle
+const float GOLDEN_ANGLE = 2.3999632;
 
 /// Whether the kernel meets something at a place of its plane, as far as the picture tells: not where what is seen
 /// there lies behind it, nor where a surface before it cuts it. What is farther before it may hide a surface.
@@ -61,7 +66,7 @@ bool finds_surface(Kernel k, vec3 place_ws, float half_thickness) {
 float covered_part(Kernel k) {
     int found = 0;
     for (int i = 0; i < PROBES; ++i) {
-        float squared = (float(i) + 0.5) / float(PROBES), angle = 2.3999632 * float(i);  // golden
+        float squared = (float(i) + 0.5) / float(PROBES), angle = GOLDEN_ANGLE * float(i);
         vec2 place = sqrt(squared) * vec2(cos(angle), sin(angle)) * k.axes.xy;
         vec3 place_ws = k.centre_ws + place.x * k.u_ws + place.y * k.t_ws;
         found += int(finds_surface(k, place_ws, sqrt(1.0 - squared) * k.axes.z));

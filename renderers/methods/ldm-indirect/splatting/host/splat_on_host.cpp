@@ -8,6 +8,7 @@
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/splatting/host/add_kernels.h"
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
+#include "renderers/passes/photons/photon_list.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -101,17 +102,8 @@ void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         .counts(counters.broken)
         .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             if (slice.first) splat->begin(p, task, gbuffer);
-            const auto stored = std::int64_t{p.elements<const std::uint32_t>(task.photons.stored)[0]};
-            const auto photons = p.elements<const Photon>(task.photons.records);
-            // Slices in whole rounds: how much is added at once does not depend on what a slice takes.
-            constexpr auto round = static_cast<std::int64_t>(KernelRound::kernels);
-            const auto rounds = (stored + round - 1) / round;
-            for (auto i = rounds * slice.begin / passes::photon_parts;
-                 i < rounds * slice.end / passes::photon_parts; ++i) {
-                p.cancel().check();
-                splat->add(photons.subspan(static_cast<std::size_t>(i * round),
-                                           static_cast<std::size_t>(std::min(round, stored - i * round))));
-            }
+            passes::add_stored<Photon>(p, task.photons, slice, KernelRound::kernels,
+                                       [&](auto photons) { splat->add(photons); });
             if (!slice.last) return;
             splat->write(p.pixels<glm::vec4>(task.irradiance));
             p.add(counters.axes_short, splat->mended().axes_short);

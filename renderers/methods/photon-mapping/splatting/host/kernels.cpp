@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/methods/photon-mapping/unpacked.h"
 #include "renderers/scene/frame.h"
+#include "shaders/methods/photon-mapping/splatting/photon_kernel.glsl.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 /// The order of arguments makes 0 of what is no number.
 int clamped(float value, int end) {
@@ -113,19 +112,18 @@ bool KernelMaker::finds_surface(const HostKernel& kernel, glm::vec3 n, glm::vec3
 }
 
 float KernelMaker::covered_part(const HostKernel& kernel, const glm::mat3& half_axes, glm::vec3 n) const {
-    constexpr int probes = 8;
     const glm::vec3 sizes(glm::length(half_axes[0]), glm::length(half_axes[1]), glm::length(half_axes[2]));
     const float longest = std::max({sizes.x, sizes.y, sizes.z});
     int found = 0;
-    for (int i = 0; i < probes; ++i) {
-        const float squared = (static_cast<float>(i) + 0.5f) / probes,
-                    angle = 2.3999632f * static_cast<float>(i);
+    for (int i = 0; i < probe_count; ++i) {
+        const float squared = (static_cast<float>(i) + 0.5f) / probe_count,
+                    angle = golden_angle * static_cast<float>(i);
         const auto place =
             std::sqrt(squared) * (std::cos(angle) * half_axes[0] + std::sin(angle) * half_axes[1]);
         found +=
             finds_surface(kernel, n, kernel.centre_ws + place, std::sqrt(1 - squared) * sizes.z, longest);
     }
-    return static_cast<float>(std::max(found, 1)) / probes;
+    return static_cast<float>(std::max(found, 1)) / probe_count;
 }
 
 std::optional<HostKernel> KernelMaker::make(const Photon& photon, TexelBox& box) const {
