@@ -18,10 +18,14 @@ class FinderTest : public WindowTest {
             if (each->isVisible()) return each;
         return nullptr;
     }
-    /// By its key, then the words.
+    /// By its key, then the words. The key is pressed until the window has the keyboard: the X server may
+    /// tell late that the last box took it along.
     void find(const char* words) {
-        QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
-        ASSERT_TRUE(box());
+        ASSERT_TRUE(QTest::qWaitFor([this] {
+            window.activateWindow();
+            QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
+            return box() != nullptr;
+        }));
         ASSERT_TRUE(QTest::qWaitForWindowExposed(box()));
         QTest::keyClicks(box()->findChild<QLineEdit*>(), words);
     }
@@ -40,9 +44,8 @@ class FinderTest : public WindowTest {
         EXPECT_FALSE(box());
         give_back();
     }
-    /// What a window manager does when a dialog goes.
     void give_back() {
-        QApplication::setActiveWindow(&window);
+        ASSERT_TRUE(activate(window));
         ASSERT_TRUE(settle());
     }
 };

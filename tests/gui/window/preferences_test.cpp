@@ -31,7 +31,7 @@ class PreferencesWindowTest : public testing::Test {
             MainWindow::Options{.remember = true, .surface = painted, .machine = flags});
         window->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-        QApplication::setActiveWindow(window.get());
+        ASSERT_TRUE(activate(*window));
     }
     void close() {
         if (window && window->session().has_project()) window->session().files().close();

@@ -13,13 +13,26 @@
 
 namespace ir::gui {
 
+/// Gives `window` the keyboard, as a window manager does; a bare X server has none. Waits until the server
+/// has said so: a dialog that goes takes the keyboard with it, one that comes asks for it, and both may be
+/// heard later.
+inline bool activate(QWidget& window) {
+    return QTest::qWaitFor([&] {
+        if (QGuiApplication::focusWindow() == window.windowHandle() &&
+            QApplication::activeWindow() == &window)
+            return true;
+        window.activateWindow();
+        return false;
+    });
+}
+
 /// A real window on a renderer that answers at once with what it was asked for.
 class WindowTest : public testing::Test {
   protected:
     void SetUp() override {
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-        QApplication::setActiveWindow(&window);  // a bare X server has no window manager to do it
+        ASSERT_TRUE(activate(window));
     }
     void TearDown() override {
         // The window would ask whether to save.
