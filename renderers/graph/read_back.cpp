@@ -1,32 +1,35 @@
 #include <algorithm>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
+#include <span>
 
+#include "renderers/core/half_float.h"
 #include "renderers/graph/cache.h"
 
 namespace ir::graph {
 
 namespace {
 
-float component(const std::byte* from, const gl::FormatInfo& format) {
+/// Numbers of type T from `raw`, each as `as_float` says.
+template <class T, class AsFloat>
+void convert(const std::byte* raw, std::span<float> to, AsFloat as_float) {
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        T number;
+        std::memcpy(&number, raw + i * sizeof number, sizeof number);
+        to[i] = as_float(number);
+    }
+}
+
+/// Components of texels, one after the other.
+void to_floats(const std::byte* raw, const gl::FormatInfo& format, std::span<float> to) {
     switch (format.type) {
         case GL_UNSIGNED_BYTE:
-            return static_cast<float>(std::to_integer<int>(*from)) / 255.0f;
-        case GL_HALF_FLOAT: {
-            std::uint16_t half;
-            std::memcpy(&half, from, sizeof half);
-            return glm::unpackHalf1x16(half);
-        }
-        case GL_UNSIGNED_INT: {
-            std::uint32_t number;
-            std::memcpy(&number, from, sizeof number);
-            return static_cast<float>(number);
-        }
-        default: {
-            float number;
-            std::memcpy(&number, from, sizeof number);
-            return number;
-        }
+            return convert<std::uint8_t>(raw, to, [](auto number) { return float(number) / 255.0f; });
+        case GL_HALF_FLOAT:
+            return convert<std::uint16_t>(raw, to, float_from_half);
+        case GL_UNSIGNED_INT:
+            return convert<std::uint32_t>(raw, to, [](auto number) { return float(number); });
+        default:
+            std::memcpy(to.data(), raw, to.size_bytes());
     }
 }
 
@@ -48,9 +51,7 @@ std::optional<Image> Graph::read_image(const std::string& key, int level, int la
     else
         cache_->device.read_image(cache_->pool.on_device(*physical, copy), shape, level, layer, raw);
     Image image(width, height, format.channels);
-    const auto step = static_cast<std::size_t>(format.bytes / format.channels);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = component(raw.data() + i * step, format);
+    to_floats(raw.data(), format, image.pixels);
     return image;
 }
 
@@ -71,8 +72,7 @@ std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int 
         cache_->device.read_texel(copy.name, shape, 0, layer, x, y, raw);
     }
     std::vector<float> values(static_cast<std::size_t>(format.channels));
-    for (std::size_t c = 0; c < values.size(); ++c)
-        values[c] = component(raw.data() + c * raw.size() / values.size(), format);
+    to_floats(raw.data(), format, values);
     return values;
 }
 

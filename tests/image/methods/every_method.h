@@ -125,6 +125,7 @@ struct Shot {
     int frames = 1;
     Inspection inspection = {};
     glm::ivec2 size{48, 32};
+    bool all_outputs = true;  ///< or the main result alone
 };
 
 /// A method on one scene. Settings are changed one after another, as in a window: what a change leaves valid
@@ -144,14 +145,14 @@ class Studio {
         execution_.restart();
         execution_.inspect(shot_.inspection);
         graph::FrameOptions options;
-        options.wanted = {"*"};
+        if (shot_.all_outputs) options.wanted = {"*"};
         Frame frame;
         for (int i = 0; i < frames; ++i) frame.report = execution_.run_frame(options);
         const auto& graph = execution_.graph();
         frame.main = main_result(execution_);
         frame.valid = graph.read_image("valid").value_or(Image());
         for (const auto& resource : frame.report.resources) {
-            if (!resource.is_output) continue;
+            if (!resource.is_output || !shot_.all_outputs) continue;
             if (auto texels = read_texels(resource); !texels.empty())
                 frame.images[resource.key] = std::move(texels);
             if (auto bytes = graph.read_buffer(resource.key)) {
