@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "app/engine/benchmark_cells.h"
@@ -28,10 +29,14 @@ using Column = graph::BenchmarkColumn;
 /// Errors of the reference are measured at 1, 4, 16, … samples.
 constexpr std::uint64_t sample_growth = 4;
 
+/// How many times the reference's samples the long one has.
+constexpr int truth_frames = 8;
+/// Once the warm runs of a row took as long, there are no more of it.
+constexpr double enough_ms = 10'000;
+
 /// One transport, the reference's values for it, and the methods that compute it at their defaults.
 struct Question {
     Settings values;
-    int truth_frames = 1;  ///< of the long reference
     std::vector<const MethodDescription*> methods;
 };
 
@@ -48,12 +53,13 @@ enum ColumnIndex { time, flat_rmse, flat_flip, flat_ratio, rmse, flip, mean_rati
 std::vector<Column> columns(bool is_light) {
     const std::string flip_name = is_light ? "HDR-ꟻLIP" : "ꟻLIP";
     const std::string on_flat = ", on pixels away from geometric edges.";
+    const std::string without_noise = "From the long reference, whose own noise is taken off";
     const auto none = Column::Best::none;
     return {own_column("Time", "ms", "One frame with everything built anew; median of the warm runs."),
-            own_column("RMSE flat", "", "From the long reference" + on_flat),
+            own_column("RMSE flat", "", without_noise + on_flat),
             own_column(flip_name + " flat", "", "From the long reference" + on_flat),
             own_column("Mean flat", "", "Mean over the long reference's" + on_flat, none),
-            own_column("RMSE", "", "From the long reference."),
+            own_column("RMSE", "", without_noise + "."),
             own_column(flip_name, "", "From the long reference."),
             own_column("Mean", "", "Mean over the long reference's.", none),
             own_column("Reference flat", "ms", "Time of the reference to the same RMSE" + on_flat, none),
@@ -87,7 +93,7 @@ std::vector<Question> questions(const std::vector<std::string>& ids) {
         if (semantic_of(*method, {}) != semantic_of(reference_method(), truth.values)) continue;
         auto same = std::find_if(found.begin(), found.end(),
                                  [&](const auto& question) { return question.values == truth.values; });
-        if (same == found.end()) same = found.insert(same, {truth.values, truth.frames, {}});
+        if (same == found.end()) same = found.insert(same, {truth.values, {}});
         same->methods.push_back(method);
     }
     if (found.empty()) throw UsageError("the reference can judge none of these methods");
@@ -157,7 +163,7 @@ class QuestionRun {
     void render_truth() {
         at("long reference", 0, 0);
         auto run = experiment(reference_method(), question_.values);
-        run.frames = question_.truth_frames;
+        run.frames = truth_frames;
         run.seed = place_.seed + 1;  // noise that it shares with no picture
         Execution execution(machine_, run);
         auto options = options_;
@@ -214,7 +220,8 @@ class QuestionRun {
         std::map<std::uint64_t, std::vector<double>> times;
         BenchmarkRow row;
         row.label = method.id + ", " + std::to_string(samples) + " samples";
-        for (int i = 0; i <= repeats_; ++i) {
+        double warm_ms = 0;
+        for (int i = 0; i <= repeats_ && warm_ms < enough_ms; ++i) {
             at(method.id, i, repeats_);
             execution.restart();
             double ms = 0;
@@ -231,6 +238,7 @@ class QuestionRun {
                 row.memory_bytes = frame.memory_bytes;
                 if (i == 1) add_point(execution);
             }
+            if (i > 0) warm_ms += ms;
         }
         for (auto* region : {&flat_, &all_})
             for (auto& point : region->convergence) point.ms = median(times.at(point.samples));
@@ -269,16 +277,19 @@ class QuestionRun {
     void measure(const MethodDescription& method, BenchmarkRow row) {
         Execution execution(machine_, experiment(method, {}));
         std::vector<double> times;
-        for (int i = 0; i <= repeats_; ++i) {
+        double warm_ms = 0;
+        for (int i = 0; i <= repeats_ && warm_ms < enough_ms; ++i) {
             at(method.id, i, repeats_);
             execution.restart();
             auto options = options_;
             options.rebuild = true;
             const auto frame = execution.run_frame(options);
-            if (i > 0)
+            if (i > 0) {
                 times.push_back(frame.wall_ms);
-            else
+                warm_ms += frame.wall_ms;
+            } else {
                 row.cold_wall_ms = frame.wall_ms;
+            }
             row.memory_bytes = frame.memory_bytes;
         }
         row.warm_ms = median(times);
@@ -299,10 +310,10 @@ class QuestionRun {
                 const std::array<ColumnIndex, 4>& columns) const {
         const std::string flip_metric = is_light() ? "hdr-flip" : "flip";
         const auto measured = judge(picture, region, {"rmse", flip_metric, "mean", "reference-mean"});
-        const double error = measured.at("rmse");
-        const double numbers[]{
-            error, measured.at(flip_metric), measured.at("mean") / measured.at("reference-mean"),
-            std::isnan(error) ? error : ms_to_error(region.convergence, squared_error(error, region))};
+        const double squared = squared_error(measured.at("rmse"), region);
+        const double numbers[]{std::isnan(squared) ? squared : std::sqrt(std::max(squared, 0.0)),
+                               measured.at(flip_metric), measured.at("mean") / measured.at("reference-mean"),
+                               std::isnan(squared) ? squared : ms_to_error(region.convergence, squared)};
         for (std::size_t i = 0; i < columns.size(); ++i)
             if (!std::isnan(numbers[i])) row.cells[columns[i]] = numbers[i];
         return numbers[3];
@@ -320,6 +331,46 @@ class QuestionRun {
     Region flat_, all_;
 };
 
+/// What each row of a table is of the whole work, roughly, in pictures of ambient occlusion by the reference.
+std::vector<double> work_of(const Question& question) {
+    const bool is_light = semantic_of(reference_method(), question.values) != Semantic::accessibility;
+    const double picture = is_light ? 20 : 1;
+    std::vector<double> work{truth_frames * picture, 2 * picture};
+    work.resize(work.size() + question.methods.size(), 10);
+    return work;
+}
+
+/// Tells what is done of all rows.
+class Teller {
+  public:
+    Teller(const std::vector<Question>& questions, const BenchmarkCallbacks& callbacks)
+        : callbacks_(callbacks) {
+        for (const auto& question : questions)
+            for (const double work : work_of(question)) work_.push_back(work);
+        progress_.rows = work_.size();
+    }
+
+    void tell(const std::string& label, int repeat, int repeats, const std::string& what, double fraction) {
+        if (has_begun_ && label != progress_.label) ++progress_.row;
+        has_begun_ = true;
+        progress_.label = label;
+        progress_.repeat = repeat;
+        progress_.repeats = repeats;
+        progress_.what = what;
+        const auto row = work_.begin() + static_cast<std::ptrdiff_t>(progress_.row);
+        const double part = (repeat + std::clamp(fraction, 0.0, 1.0)) / (repeats + 1);
+        progress_.fraction = (std::accumulate(work_.begin(), row, 0.0) + part * *row) /
+                             std::accumulate(work_.begin(), work_.end(), 0.0);
+        if (callbacks_.progress) callbacks_.progress(progress_);
+    }
+
+  private:
+    const BenchmarkCallbacks& callbacks_;
+    std::vector<double> work_;
+    BenchmarkProgress progress_;
+    bool has_begun_ = false;
+};
+
 }  // namespace
 
 std::vector<BenchmarkReport> run_defaults_benchmark(Machine& machine, const BenchmarkOptions& options,
@@ -327,22 +378,8 @@ std::vector<BenchmarkReport> run_defaults_benchmark(Machine& machine, const Benc
     const auto asked = questions(options.variants);
     const auto place = place_of(options, {400, 300});
     machine.scenes().load(place.composition());
-    BenchmarkProgress progress;
-    for (const auto& question : asked) progress.rows += question.methods.size() + 2;
-    bool has_begun = false;
-    const auto tell = [&](const std::string& label, int repeat, int repeats, const std::string& what,
-                          double fraction) {
-        if (has_begun && label != progress.label) ++progress.row;
-        has_begun = true;
-        progress.label = label;
-        progress.repeat = repeat;
-        progress.repeats = repeats;
-        progress.what = what;
-        progress.fraction =
-            (double(progress.row) + (repeat + std::clamp(fraction, 0.0, 1.0)) / (repeats + 1)) /
-            double(progress.rows);
-        if (callbacks.progress) callbacks.progress(progress);
-    };
+    Teller teller(asked, callbacks);
+    const auto tell = [&](const auto&... what) { teller.tell(what...); };
     const auto& device = machine.context().info();
     std::vector<BenchmarkReport> reports;
     for (const auto& question : asked) {

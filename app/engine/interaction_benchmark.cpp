@@ -23,6 +23,10 @@ using Column = graph::BenchmarkColumn;
 constexpr auto hand_lasts = 3s;
 constexpr auto hand_moves_every = 16ms;
 constexpr double hand_turns_degrees = 0.25;
+/// Of a row's time, as far as progress tells it, the pictures until the first full one take this part: a
+/// preview, two drafts and itself.
+constexpr double first_part = 0.8;
+constexpr std::size_t first_pictures = 4;
 /// A full picture that takes longer is not waited for.
 constexpr auto longest_wait = 300s;
 
@@ -55,18 +59,26 @@ double ms_from(Clock::time_point from, Clock::time_point to) {
 /// A render thread and what it answered.
 class Hand {
   public:
-    explicit Hand(const MachineOptions& options, const CancelToken* cancel) : cancel_(cancel) {
+    /// Called with what is done and the fraction of a row, from the thread that waits.
+    using Tell = std::function<void(const std::string& what, double fraction)>;
+
+    Hand(const MachineOptions& options, const CancelToken* cancel, Tell tell)
+        : cancel_(cancel), tell_(std::move(tell)) {
         RenderThread::Callbacks c;
         c.on_ready = [this](const gl::DeviceInfo& info) { note([&] { device_ = info; }); };
         c.on_no_device = [this](const std::string& error) { note([&] { failure_ = error; }); };
         c.on_failure = [this](const std::string&, const std::string& error, bool) {
             note([&] { failure_ = error; });
         };
+        c.on_progress = [this](const std::string&, const std::string& what, double fraction) {
+            note([&] { what_ = what, fraction_ = fraction; });
+        };
         c.on_scene = [this](const SceneSummary&) { note([&] { is_loaded_ = true; }); };
         c.on_result = [this](LiveResult result) {
             note([&] {
                 seen_.push_back({result.serial, result.fineness, result.finished, Clock::now()});
                 camera_ = result.camera;
+                if (seen_.size() < first_pictures) fraction_ = 0;
             });
         };
         thread_ = std::make_unique<RenderThread>(options, std::move(c));
@@ -127,17 +139,21 @@ class Hand {
             if (cancel_) cancel_->check();
             if (Clock::now() > end) return false;
             changed_.wait_for(lock, 100ms);
+            const auto pictures = std::min(seen_.size(), first_pictures - 1);
+            tell_(what_, first_part * (static_cast<double>(pictures) + fraction_) / first_pictures);
         }
         return true;
     }
 
     const CancelToken* cancel_;
+    const Tell tell_;
     std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<Seen> seen_;
     scene::Camera camera_;
     std::optional<gl::DeviceInfo> device_;
-    std::string failure_;
+    std::string failure_, what_;
+    double fraction_ = 0;
     bool is_loaded_ = false;
     int pictures_ = 0;
     std::unique_ptr<RenderThread> thread_;  // last member: starts when the rest exists
@@ -165,7 +181,7 @@ void measure_first(Hand& hand, const Experiment& experiment, BenchmarkRow& row) 
     if (!is_full) row.problem = "the full picture took too long";
 }
 
-void measure_drag(Hand& hand, Experiment experiment, BenchmarkRow& row) {
+void measure_drag(Hand& hand, Experiment experiment, const Hand::Tell& tell, BenchmarkRow& row) {
     const auto camera = hand.camera();
     const auto before = hand.seen().size();
     const auto start = Clock::now();
@@ -173,6 +189,7 @@ void measure_drag(Hand& hand, Experiment experiment, BenchmarkRow& row) {
         experiment.camera_name.clear();
         experiment.camera = turned(camera, hand_turns_degrees * i);
         hand.ask(experiment);
+        tell("dragging", first_part + (1 - first_part) * ((Clock::now() - start) / (1.0 * hand_lasts)));
         std::this_thread::sleep_until(start + i * hand_moves_every);
     }
     const auto end = Clock::now();
@@ -218,9 +235,13 @@ BenchmarkReport run_interaction_benchmark(const MachineOptions& machine, const B
     progress.rows = methods.size();
     for (const auto* method : methods) {
         progress.label = method->id;
-        progress.fraction = double(progress.row) / double(progress.rows);
-        if (callbacks.progress) callbacks.progress(progress);
-        Hand hand(machine, callbacks.cancel);
+        const auto tell = [&](const std::string& what, double fraction) {
+            progress.what = what;
+            progress.fraction = (double(progress.row) + fraction) / double(progress.rows);
+            if (callbacks.progress) callbacks.progress(progress);
+        };
+        tell({}, 0);
+        Hand hand(machine, callbacks.cancel, tell);
         const auto device = hand.device();
         report.device = device.renderer;
         report.software = device.software;
@@ -232,7 +253,7 @@ BenchmarkReport run_interaction_benchmark(const MachineOptions& machine, const B
         row.cells.resize(interaction_columns);
         try {
             measure_first(hand, place, row);
-            measure_drag(hand, place, row);
+            measure_drag(hand, place, tell, row);
         } catch (const Cancelled&) {
             throw;
         } catch (const Error& error) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderers/methods/ssdo/host/gather_on_host.h"
+
 namespace ir::methods::ssdo {
 namespace {
 
@@ -10,14 +12,6 @@ constexpr int samples_per_dispatch = 16;
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format) {
     return builder.output(key, {.format = format});
-}
-
-passes::bounce::Receivers receivers_of(const Inputs& inputs) {
-    passes::bounce::DirectionOptions options;
-    options.parameters.min_roughness = 0;
-    options.light = true;
-    options.materials = inputs.parameters.transport.materials;
-    return {inputs.scene, inputs.gbuffer, options};
 }
 
 /// Constants of sky.comp and senders.comp.
@@ -31,6 +25,7 @@ struct Gather {
 void add_samples(graph::PassBuilder& pass, const std::string& shader, const Inputs& inputs,
                  graph::ImageRef senders, const std::vector<std::pair<const char*, graph::ImageRef>>& sums) {
     declare_reads(pass, inputs, senders);
+    pass.has_two_bodies();
     for (const auto& [name, image] : sums) pass.writes(name, image);
     const int all = inputs.parameters.samples;
     pass.execute_sliced(
@@ -64,6 +59,10 @@ Sky gather_sky(graph::GraphBuilder& builder, const Inputs& inputs) {
     const Sky sky{declare(builder, "ssdo.sky.raw", gl::Format::rgba32f),
                   declare(builder, "ssdo.accessibility", gl::Format::r32f),
                   declare(builder, "ssdo.cut", gl::Format::r32f)};
+    if (builder.inputs().processor == Processor::host) {
+        gather_sky_on_host(builder, inputs, sky);
+        return sky;
+    }
     auto pass = builder.pass("directional occlusion");
     add_samples(pass, "methods/ssdo/sky.comp", inputs, {},
                 {{"sky", sky.raw}, {"accessibility", sky.accessibility}, {"cut", sky.cut}});
@@ -72,6 +71,10 @@ Sky gather_sky(graph::GraphBuilder& builder, const Inputs& inputs) {
 
 graph::ImageRef gather_indirect(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef senders) {
     const auto raw = declare(builder, "ssdo.indirect.raw", gl::Format::rgba32f);
+    if (builder.inputs().processor == Processor::host) {
+        gather_indirect_on_host(builder, inputs, senders, raw);
+        return raw;
+    }
     auto pass = builder.pass("indirect light");
     add_samples(pass, "methods/ssdo/senders.comp", inputs, senders, {{"indirect", raw}});
     return raw;
@@ -101,6 +104,14 @@ std::vector<OutputDescription> gathered_outputs() {
          .doc =
              "Fraction of the samples that ended outside of the picture: nothing there occludes or sends."},
     };
+}
+
+passes::bounce::Receivers receivers_of(const Inputs& inputs) {
+    passes::bounce::DirectionOptions options;
+    options.parameters.min_roughness = 0;
+    options.light = true;
+    options.materials = inputs.parameters.transport.materials;
+    return {inputs.scene, inputs.gbuffer, options};
 }
 
 void declare_reads(graph::PassBuilder& pass, const Inputs& inputs, graph::ImageRef senders) {

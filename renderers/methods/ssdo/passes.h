@@ -61,6 +61,9 @@ graph::ImageRef gather_indirect(graph::GraphBuilder& builder, const Inputs& inpu
 
 std::vector<OutputDescription> gathered_outputs();
 
+/// What the pixels' surfaces are to samples.
+passes::bounce::Receivers receivers_of(const Inputs& inputs);
+
 /// For passes that include shaders/methods/ssdo/samples.glsl: `senders` has no index where none are read.
 void declare_reads(graph::PassBuilder& pass, const Inputs& inputs, graph::ImageRef senders);
 gl::ProgramSource with_samples(const std::string& shader, const Inputs& inputs);

@@ -12,6 +12,29 @@ inline std::uint32_t pcg(std::uint32_t v) {
     return (word >> 22u) ^ word;
 }
 
+inline glm::uvec2 pcg2d(glm::uvec2 v) {
+    v = v * 1664525u + 1013904223u;
+    for (int round = 0; round < 2; ++round) {
+        v.x += v.y * 1664525u;
+        v.y += v.x * 1664525u;
+        v ^= v >> 16u;
+    }
+    return v;
+}
+
+inline glm::uvec3 pcg3d(glm::uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    const auto mix = [&] {
+        v.x += v.y * v.z;
+        v.y += v.z * v.x;
+        v.z += v.x * v.y;
+    };
+    mix();
+    v ^= v >> 16u;
+    mix();
+    return v;
+}
+
 inline glm::uvec4 pcg4d(glm::uvec4 v) {
     v = v * 1664525u + 1013904223u;
     const auto mix = [&] {

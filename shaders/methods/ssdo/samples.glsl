@@ -68,17 +68,24 @@ Point point_at(ivec2 pixel) {
 }
 
 /// Least of the lengths that are spread logarithmically, as a part of r.
-const float MIN_LENGTH = 1.0 / 128.0;
+// C++: ir::methods::ssdo::min_length
+const float MIN_LENGTH = 0.0078125;
 
 /// Lengths that the density estimator asks for: half of them uniform, half uniform in their logarithm, so that near
 /// senders are not found by rare samples that count very much.
 float mixed_length(float u) { return u <= 0.5 ? 2.0 * u : pow(MIN_LENGTH, 2.0 * u - 1.0); }
 
+/// The R2 sequence's steps.
+// C++: ir::methods::ssdo::r2_azimuth
+const float R2_AZIMUTH = 0.7548776662;
+// C++: ir::methods::ssdo::r2_length
+const float R2_LENGTH = 0.5698402910;
+
 /// Heights in equal strata, azimuths and lengths by the R2 sequence: a shifted lattice.
 vec4 step_of(Point x, int i, bool mixed) {
     float height = 1.0 - (float(i) + x.shift.x) / float(params.samples);
-    float azimuth = 2.0 * PI * fract(float(i) * 0.7548776662 + x.shift.y);
-    float length_part = 1.0 - fract(float(i) * 0.5698402910 + x.shift.z);
+    float azimuth = 2.0 * PI * fract(float(i) * R2_AZIMUTH + x.shift.y);
+    float length_part = 1.0 - fract(float(i) * R2_LENGTH + x.shift.z);
     if (mixed) length_part = mixed_length(length_part);
     float radius = sqrt(max(1.0 - height * height, 0.0));
     return vec4(x.frame * vec3(radius * cos(azimuth), radius * sin(azimuth), height), length_part * reach);

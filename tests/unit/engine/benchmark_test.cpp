@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/engine/benchmark_thread.h"
 #include "app/engine/interaction_benchmark.h"
@@ -238,6 +239,24 @@ TEST(InteractionBenchmark, NamesTheDeviceAsOthersDo) {
     EXPECT_EQ(report.software, device.software);
     ASSERT_EQ(report.rows.size(), 1u);
     EXPECT_EQ(report.rows[0].problem, "");
+}
+
+TEST(InteractionBenchmark, TellsHowFarItIsWithinARow) {
+    BenchmarkOptions options;
+    options.size = {24, 16};
+    options.variants = {"view-normals", "view-normals"};
+    BenchmarkCallbacks callbacks;
+    std::set<std::string> whats;
+    double last = 0;
+    callbacks.progress = [&](const BenchmarkProgress& progress) {
+        EXPECT_GE(progress.fraction, last) << progress.what;
+        last = progress.fraction;
+        whats.insert(progress.what);
+    };
+    run_interaction_benchmark(benchmark_machine().options(), options, callbacks);
+    EXPECT_TRUE(whats.contains("dragging"));
+    EXPECT_GT(last, 0.9);
+    EXPECT_LE(last, 1.01);
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ TEST(DefaultsBenchmark, MethodsOfOneTransportShareATable) {
 TEST(DefaultsBenchmark, TheReferenceIsAsGoodAsItself) {
     const auto report = run_defaults_benchmark(defaults_machine(), tiny({"hbao"})).at(0);
     const double time = judged(report, 0, "Time");
+    EXPECT_TRUE(report.notes.at(0).starts_with("errors are from 512 samples")) << report.notes.at(0);
     EXPECT_NEAR(judged(report, 0, "Mean"), 1, 0.02);
     EXPECT_NEAR(judged(report, 0, "Reference"), time, 0.01 * time);
     EXPECT_NEAR(judged(report, 0, "Reference flat / time"), 1, 0.01);
@@ -80,7 +81,7 @@ TEST(DefaultsBenchmark, TellsHowFarItIs) {
     };
     run_defaults_benchmark(defaults_machine(), tiny({"hbao"}), callbacks);
     EXPECT_EQ(labels, (std::vector<std::string>{"long reference", "reference", "hbao"}));
-    EXPECT_GT(last, 0.8);
+    EXPECT_GT(last, 0.7);
     CancelToken cancel;
     callbacks.cancel = &cancel;
     callbacks.progress = [&](const BenchmarkProgress& progress) {

@@ -22,6 +22,7 @@ class SsdoTest : public PassTest {
         auto inputs = shot.inputs();
         inputs.inspection = std::move(picked);
         inputs.seed = seed;
+        inputs.processor = body;
         graph::FrameOptions options;
         options.wanted = {"*"};
         settings.try_emplace("materials", std::string("lambert"));
@@ -37,6 +38,7 @@ class SsdoTest : public PassTest {
         return words;
     }
     FrameReport report;
+    Processor body = Processor::gl;  ///< that pictures are gathered by
 };
 
 inline Settings many_samples(int samples, double radius) {

@@ -1,6 +1,7 @@
 // Screen-space directional occlusion against closed forms where the picture shows all, and its own errors
 // where it does not.
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "renderers/passes/lights/environment_light.h"
@@ -9,9 +10,12 @@
 namespace ir::test {
 namespace {
 
+constexpr Processor bodies[] = {Processor::gl, Processor::host};
+
 TEST_F(SsdoTest, AnOpenPlaneIsExactlyOpenAndReceivesNothing) {
     for (const char* camera : {"top", "above"})
         for (const double radius : {0.0, 0.5}) {
+            body = bodies[radius > 0];
             Shot shot("builtin:plane", camera, 48, 48);
             shot.scene.environment = {{0.5f, 1, 2}, nullptr};
             const auto indirect = render(shot, {{"max_distance", radius}});
@@ -42,6 +46,7 @@ double occlusion_by_wall(double d, double r) {
 
 TEST_F(SsdoTest, NearAWallAccessibilityTendsToALinearFallOff) {
     for (const bool orthographic : {true, false}) {
+        body = bodies[orthographic];
         const auto eye = glm::vec3(1, 1, 0) * (orthographic ? 6.0f : 3.0f);
         const Shot shot(scene::load_scene("builtin:corner?size=8"),
                         looking(eye, {0, 0, 0}, {0, 1, 0}, orthographic ? 2.0f : 0.0f), 64, 64);
@@ -61,6 +66,70 @@ TEST_F(SsdoTest, NearAWallAccessibilityTendsToALinearFallOff) {
         ASSERT_GT(n, 100);
         EXPECT_NEAR(bias / n, 0, 0.003) << orthographic;
         EXPECT_LT(std::sqrt(squares / n), 0.02) << orthographic;
+    }
+}
+
+/// A picture's sum, and the part of its values that are farther from another's than a tenth of their mean.
+struct Apart {
+    double part = 0, sum = 0, other_sum = 0;
+};
+Apart apart(const Image& image, const Image& other) {
+    Apart result;
+    for (const float value : image.pixels) result.sum += value;
+    const double tolerance = 0.1 * result.sum / static_cast<double>(image.pixels.size());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        result.other_sum += other.pixels[i];
+        const bool is_near = std::abs(image.pixels[i] - other.pixels[i]) <= tolerance;
+        result.part += is_near ? 0 : 1 / static_cast<double>(image.pixels.size());
+    }
+    return result;
+}
+
+/// Rounding may put a step's end into the next pixel, or in front of what it was behind.
+TEST_F(SsdoTest, TheHostGathersAsTheDevice) {
+    struct Choice {
+        const char *estimator, *turning, *materials;
+        double radius;
+        bool orthographic;
+    };
+    // Every two values of two parameters stand beside each other.
+    const Choice choices[] = {{"density", "none", "gltf", 0, false},
+                              {"density", "pattern", "metalness-blend", 0.3, true},
+                              {"density", "hash", "lambert", 0.3, false},
+                              {"published", "none", "metalness-blend", 0.3, false},
+                              {"published", "pattern", "lambert", 0, false},
+                              {"published", "hash", "gltf", 0.3, true},
+                              {"density", "hash", "metalness-blend", 0, false},
+                              {"density", "pattern", "gltf", 0.3, false},
+                              {"published", "none", "lambert", 0.3, true}};
+    auto scene = scene::load_scene("builtin:still-life");
+    scene.environment = {{0.5f, 1, 2}, nullptr};
+    const auto camera = scene.cameras.at(0);
+    for (const auto& choice : choices) {
+        SCOPED_TRACE(std::string(choice.estimator) + ' ' + choice.turning + ' ' + choice.materials);
+        auto view = looking(camera.eye, camera.target);
+        if (choice.orthographic) view = looking(camera.eye, camera.target, {0, 1, 0}, 1);
+        const Shot shot(scene, view, 61, 43);
+        const Settings settings{{"estimator", std::string(choice.estimator)},
+                                {"turning", std::string(choice.turning)},
+                                {"materials", std::string(choice.materials)},
+                                {"max_distance", choice.radius},
+                                {"samples", std::int64_t{21}},
+                                {"blur", false}};
+        const std::string keys[] = {"ssdo.indirect.raw", "ssdo.sky.raw", "ssdo.accessibility", "ssdo.cut"};
+        std::map<std::string, Image> device;
+        body = Processor::gl;
+        for (const auto& key : keys) device[key] = render(shot, settings, key);
+        body = Processor::host;
+        for (const auto& key : keys) {
+            const auto host = render(shot, settings, key);
+            EXPECT_TRUE(ran_on_host(report, "directional occlusion"));
+            EXPECT_TRUE(ran_on_host(report, "indirect light"));
+            const auto difference = apart(device[key], host);
+            EXPECT_GT(difference.sum, 0) << key;
+            EXPECT_LT(difference.part, 0.03) << key;
+            EXPECT_NEAR(difference.other_sum / difference.sum, 1, 5e-3) << key;
+        }
     }
 }
 
@@ -100,6 +169,7 @@ class SsdoWallTest : public SsdoTest {
 
 TEST_F(SsdoWallTest, TheDensityEstimatorTendsToTheFormFactorAndThePublishedOneDoesNot) {
     for (const bool orthographic : {false, true}) {
+        body = bodies[orthographic];
         const auto unlimited = received(orthographic, many_samples(128, 0), 1e9);
         ASSERT_GT(unlimited.n, 1000);
         EXPECT_NEAR(unlimited.ratio, 1, 0.02) << orthographic;
@@ -227,7 +297,6 @@ TEST_F(SsdoTest, AnEnvironmentMapLightsAnOpenSlopeByItsIntegral) {
     auto scene = world.scene();
     scene.environment = {{}, std::make_shared<Image>(map)};
     const Shot shot(scene, looking(3.0f * normal, {0, 0, 0}, {1, 0, 0}, 1), 16, 16);
-    const auto sky = render(shot, many_samples(4096, 1), "ssdo.sky.raw");
     const passes::EnvironmentLight light(scene.environment);
     glm::dvec3 expected(0);
     constexpr int n = 400;
@@ -239,7 +308,11 @@ TEST_F(SsdoTest, AnEnvironmentMapLightsAnOpenSlopeByItsIntegral) {
             expected += glm::dvec3(light.radiance(way)) * double(std::max(glm::dot(way, normal), 0.0f)) /
                         std::numbers::pi * (2.0 / n) * (std::numbers::pi / n);
         }
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sky.at(8, 8, c), expected[c], 0.02 * expected[c]) << c;
+    for (const auto each : bodies) {
+        body = each;
+        const auto sky = render(shot, many_samples(4096, 1), "ssdo.sky.raw");
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(sky.at(8, 8, c), expected[c], 0.02 * expected[c]) << c;
+    }
 }
 
 TEST_F(SsdoTest, TheSamePictureTwiceAndAnotherByAnotherSeed) {

@@ -5,55 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "renderers/passes/sampling/pattern_shift.h"
+#include "renderers/passes/sampling/pcg.h"
 #include "renderers/passes/vectors/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/methods/hbao/host/march_pixels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "renderers/passes/vectors/vectors3.inl"
-
-#include <hwy/contrib/math/math-inl.h>
+#include "renderers/passes/vectors/views.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace ir::methods::hbao::HWY_NAMESPACE {
 namespace {
 
 using namespace passes::vectors::HWY_NAMESPACE;
-
-using IntTag = hn::RebindToSigned<FloatTag>;
-constexpr IntTag n;
-constexpr float pi = std::numbers::pi_v<float>, infinite = std::numeric_limits<float>::infinity();
-
-using passes::vectors::HWY_NAMESPACE::set;
-Vector3 set(glm::vec3 v) {
-    return {set(v.x), set(v.y), set(v.z)};
-}
-
-Vector3 load(const MarchedSurfaces::Planes& planes, std::size_t at) {
-    return {hn::LoadU(f, planes[0].data() + at), hn::LoadU(f, planes[1].data() + at),
-            hn::LoadU(f, planes[2].data() + at)};
-}
-HWY_INLINE Vector3 select(Mask where, const Vector3& a, const Vector3& b) {
-    return {hn::IfThenElse(where, a.x, b.x), hn::IfThenElse(where, a.y, b.y),
-            hn::IfThenElse(where, a.z, b.z)};
-}
-HWY_INLINE Floats clamped(Floats x, float low, float high) {
-    return hn::Min(hn::Max(x, set(low)), set(high));
-}
-/// atan(y / x) in the quadrant of both.
-HWY_INLINE Floats atan(Floats y, Floats x) {
-    const auto left = hn::Lt(x, hn::Zero(f));
-    const auto steep = hn::Gt(hn::Abs(y), hn::Abs(x));
-    // Of a ratio of at most 1.
-    const auto ratio = hn::Div(hn::IfThenElse(steep, x, y), hn::IfThenElse(steep, y, x));
-    const auto nothing = hn::Eq(y, hn::IfThenElse(hn::Eq(x, hn::Zero(f)), hn::Zero(f), set(infinite)));
-    const auto part = hn::Atan(f, hn::IfThenElse(nothing, hn::Zero(f), ratio));
-    const auto quarter = hn::CopySign(set(0.5f * pi), y), half = hn::CopySign(set(pi), y);
-    return hn::IfThenElse(steep, hn::Sub(quarter, part), hn::IfThenElse(left, hn::Add(part, half), part));
-}
 
 /// An angle with what is computed of it.
 struct Angle {
@@ -66,16 +33,6 @@ HWY_INLINE Angle select(Mask where, const Angle& a, const Angle& b) {
     return {hn::IfThenElse(where, a.value, b.value), hn::IfThenElse(where, a.sine, b.sine),
             hn::IfThenElse(where, a.cosine, b.cosine)};
 }
-
-/// The columns of pixel_from_world that a projection needs: x, y and w.
-struct Projection {
-    glm::mat4 matrix;
-    HWY_INLINE Floats row(int r, const Vector3& v, float w) const {
-        return hn::MulAdd(
-            set(matrix[0][r]), v.x,
-            hn::MulAdd(set(matrix[1][r]), v.y, hn::MulAdd(set(matrix[2][r]), v.z, set(matrix[3][r] * w))));
-    }
-};
 
 /// Some pixels beside each other.
 struct Points {
@@ -143,35 +100,24 @@ class March {
         const auto along = set(rays.origin_dx + rays.direction_dx);
         p.across = normalized(minus(along, times(p.zenith, dot(along, p.zenith))));
         p.down = cross(p.zenith, p.across);
-        p.view_distance = is_perspective_ ? length(minus(p.position, set(rays.origin))) : set(infinite);
+        p.view_distance = is_perspective_ ? length(minus(p.position, set(rays.origin))) : set(infinity);
         p.here_w = projection_.row(3, p.position, 1);
         p.position_length = length(p.position);
         set_shift(p, x, y);
         return p;
     }
 
-    /// As lib/pattern_shift.glsl and lib/random.glsl's pcg2d.
     void set_shift(Points& p, int first_x, int y) const {
         alignas(64) float turn[lanes], shift[lanes];
         for (int i = 0; i < lanes; ++i) {
-            const int x = first_x + i;
+            const glm::ivec2 pixel(first_x + i, y);
             turn[i] = 0, shift[i] = 1;
             if (parameters_.turning == Turning::pattern) {
-                constexpr int bayer[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
-                const int px = x & 3, py = y & 3;
-                turn[i] = (static_cast<float>(bayer[4 * py + px]) + 0.5f) / 16;
-                shift[i] = (static_cast<float>(bayer[4 * ((px + 1) & 3) + py]) + 0.5f) / 16;
+                const auto shifts = passes::pattern_shift(pixel);
+                turn[i] = shifts.x, shift[i] = shifts.y;
             } else if (parameters_.turning == Turning::hash) {
-                auto a = static_cast<std::uint32_t>(x) * 1664525u + 1013904223u,
-                     b = static_cast<std::uint32_t>(y) * 1664525u + 1013904223u;
-                for (int round = 0; round < 2; ++round) {
-                    a += b * 1664525u;
-                    b += a * 1664525u;
-                    a ^= a >> 16;
-                    b ^= b >> 16;
-                }
-                turn[i] = static_cast<float>(a >> 8) / 16777216.0f;
-                shift[i] = static_cast<float>(b >> 8) / 16777216.0f;
+                const auto bits = passes::pcg2d(glm::uvec2(pixel));
+                turn[i] = passes::unit_float(bits.x), shift[i] = passes::unit_float(bits.y);
             }
         }
         p.turn = hn::Load(f, turn);
@@ -212,7 +158,7 @@ class March {
     }
 
     Floats reach_px(const Slices& s, const Points& p, Floats start_x, Floats start_y, Floats step) const {
-        if (max_distance_ == 0) return set(infinite);
+        if (max_distance_ == 0) return set(infinity);
         if (!is_perspective_) return hn::Mul(step, set(max_distance_));
         const auto part = hn::Div(set(max_distance_), p.view_distance);
         const auto depth = hn::Sqrt(hn::Max(hn::NegMulAdd(part, part, set(1)), hn::Zero(f)));
@@ -221,13 +167,13 @@ class March {
         const auto x = hn::Sub(hn::Div(projection_.row(0, edge, 0), w), start_x),
                    y = hn::Sub(hn::Div(projection_.row(1, edge, 0), w), start_y);
         const auto is_limited = hn::And(hn::Lt(part, set(1)), hn::Gt(w, hn::Zero(f)));
-        return hn::IfThenElse(is_limited, hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y))), set(infinite));
+        return hn::IfThenElse(is_limited, hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y))), set(infinity));
     }
 
     /// Pixels along one axis until the last pixel's middle.
     HWY_INLINE Floats picture_px(Floats start, Floats direction, float size) const {
         const auto end = hn::IfThenElse(hn::Gt(direction, hn::Zero(f)), set(size - 0.5f), set(0.5f));
-        return hn::IfThenElse(hn::Eq(direction, hn::Zero(f)), set(infinite),
+        return hn::IfThenElse(hn::Eq(direction, hn::Zero(f)), set(infinity),
                               hn::Div(hn::Sub(end, start), direction));
     }
 
@@ -272,9 +218,7 @@ class March {
         const auto x =
             clamped(hn::Floor(hn::MulAdd(t, s.direction_x, hn::Add(p.pixel_x, set(0.5f)))), 0, width - 1);
         const auto y = clamped(hn::Floor(hn::MulAdd(t, s.direction_y, set(p.pixel_y + 0.5f))), 0, height - 1);
-        const auto at =
-            hn::Add(hn::Mul(hn::ConvertTo(n, hn::IfThenElseZero(takes, y)), hn::Set(n, rules_.width)),
-                    hn::ConvertTo(n, hn::IfThenElseZero(takes, x)));
+        const auto at = pixel_at(takes, x, y, rules_.width);
         const Vector3 position{hn::GatherIndex(f, surfaces_.position[0].data(), at),
                                hn::GatherIndex(f, surfaces_.position[1].data(), at),
                                hn::GatherIndex(f, surfaces_.position[2].data(), at)};

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/core/half_float.h"
 #include "renderers/core/threads.h"
 #include "renderers/graph/image_layers.h"
 #include "renderers/passes/bounce/host/filter_tile.h"
+#include "renderers/passes/bounce/host/host_receivers.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/scattering/microfacets.h"
 #include "shaders/passes/bounce/receiver.glsl.h"
@@ -20,26 +20,15 @@ namespace {
 
 using Materials = Transport::Materials;
 
-/// As receiver.glsl's shading_normal.
-glm::vec3 shading_normal(glm::vec3 stored, glm::vec3 geometric_normal) {
-    const float size = glm::length(stored);
-    if (size < 0.5f) return geometric_normal;
-    const auto n = stored / size;
-    return glm::dot(n, geometric_normal) > 1 - 1e-6f ? geometric_normal : n;
-}
-
 /// The pixels of a picture on their way into tiles and out.
 class HostReconstruction {
   public:
     HostReconstruction(const graph::PassContext& context, const Filter& filter, const FilterRules& rules,
                        graph::ImageRef result)
         : rules_(rules),
-          scene_(*context.inputs().scene),
           width_(context.inputs().view.width),
           height_(context.inputs().view.height),
-          positions_(context.pixels<const glm::vec4>(filter.receivers.gbuffer.position)),
-          geometric_normals_(context.pixels<const glm::vec4>(filter.receivers.gbuffer.geometric_normal)),
-          normals_(context.pixels<const std::uint64_t>(filter.receivers.gbuffer.normal)),
+          receivers_(context, filter.receivers),
           directions_(graph::layers<const glm::vec4>(context, filter.directions.directions)),
           light_result_(rules.light ? context.pixels<glm::vec4>(result) : std::span<glm::vec4>()),
           result_(rules.light ? std::span<float>() : context.pixels<float>(result)) {
@@ -48,8 +37,6 @@ class HostReconstruction {
             return;
         }
         light_ = graph::layers<const glm::vec4>(context, filter.samples.incoming);
-        albedos_ = context.pixels<const std::uint64_t>(filter.receivers.gbuffer.albedo);
-        materials_ = context.pixels<const std::uint64_t>(filter.receivers.gbuffer.material);
     }
 
     static int tiles_across(int width) { return (width + FilterTile::width - 1) / FilterTile::width; }
@@ -78,16 +65,13 @@ class HostReconstruction {
     }
 
     void fill(FilterTile& tile, std::size_t at, std::size_t i) const {
-        const glm::vec3 geometric_normal(geometric_normals_[i]);
-        if (geometric_normal == glm::vec3(0)) return;
-        const glm::vec3 position(positions_[i]), stored(unpack_halves(normals_[i]));
-        const auto normal = shading_normal(stored, geometric_normal);
-        if (rules_.light && !fill_scatterer(tile, at, i, position, normal)) return;
+        const auto receiver = receivers_.at(i);
+        if (!receiver || (rules_.light && !fill_scatterer(tile, at, i, *receiver))) return;
         tile.exists[at] = 1;
-        set(tile.position, at, position);
-        set(tile.blur_normal, at, stored);
-        set(tile.geometric_normal, at, geometric_normal);
-        set(tile.normal, at, normal);
+        set(tile.position, at, receiver->position);
+        set(tile.blur_normal, at, receiver->stored_normal);
+        set(tile.geometric_normal, at, receiver->geometric_normal);
+        set(tile.normal, at, receiver->normal);
         for (std::size_t s = 0; s < tile.samples.size(); ++s) {
             auto& sample = tile.samples[s];
             const auto direction = directions_[s][i];
@@ -101,57 +85,35 @@ class HostReconstruction {
     }
 
     /// make_scatterer and seen_from of lib/scattering.glsl. False of unlit surfaces.
-    bool fill_scatterer(FilterTile& tile, std::size_t at, std::size_t i, glm::vec3 position,
-                        glm::vec3 normal) const {
-        const auto material = unpack_halves(materials_[i]);
-        if (material.z > 0.5f) return false;
-        const auto& receivers = rules_.constants.receivers;
-        const glm::vec3 colour(unpack_halves(albedos_[i]));
-        const float metallic = material.x, roughness = std::max(material.y, receivers.min_roughness);
-        const auto viewer = receivers.viewer.view_axis_ws == glm::vec3(0)
-                                ? glm::normalize(receivers.viewer.eye_ws - position)
-                                : -receivers.viewer.view_axis_ws;
-        tile.metallic[at] = metallic;
-        tile.roughness[at] = roughness;
-        tile.alpha[at] = roughness * roughness;
-        const float n_dot_v = glm::dot(normal, viewer);
-        tile.n_dot_v[at] = std::max(n_dot_v, min_view_cosine);
-        set(tile.viewer, at, viewer);
-        const float ior = ior_of(material.w);
-        const auto lobes = lobes_of(colour, metallic, ior);
-        tile.specular[at] = lobes.specular;
-        set(tile.diffuse, at, lobes.diffuse);
-        set(tile.f0, at, lobes.f0);
+    bool fill_scatterer(FilterTile& tile, std::size_t at, std::size_t i, const HostReceiver& receiver) const {
+        const auto s = receivers_.scatterer_at(i, receiver);
+        if (!s) return false;
+        tile.metallic[at] = s->metallic;
+        tile.roughness[at] = s->roughness;
+        tile.alpha[at] = s->roughness * s->roughness;
+        tile.n_dot_v[at] = std::max(s->n_dot_v, min_view_cosine);
+        set(tile.viewer, at, s->viewer);
+        tile.specular[at] = s->lobes.specular;
+        set(tile.diffuse, at, s->lobes.diffuse);
+        set(tile.f0, at, s->lobes.f0);
         if (!rules_.has_balance()) return true;
-        auto raised = viewer;
-        if (n_dot_v < min_view_cosine) raised = glm::normalize(viewer + (min_view_cosine - n_dot_v) * normal);
+        const auto raised = s->n_dot_v < min_view_cosine
+                                ? glm::normalize(s->viewer + (min_view_cosine - s->n_dot_v) * receiver.normal)
+                                : s->viewer;
         set(tile.raised, at, raised);
-        tile.raised_cosine[at] = glm::dot(normal, raised);
+        tile.raised_cosine[at] = glm::dot(receiver.normal, raised);
         tile.specular_probability[at] = specular_probability(
-            lobes_of(glm::max(colour, glm::vec3(min_colour)), metallic, ior), tile.raised_cosine[at]);
+            receivers_.lobes_of(glm::max(s->colour, glm::vec3(min_colour)), s->metallic, s->ior),
+            tile.raised_cosine[at]);
         return true;
     }
 
-    struct Lobes {
-        glm::vec3 diffuse, f0;
-        float specular;
-    };
-    Lobes lobes_of(glm::vec3 colour, float metallic, float ior) const {
-        if (rules_.materials == Materials::lambert) return {colour, glm::vec3(0), 0};
-        if (rules_.materials == Materials::metalness_blend)
-            return {(1 - metallic) * colour, colour, metallic};
-        return {(1 - metallic) * colour, glm::mix(glm::vec3(dielectric_f0(ior)), colour, metallic), 1};
-    }
-    float specular_probability(const Lobes& lobes, float cosine) const {
+    float specular_probability(const HostLobes& lobes, float cosine) const {
         const auto fresnel = schlick_fresnel(lobes.f0, cosine);
         const auto below =
             rules_.materials == Materials::gltf ? (1.0f - fresnel) * lobes.diffuse : lobes.diffuse;
         const float specular = lobes.specular * luminance(fresnel);
         return specular > 0 ? specular / (specular + luminance(below)) : 0;
-    }
-    float ior_of(float stored) const {
-        const auto last = static_cast<float>(scene_.materials.size() - 1);
-        return scene_.materials[static_cast<std::size_t>(std::clamp(stored + 0.5f, 0.0f, last))].ior;
     }
 
     void take(const FilterTile& tile, int x, int y, std::size_t i) const {
@@ -165,10 +127,8 @@ class HostReconstruction {
     }
 
     const FilterRules& rules_;
-    const scene::Scene& scene_;
     int width_, height_;
-    std::span<const glm::vec4> positions_, geometric_normals_;
-    std::span<const std::uint64_t> normals_, albedos_, materials_;
+    HostReceivers receivers_;
     std::vector<std::span<const glm::vec4>> directions_, light_;
     std::vector<std::span<const float>> open_;
     std::span<glm::vec4> light_result_;
@@ -187,12 +147,8 @@ void reconstruct_on_host(graph::GraphBuilder& builder, const Filter& filter, gra
     const auto tiles = std::int64_t{HostReconstruction::tiles_across(inputs.view.width)} *
                        HostReconstruction::tiles_down(inputs.view.height);
     auto pass = builder.pass("reconstruction", graph::Queue::cpu);
-    const auto& gbuffer = filter.receivers.gbuffer;
-    pass.has_two_bodies()
-        .reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal, filter.directions.directions,
-               filter.samples.incoming)
-        .writes(result);
-    if (options.light) pass.reads(gbuffer.albedo, gbuffer.material);
+    HostReceivers::declare_reads(pass, filter.receivers);
+    pass.has_two_bodies().reads(filter.directions.directions, filter.samples.incoming).writes(result);
     pass.execute_sliced(
         tiles,
         [=](graph::PassContext& context, graph::Slice slice) {

@@ -1,7 +1,6 @@
 // The filter over samples, many pixels at a time: shaders/passes/bounce/filter.glsl, reconstruct.comp and
 // what these take of lib/scattering.glsl, whose names are used here. [Nalbach15 §3.3]
 #include <algorithm>
-#include <numbers>
 
 #include "renderers/passes/bounce/host/filter_tile.h"
 #include "renderers/passes/vectors/targets.h"
@@ -10,7 +9,7 @@
 #define HWY_TARGET_INCLUDE "renderers/passes/bounce/host/reconstruct_tile.cpp"
 #include <hwy/foreach_target.h>
 
-#include "renderers/passes/vectors/vectors3.inl"
+#include "renderers/passes/scattering/scatterers.inl"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -18,11 +17,10 @@ HWY_BEFORE_NAMESPACE();
 namespace ir::passes::bounce::HWY_NAMESPACE {
 namespace {
 
-using namespace vectors::HWY_NAMESPACE;
+using namespace scattering::HWY_NAMESPACE;
 using vectors::HWY_NAMESPACE::set;
 
 static_assert(FilterTile::width % lanes == 0);
-constexpr float one_over_pi = std::numbers::inv_pi_v<float>;
 
 Floats load(const Plane& plane, std::size_t at) {
     return hn::LoadU(f, plane.data() + at);
@@ -31,87 +29,25 @@ Floats load(const Plane& plane, std::size_t at) {
 Vector3 load(const Planes& planes, std::size_t at) {
     return {load(planes[0], at), load(planes[1], at), load(planes[2], at)};
 }
-HWY_INLINE Mask is_positive(Floats a) {
-    return hn::Gt(a, hn::Zero(f));
-}
 HWY_INLINE Mask is_finite(const Vector3& a) {
     return hn::And(hn::IsFinite(a.x), hn::And(hn::IsFinite(a.y), hn::IsFinite(a.z)));
-}
-HWY_INLINE Floats clamped(Floats a) {
-    return hn::Min(hn::Max(a, hn::Zero(f)), set(1));
 }
 /// a (1 - part) + b part
 HWY_INLINE Floats mixed(Floats a, Floats b, float part) {
     return hn::MulAdd(b, set(part), hn::Mul(a, set(1 - part)));
 }
 
-/// How a surface reflects. `has_lobes` is not so of Lambert's model, and `is_layered` only of glTF's.
 template <Transport::Materials model>
-struct Scatterers {
-    static constexpr bool has_lobes = model != Transport::Materials::lambert;
-    static constexpr bool is_layered = model == Transport::Materials::gltf;
-
-    Vector3 n, geometric_n, v, diffuse, f0;
-    Floats specular, alpha, n_dot_v;
-
-    Scatterers(const FilterTile& tile, std::size_t at)
-        : n(load(tile.normal, at)),
-          geometric_n(load(tile.geometric_normal, at)),
-          v(load(tile.viewer, at)),
-          diffuse(load(tile.diffuse, at)),
-          f0(load(tile.f0, at)),
-          specular(load(tile.specular, at)),
-          alpha(load(tile.alpha, at)),
-          n_dot_v(load(tile.n_dot_v, at)) {}
-
-    Mask is_above(const Vector3& l, Floats n_dot_l) const {
-        return hn::And(is_positive(n_dot_l), is_positive(dot(geometric_n, l)));
-    }
-
-    /// joint_masking over 4 (n·l)(n·v)
-    HWY_INLINE Floats masking(Floats n_dot_l) const {
-        const auto squared = hn::Mul(alpha, alpha), rest = hn::Sub(set(1), squared);
-        const auto root = [&](Floats cosine) {
-            return hn::Sqrt(hn::MulAdd(hn::Mul(cosine, cosine), rest, squared));
-        };
-        if constexpr (is_layered) {
-            const auto sum = hn::MulAdd(n_dot_l, root(n_dot_v), hn::Mul(n_dot_v, root(n_dot_l)));
-            return hn::Div(set(0.5f), hn::Max(sum, set(1e-7f)));
-        } else {
-            const auto product = hn::Mul(hn::Add(n_dot_l, root(n_dot_l)), hn::Add(n_dot_v, root(n_dot_v)));
-            return hn::Div(set(1), product);
-        }
-    }
-
-    /// f cosθ; no mirrors, which the least roughness excludes.
-    HWY_INLINE Vector3 value(const Vector3& l, Floats n_dot_l) const {
-        if constexpr (!has_lobes) return times(diffuse, hn::Mul(n_dot_l, set(one_over_pi)));
-        const auto sum = plus(l, v);
-        const auto size = hn::Sqrt(dot(sum, sum));
-        const auto has_size = is_positive(size);
-        const auto scale = hn::Div(set(1), hn::IfThenElse(has_size, size, set(1)));
-        const auto half = times(sum, scale);
-        const Vector3 h{hn::IfThenElse(has_size, half.x, n.x), hn::IfThenElse(has_size, half.y, n.y),
-                        hn::IfThenElse(has_size, half.z, n.z)};
-        const auto x = hn::Sub(set(1), clamped(dot(v, h)));
-        const auto x2 = hn::Mul(x, x), x5 = hn::Mul(hn::Mul(x2, x2), x);
-        const auto fresnel_of = [&](Floats r) { return hn::MulAdd(hn::Sub(set(1), r), x5, r); };
-        const Vector3 fresnel{fresnel_of(f0.x), fresnel_of(f0.y), fresnel_of(f0.z)};
-        auto below = diffuse;
-        if constexpr (is_layered)
-            below = {hn::NegMulAdd(fresnel.x, below.x, below.x), hn::NegMulAdd(fresnel.y, below.y, below.y),
-                     hn::NegMulAdd(fresnel.z, below.z, below.z)};
-        const auto lobe = hn::Mul(specular, hn::Mul(distribution_at(h), masking(n_dot_l)));
-        return times(add_product(fresnel, lobe, times(below, set(one_over_pi))), n_dot_l);
-    }
-
-    HWY_INLINE Floats distribution_at(const Vector3& h) const {
-        const auto sine = hn::IfThenElse(is_positive(dot(n, h)), squared_cross(n, h), set(1));
-        const auto squared = hn::Mul(alpha, alpha);
-        const auto denominator = hn::MulAdd(hn::Sub(set(1), squared), sine, squared);
-        return hn::Div(hn::Mul(squared, set(one_over_pi)), hn::Mul(denominator, denominator));
-    }
-};
+Scatterers<model> scatterers_at(const FilterTile& tile, std::size_t at) {
+    return {.n = load(tile.normal, at),
+            .geometric_n = load(tile.geometric_normal, at),
+            .v = load(tile.viewer, at),
+            .diffuse = load(tile.diffuse, at),
+            .f0 = load(tile.f0, at),
+            .specular = load(tile.specular, at),
+            .alpha = load(tile.alpha, at),
+            .n_dot_v = load(tile.n_dot_v, at)};
+}
 
 /// By which a pixel's directions are chosen.
 template <Transport::Materials model>
@@ -253,7 +189,7 @@ void reconstruct_light(const FilterRules& rules, FilterTile& tile, int x, int y)
     const auto here = tile.at(x, y);
     const Weights weights(rules, tile, here);
     if (hn::AllFalse(f, weights.exists())) return;
-    const Scatterers<model> target(tile, here);
+    const auto target = scatterers_at<model>(tile, here);
     const float balance = rules.constants.balance;
     const auto value_of = [&](const FilterTile::Sample& sample, std::size_t at, const Vector3& direction) {
         const auto n_dot_l = dot(target.n, direction);
