@@ -33,9 +33,7 @@ class MetSources {
                float (*combine)(float, float), const DrawnRay& ray)
         : panes_(panes), surfaces_(surfaces), lights_(lights), combine_(combine), ray_(ray) {}
 
-    /// Rays are only traced where something could be met.
     glm::vec3 radiance() const {
-        if (!lights_.may_meet(ray_.origin, ray_.direction)) return glm::vec3(0);
         const auto sight = panes_.look(ray_.origin, ray_.direction, no_limit);
         const auto& hit = sight.end;
         const auto passed = sight.passed(no_limit);  // from behind all panes
@@ -112,10 +110,14 @@ glm::vec3 LightEstimate::towards_source(const Surface& surface, const Bsdf& bsdf
 
 glm::vec3 LightEstimate::by_direction(const Surface& surface, const Bsdf& bsdf, glm::vec3 wo, float lobe,
                                       glm::vec2 u) const {
-    const auto sample = bsdf.sample(wo, lobe, u);
-    if (!sample || sample->is_transmitted || (sample->is_specular && !options_.mirrors)) return glm::vec3(0);
-    const DrawnRay ray{offset_origin(surface.position_ws, surface.geometric_normal_ws),
-                       surface.geometric_normal_ws, sample->wi, sample->pdf};
+    const auto chosen = bsdf.choose(wo, lobe, u);
+    if (!chosen || chosen->is_transmitted || (chosen->is_specular && !options_.mirrors)) return glm::vec3(0);
+    const auto normal = surface.geometric_normal_ws, origin = offset_origin(surface.position_ws, normal);
+    // Most directions meet no source, and need neither weight nor ray.
+    if (!lights_.may_meet(origin, chosen->wi)) return glm::vec3(0);
+    const auto sample = bsdf.weighted(wo, *chosen);
+    if (!sample) return glm::vec3(0);
+    const DrawnRay ray{origin, normal, sample->wi, sample->pdf};
     return sample->weight * MetSources(panes_, surfaces_, lights_, options_.combine, ray).radiance();
 }
 

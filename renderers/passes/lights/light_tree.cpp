@@ -156,7 +156,8 @@ float LightTree::importance(const Node& node, glm::vec3 position_ws, glm::vec3 n
 
 std::optional<LightTree::Choice> LightTree::choose(glm::vec3 position_ws, glm::vec3 normal_ws,
                                                    double u) const {
-    if (nodes_.empty() || !(importance(nodes_[0], position_ws, normal_ws) > 0)) return std::nullopt;
+    if (nodes_.empty()) return std::nullopt;
+    if (nodes_[0].right == none && !(importance(nodes_[0], position_ws, normal_ws) > 0)) return std::nullopt;
     std::uint32_t at = 0;
     float probability = 1;
     while (nodes_[at].right != none) {
@@ -181,12 +182,13 @@ std::optional<LightTree::Choice> LightTree::choose(glm::vec3 position_ws, glm::v
 
 float LightTree::probability(glm::vec3 position_ws, glm::vec3 normal_ws, std::uint32_t light) const {
     auto at = light < leaves_.size() ? leaves_[light] : none;
-    if (at == none || !(importance(nodes_[0], position_ws, normal_ws) > 0)) return 0;
-    float probability = 1, own = importance(nodes_[at], position_ws, normal_ws);
+    if (at == none) return 0;
+    if (nodes_[at].parent == none && !(importance(nodes_[at], position_ws, normal_ws) > 0)) return 0;
+    float probability = 1;
     while (nodes_[at].parent != none) {
         const auto parent = nodes_[at].parent;
         const auto sibling = at == parent + 1 ? nodes_[parent].right : parent + 1;
-        own = importance(nodes_[at], position_ws, normal_ws);
+        const float own = importance(nodes_[at], position_ws, normal_ws);
         if (!(own > 0)) return 0;
         probability *= own / (own + importance(nodes_[sibling], position_ws, normal_ws));
         at = parent;

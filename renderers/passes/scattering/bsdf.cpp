@@ -147,25 +147,32 @@ struct BsdfLobes {
 
     bool is_reflected(glm::vec3 l) const { return glm::dot(b.n_, l) > 0 && glm::dot(b.geometric_n_, l) > 0; }
 
-    std::optional<BsdfSample> sample_smooth(glm::vec3 l) const {
-        const auto [value, pdf] = between(l);
-        if (!(pdf > 0) || value == glm::vec3(0)) return {};
-        return BsdfSample{l, value / pdf, pdf, false, glm::dot(b.n_, l) < 0};
+    std::optional<BsdfSample> choose_smooth(glm::vec3 l) const {
+        return BsdfSample{l, glm::vec3(0), 0, false, glm::dot(b.n_, l) < 0};
     }
 
-    std::optional<BsdfSample> sample_mirror() const {
+    std::optional<BsdfSample> weighted(BsdfSample chosen) const {
+        if (chosen.is_specular) return chosen;
+        const auto [value, pdf] = between(chosen.wi);
+        if (!(pdf > 0) || value == glm::vec3(0)) return {};
+        chosen.weight = value / pdf;
+        chosen.pdf = pdf;
+        return chosen;
+    }
+
+    std::optional<BsdfSample> choose_mirror() const {
         const auto l = mirrored(seen_from, b.n_);
         if (!is_reflected(l)) return {};
         const auto weight = b.specular_ * schlick_fresnel(b.f0_, seen_cosine) / specular_probability;
         return BsdfSample{l, weight, 0, true, false};
     }
 
-    std::optional<BsdfSample> sample_opaque(float lobe, glm::vec2 u) const {
-        if (lobe < specular_probability && is_mirror) return sample_mirror();
+    std::optional<BsdfSample> choose_opaque(float lobe, glm::vec2 u) const {
+        if (lobe < specular_probability && is_mirror) return choose_mirror();
         if (lobe >= specular_probability)
-            return sample_smooth(glm::normalize(scene::frame_around(b.n_) * sample_cosine_ts(u)));
+            return choose_smooth(glm::normalize(scene::frame_around(b.n_) * sample_cosine_ts(u)));
         const auto l = glm::normalize(mirrored(seen_from, visible_normal(u)));
-        return is_reflected(l) ? sample_smooth(l) : std::nullopt;
+        return is_reflected(l) ? choose_smooth(l) : std::nullopt;
     }
 
     glm::vec3 visible_normal(glm::vec2 u) const {
@@ -174,7 +181,7 @@ struct BsdfLobes {
         return frame * sample_visible_normal_ts(seen_ts, b.alpha_, u);
     }
 
-    std::optional<BsdfSample> sample_rough_glass(float lobe, glm::vec2 u) const {
+    std::optional<BsdfSample> choose_rough_glass(float lobe, glm::vec2 u) const {
         const auto h = visible_normal(u);
         const float v_dot_h = glm::dot(seen_from, h);
         if (!(v_dot_h > 0)) return {};
@@ -187,11 +194,11 @@ struct BsdfLobes {
             l = (v_dot_h / b.eta_ - cosine) * h - seen_from / b.eta_;
             if (glm::dot(b.n_, l) >= 0) return {};
         }
-        return sample_smooth(glm::normalize(l));
+        return choose_smooth(glm::normalize(l));
     }
 
     /// By Fresnel's probability, so that what is chosen keeps its colour.
-    std::optional<BsdfSample> sample_glass(float lobe) const {
+    std::optional<BsdfSample> choose_glass(float lobe) const {
         const auto interface = dielectric_fresnel(seen_cosine, b.eta_);
         const float reflectance =
             b.is_thin_ ? sheet_reflectance(interface.reflectance) : interface.reflectance;
@@ -208,12 +215,17 @@ struct BsdfLobes {
         return BsdfSample{l, b.tint_ / (b.eta_ * b.eta_), 0, true, true};
     }
 
-    std::optional<BsdfSample> sample(float lobe, glm::vec2 u) const {
+    std::optional<BsdfSample> choose(float lobe, glm::vec2 u) const {
         const float glass = b.transmission_;
         if (b.is_dark_) return {};
         if (lobe < glass)
-            return b.scatters_through() ? sample_rough_glass(lobe / glass, u) : sample_glass(lobe / glass);
-        return sample_opaque((lobe - glass) / (1 - glass), u);
+            return b.scatters_through() ? choose_rough_glass(lobe / glass, u) : choose_glass(lobe / glass);
+        return choose_opaque((lobe - glass) / (1 - glass), u);
+    }
+
+    std::optional<BsdfSample> sample(float lobe, glm::vec2 u) const {
+        const auto chosen = choose(lobe, u);
+        return chosen ? weighted(*chosen) : std::nullopt;
     }
 };
 
@@ -239,6 +251,14 @@ Bsdf::Bsdf(const Surface& surface, const scene::Material& material, Transport::M
 
 BsdfValue Bsdf::evaluate_with_pdf(glm::vec3 wo, glm::vec3 wi) const {
     return BsdfLobes(*this, wo).between(wi);
+}
+
+std::optional<BsdfSample> Bsdf::choose(glm::vec3 wo, float lobe, glm::vec2 u) const {
+    return BsdfLobes(*this, wo).choose(lobe, u);
+}
+
+std::optional<BsdfSample> Bsdf::weighted(glm::vec3 wo, const BsdfSample& chosen) const {
+    return BsdfLobes(*this, wo).weighted(chosen);
 }
 
 std::optional<BsdfSample> Bsdf::sample(glm::vec3 wo, float lobe, glm::vec2 u) const {

@@ -63,6 +63,10 @@ class Bsdf {
     BsdfValue evaluate_with_pdf(glm::vec3 wo, glm::vec3 wi) const;
     /// `lobe` and `u` uniform in [0, 1). Nothing when the event carries no light.
     std::optional<BsdfSample> sample(glm::vec3 wo, float lobe, glm::vec2 u) const;
+    /// sample() in two steps, for those who look first what is where it goes: weight and pdf are only those
+    /// of specular events until weighted() gives the others theirs.
+    std::optional<BsdfSample> choose(glm::vec3 wo, float lobe, glm::vec2 u) const;
+    std::optional<BsdfSample> weighted(glm::vec3 wo, const BsdfSample& chosen) const;
 
     /// The same for paths from light sources, where power takes the place of radiance: nothing is divided by
     /// η², and shading normals are corrected for.  [Veach97 §5.3, Walter07]
