@@ -33,6 +33,17 @@ vec3 schlick_fresnel(vec3 f0, float v_dot_h) {
     return f0 + (1.0 - f0) * pow(clamp(1.0 - v_dot_h, 0.0, 1.0), 5.0);
 }
 
+/// ∫ f cosθ of GGX microfacets over the directions: f0 T + (1 - f0) B, without light between microfacets. Fitted to
+/// values that were found by sampling; T is wrong by at most 0.03 and B by 0.06 where the cosine is 0.1 or more.
+vec3 directional_albedo(vec3 f0, float roughness, float cosine) {
+    vec3 powers = vec3(1, cosine, cosine * cosine);
+    float squared = roughness * roughness;
+    float lost = dot(powers, vec3(2.288, -5.423, 2.189)) + roughness * dot(powers, vec3(-5.015, 16.649, -8.123)) +
+                 squared * dot(powers, vec3(2.892, -10.219, 5.447));
+    float grazing = pow(1.0 - cosine, 5.0) * exp(-5.0 * squared);
+    return f0 * clamp(1.0 - squared * lost, 0.0, 1.0) + (1.0 - f0) * grazing;
+}
+
 /// Reflectance at normal incidence from air.
 float dielectric_f0(float ior) {
     float ratio = (ior - 1.0) / (ior + 1.0);

@@ -13,7 +13,7 @@ namespace ir::methods::ldm_indirect {
 
 /// As LEG_… of records.glsl.
 inline constexpr std::uint32_t leg_map = 0xffff, leg_along = 1u << 16, leg_direct = 1u << 17,
-                               leg_light_shift = 24;
+                               leg_beyond_shift = 18, leg_beyond = 63, leg_light_shift = 24;
 
 using passes::packed_direction;
 using passes::unpacked_direction;
@@ -27,6 +27,12 @@ inline glm::vec2 half_angle(float x, float y, float size) {
     }
     const float sine = std::copysign(std::sqrt(0.5f * (size - x) / size), y);
     return {0.5f * y / (size * sine), sine};
+}
+
+/// Of a photon's kernel.
+template <class Photon>
+float part_on_surface(const Photon& photon) {
+    return 1 - static_cast<float>(photon.leg >> leg_beyond_shift & leg_beyond) / 64;
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -10,6 +10,7 @@ ParameterTable<Parameters> parameter_table() {
                                         .keys = {"materials", "normal_maps", "environment_light"}}));
     add_tracing_parameters(table);
     add_splatting_parameters(table);
+    table.include(&Parameters::receivers, passes::receiver_parameters(4));
     table.include(&Parameters::light, passes::light_parameters());
     table.include(&Parameters::maps, passes::ldm::self_hit_parameters());
     return table;

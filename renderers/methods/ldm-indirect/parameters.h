@@ -5,12 +5,16 @@
 #include "renderers/core/transport.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/ldm/parameters.h"
+#include "renderers/passes/reflection/reflection.h"
 #include "renderers/scene/view.h"
 #include "renderers/scene/world.h"
 
 namespace ir::methods::ldm_indirect {
 
 enum class Footprint { published, widened };
+enum class Senders { diffuse, whole };
+enum class LandingBy { centre, plane };
+enum class Overhang { lost, returned };
 enum class Splatting { quads, tiles, image_atomics };
 enum class DirectBy { rasterisation, photons };
 enum class EnvironmentBy { samples, maps };
@@ -22,11 +26,14 @@ struct Parameters {
     Transport transport = default_light;
 
     // tracing/parameters.cpp
-    int emission = 64;  ///< pixels along a side of a light's image
+    int emission = 64;                   ///< pixels along a side of a light's image
+    Senders senders = Senders::diffuse;  ///< what first surfaces reflect
     Footprint footprint = Footprint::widened;
-    bool reject_hidden = false;           ///< photons whose centre the camera does not see
-    float visibility_tolerance = 0.005f;  ///< of the distance to the eye
-    float reserve = 0.25f;                ///< part of the photons that memory is reserved for at first
+    LandingBy landing = LandingBy::plane;  ///< what a map's entries say of the surface that is hit
+    Overhang overhang = Overhang::lost;    ///< kernels beyond their surface
+    bool reject_hidden = false;            ///< photons whose centre the camera does not see
+    float visibility_tolerance = 0.005f;   ///< of the distance to the eye
+    float reserve = 0.25f;                 ///< part of the photons that memory is reserved for at first
 
     // splatting/parameters.cpp
     Splatting splatting = Splatting::tiles;
@@ -37,6 +44,7 @@ struct Parameters {
     DirectBy direct = DirectBy::rasterisation;
     EnvironmentBy environment_by = EnvironmentBy::samples;  ///< its direct light
     passes::LightParameters light;
+    passes::ReceiverParameters receivers{.receiver = passes::Receiver::diffuse};
 };
 
 ParameterTable<Parameters> parameter_table();

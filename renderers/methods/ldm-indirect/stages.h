@@ -37,8 +37,10 @@ std::vector<SelectorDescription> tracing_selectors();
 /// Irradiance of each pixel by density estimation. [Aalund15 eq. 4-7]
 struct Splat {
     graph::ImageRef irradiance;  ///< "indirect.irradiance" rgba32f: RGB E, W/m²; A: photons that added to it
-    graph::BufferRef stored;     ///< "splat.stored": photons that there are to be read
-    graph::BufferRef arrivals;   ///< "splat.arrivals": where light comes from
+    graph::ImageRef
+        direction;            ///< "indirect.direction" rgba32f: Σ (R + G + B) towards where light comes from
+    graph::BufferRef stored;  ///< "splat.stored": photons that there are to be read
+    graph::BufferRef arrivals;  ///< "splat.arrivals": where light comes from
 };
 
 /// By the way that the parameter `splatting` names. Photons that came directly from the light go to the same

@@ -1,8 +1,13 @@
 #include "renderers/passes/reflection/reflection.h"
 
+#include <cmath>
+
 namespace ir::passes {
 
-ParameterTable<ReceiverParameters> receiver_parameters() {
+ParameterTable<ReceiverParameters> receiver_parameters(int since_version) {
+    const auto in_older_projects = [&](Value value) {
+        return since_version > 1 ? std::optional(std::move(value)) : std::nullopt;
+    };
     ParameterTable<ReceiverParameters> table;
     table
         .add(&ReceiverParameters::receiver,
@@ -17,18 +22,24 @@ ParameterTable<ReceiverParameters> receiver_parameters() {
                            "flicker."},
                           {"widened", "Widened",
                            "The same with highlights as wide as the directions of the light are apart."}},
-              .active_when = has_microfacets})
+              .active_when = has_microfacets,
+              .since_version = since_version,
+              .value_in_older_projects = in_older_projects(std::string("diffuse"))})
         .add(&ReceiverParameters::directional,
              {.key = "directional",
               .label = "Directional term",
               .doc = "Turns the irradiance of the geometric surface into that of the shading normal, as if "
                      "all light came from the mean direction of the photons.",
-              .citation = "Smal19 §7.4"});
+              .citation = "Smal19 §7.4",
+              .since_version = since_version,
+              .value_in_older_projects = in_older_projects(false)});
     return table;
 }
 
 void Reflection::define(gl::ProgramSource& source) const {
     source.defines["MATERIALS"] = std::to_string(static_cast<int>(materials));
+    if (light.has_whole_direction) source.defines["WHOLE_DIRECTION"] = "1";
+    if (is_bare && parameters.receiver == Receiver::diffuse) source.defines["BARE"] = "1";
     source.defines["RECEIVER"] = std::to_string(static_cast<int>(parameters.receiver));
 }
 
@@ -40,6 +51,16 @@ void Reflection::declare_reads_of_light(graph::PassBuilder& pass) const {
 
 void Reflection::declare_reads(graph::PassBuilder& pass) const {
     pass.reads(gbuffer.albedo, gbuffer.material, gbuffer.position, scene.materials);
+}
+
+glm::vec3 directional_albedo(const glm::vec3& f0, float roughness, float cosine) {
+    const glm::vec3 powers(1, cosine, cosine * cosine);
+    const float squared = roughness * roughness;
+    const float lost = glm::dot(powers, glm::vec3(2.288f, -5.423f, 2.189f)) +
+                       roughness * glm::dot(powers, glm::vec3(-5.015f, 16.649f, -8.123f)) +
+                       squared * glm::dot(powers, glm::vec3(2.892f, -10.219f, 5.447f));
+    const float grazing = std::pow(1 - cosine, 5.0f) * std::exp(-5 * squared);
+    return f0 * glm::clamp(1 - squared * lost, 0.0f, 1.0f) + (1.0f - f0) * grazing;
 }
 
 ReflectionConstants Reflection::constants(const graph::FrameInputs& inputs) const {

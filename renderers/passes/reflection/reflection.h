@@ -15,7 +15,8 @@ struct ReceiverParameters {
     Receiver receiver = Receiver::widened;
     bool directional = true;  ///< the cosine to the shading normal by the mean direction of the photons
 };
-ParameterTable<ReceiverParameters> receiver_parameters();
+/// Methods that reflected diffusely before their version `since_version` go on to do so in older projects.
+ParameterTable<ReceiverParameters> receiver_parameters(int since_version = 1);
 
 /// Of parameters of what no Lambert surface has.
 inline const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
@@ -24,6 +25,7 @@ inline const Condition has_microfacets{"materials", {std::string("gltf"), std::s
 struct ArrivedLight {
     graph::ImageRef irradiance;  ///< rgba32f: E on the geometric surface, W/m²; x of the sum of directions
     graph::ImageRef direction;   ///< y and z of that sum, towards the light, world space
+    bool has_whole_direction = false;  ///< the sum stands in `direction` alone
 };
 
 /// Constants of shaders/passes/reflection/directional.glsl.
@@ -47,7 +49,8 @@ struct Reflection {
     ArrivedLight light;
     ReceiverParameters parameters;
     Transport::Materials materials;
-    float max_stretch;  ///< most that the cosine of the geometric normal is divided by
+    bool is_bare = false;   ///< `diffuse` reflects as if no interface lay above the Lambert part
+    float max_stretch = 3;  ///< most that the cosine of the geometric normal is divided by
 
     void define(gl::ProgramSource& source) const;
     void declare_reads_of_light(graph::PassBuilder& pass) const;  ///< all that directional.glsl reads
@@ -55,5 +58,8 @@ struct Reflection {
     DirectionalConstants directional() const { return {max_stretch, parameters.directional}; }
     ReflectionConstants constants(const graph::FrameInputs& inputs) const;
 };
+
+/// ∫ f cosθ of GGX microfacets over the directions, as in shaders/lib/brdf.glsl.
+glm::vec3 directional_albedo(const glm::vec3& f0, float roughness, float cosine);
 
 }  // namespace ir::passes

@@ -1,6 +1,10 @@
 // The leg on which a photon came: map, whether along its direction or against it, or whether directly from the
 // light; and the light.
-const uint LEG_MAP = 0xffffu, LEG_ALONG = 1u << 16, LEG_DIRECT = 1u << 17, LEG_LIGHT_SHIFT = 24u;
+const uint LEG_MAP = 0xffffu, LEG_ALONG = 1u << 16, LEG_DIRECT = 1u << 17, LEG_BEYOND_SHIFT = 18u,
+           LEG_LIGHT_SHIFT = 24u;
+/// What of a kernel may count as lost beyond its surface, in 1/64: what is left is at most so much brighter.
+// C++: ir::methods::ldm_indirect::most_beyond
+const uint MOST_BEYOND = 48u;
 
 /// A photon where it arrived, with its differential. 64 bytes. Seen as glyphs, photons are their footprints.
 // C++: ir::methods::ldm_indirect::Photon
@@ -9,9 +13,13 @@ struct Photon {
     uint source;  // texel of the lights' images: (layer * side + row) * side + column, side being `emission`
     vec3 axis_u;  // m: half of D_u x, before scaling by splat_size and clamping
     uint leg;     // LEG_…: bits 0-15 map, counted from 0; bit 16: 1 along its direction, 0 against it (or,
-                  // bit 17: directly from the light); bits 24-31: light
+                  // bit 17: directly from the light); bits 18-23: 64ths of the kernel that lie beyond its
+                  // surface; bits 24-31: light
     vec3 axis_v;  // m: half of D_v x
     float path_length;  // m: from the light
     vec3 flux;    // W
     uint normal;  // geometric normal of the receiver, on the viewer's side; octahedral, 2 x 16 bits SNORM
 };
+
+/// Of the kernel.
+float part_on_surface(Photon photon) { return 1.0 - float(bitfieldExtract(photon.leg, 18, 6)) / 64.0; }

@@ -24,7 +24,11 @@ struct LdmHit {
     bool outside;    // x is outside the map: open
     bool own;        // x's own entry was found (known with LDM_VIEWS)
     int rejected;    // entries ahead of the tangent plane, by more than rounding, that were taken for x's own
+    ivec2 texel;     // that was asked
+    float entry;     // depth of the hit at its centre, in quanta
 };
+
+LdmHit ldm_no_hit(bool outside) { return LdmHit(false, 0.0, outside, false, 0, ivec2(0), 0.0); }
 
 /// Least |n·v| that slopes are computed with: they become infinite where a surface is seen edge on.
 const float LDM_LEAST_FACING = 0.02;
@@ -57,8 +61,10 @@ LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float toleran
     int key = forward ? ldm_quantum(floor(start)) + 1 : ldm_quantum(ceil(start));
     LdmNeighbours near = any_hit ? ldm_any(map, texel, resolution, key, forward)
                                  : ldm_neighbours(map, texel, resolution, key);
-    LdmHit hit = LdmHit(false, 0.0, false, false, 0);
-    hit.distance = forward ? float(near.behind) - plane : plane - float(near.before);
+    LdmHit hit = ldm_no_hit(false);
+    hit.texel = texel;
+    hit.entry = float(forward ? near.behind : near.before);
+    hit.distance = forward ? hit.entry - plane : plane - hit.entry;
     hit.found = (forward ? near.behind != LDM_NONE_BEHIND : near.before != LDM_NONE_BEFORE) &&
                 hit.distance < reach;
 #ifdef LDM_VIEWS
@@ -127,7 +133,7 @@ LdmQuestion ldm_question_offset(MapFrame frame, int resolution, vec3 position_ws
 LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position_ws, vec3 normal_ws,
                          bool forward, float reach, LdmRule rule) {
     LdmQuestion q = ldm_question_tangent(frame, resolution, position_ws, normal_ws, forward, rule);
-    if (q.outside) return LdmHit(false, 0.0, true, false, 0);
+    if (q.outside) return ldm_no_hit(true);
     return ldm_ask(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, isinf(reach));
 }
 
@@ -136,28 +142,22 @@ LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position
 LdmHit ldm_trace_offset(MapFrame frame, uint map, int resolution, vec3 position_ws, vec3 normal_ws,
                         bool forward, float reach, LdmRule rule) {
     LdmQuestion q = ldm_question_offset(frame, resolution, position_ws, normal_ws, rule);
-    if (q.outside) return LdmHit(false, 0.0, true, false, 0);
+    if (q.outside) return ldm_no_hit(true);
     LdmNeighbours near = ldm_neighbours(map, q.texel, resolution, ldm_quantum(ceil(q.plane)));
     bool before_is_own = q.plane - float(near.before) < float(near.behind) - q.plane;
     int own = before_is_own ? near.before : near.behind;
-    LdmHit hit = LdmHit(false, 0.0, false, false, 0);
+    LdmHit hit = ldm_no_hit(false);
+    hit.texel = q.texel;
     hit.own = own != LDM_NONE_BEFORE && own != LDM_NONE_BEHIND;
     if (!hit.own) return hit;
 #ifdef LDM_VIEWS
     const float near_plane = max(1.5, LDM_ROUNDING);
     hit.rejected = (forward ? float(own) > q.plane + near_plane : float(own) < q.plane - near_plane) ? 1 : 0;
 #endif
-    if (forward && before_is_own) {
-        hit.found = near.behind != LDM_NONE_BEHIND;
-        hit.distance = float(near.behind - own);
-    } else if (!forward && !before_is_own) {
-        hit.found = near.before != LDM_NONE_BEFORE;
-        hit.distance = float(own - near.before);
-    } else {
-        near = ldm_neighbours(map, q.texel, resolution, forward ? own + 1 : own);
-        hit.found = forward ? near.behind != LDM_NONE_BEHIND : near.before != LDM_NONE_BEFORE;
-        hit.distance = forward ? float(near.behind - own) : float(own - near.before);
-    }
+    if (forward != before_is_own) near = ldm_neighbours(map, q.texel, resolution, forward ? own + 1 : own);
+    hit.found = forward ? near.behind != LDM_NONE_BEHIND : near.before != LDM_NONE_BEFORE;
+    hit.entry = float(forward ? near.behind : near.before);
+    hit.distance = abs(hit.entry - float(own));
     hit.found = hit.found && hit.distance < reach;
     return hit;
 }
@@ -168,7 +168,7 @@ LdmHit ldm_trace_beyond(MapFrame frame, uint map, int resolution, vec3 position_
                         float reach, LdmRule rule, float beyond, bool tangent) {
     LdmQuestion q = tangent ? ldm_question_tangent(frame, resolution, position_ws, normal_ws, forward, rule)
                             : ldm_question_offset(frame, resolution, position_ws, normal_ws, rule);
-    if (q.outside) return LdmHit(false, 0.0, true, false, 0);
+    if (q.outside) return ldm_no_hit(true);
     float start = q.plane + (forward ? beyond : -beyond);
     return ldm_ask(map, q.texel, resolution, q.plane, 0.0, start, forward, reach, isinf(reach));
 }

@@ -1,7 +1,7 @@
-// What is known of the light's direction at a pixel.
+// What is known of the light's direction at a pixel. WHOLE_DIRECTION: the sum of directions is apart.
 
 uniform sampler2D value_image;      // E; x of the sum of directions
-uniform sampler2D direction_image;  // y and z of it
+uniform sampler2D direction_image;  // y and z of it, or all of it
 uniform sampler2D gbuffer_normal;
 uniform sampler2D gbuffer_geometric_normal;
 
@@ -9,7 +9,11 @@ uniform float max_stretch;
 uniform bool directional;
 
 vec3 direction_sum(ivec2 pixel) {
+#ifdef WHOLE_DIRECTION
+    return texelFetch(direction_image, pixel, 0).xyz;
+#else
     return vec3(texelFetch(value_image, pixel, 0).a, texelFetch(direction_image, pixel, 0).xy);
+#endif
 }
 
 /// Unit, towards the light; 0 where nothing is known.

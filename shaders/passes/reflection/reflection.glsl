@@ -1,6 +1,6 @@
 // How a surface that is seen reflects light of which a pixel knows irradiance and mean direction. MATERIALS: as
 // Transport::Materials counts. RECEIVER: 0 diffuse, 1 with highlights of the mean direction, 2 of directions about
-// it. ir::passes::Reflection has what it needs.  [Smal19 eq. 7.9, §8.3]
+// it. BARE: without an interface. ir::passes::Reflection has what it needs.  [Smal19 eq. 7.9, §8.3]
 #include "lib/brdf.glsl"
 #include "lib/material.glsl"
 #include "passes/reflection/directional.glsl"
@@ -60,7 +60,7 @@ vec3 diffuse_reflectance(Receiver r) {
     return r.base_colour;
 #else
     vec3 base = (1.0 - r.metallic) * r.opaque * r.base_colour;
-#if MATERIALS == 0
+#if MATERIALS == 0 && !defined(BARE)
     base *= below_interface(r);
 #endif
     return base;
@@ -91,17 +91,6 @@ const float COSINE_KAPPA = 3.0667;
 float lobe_norm(float kappa) {
     float k = max(kappa, 1e-3);
     return k / (2.0 * PI * (1.0 - exp(-2.0 * k)));
-}
-
-/// ∫ f cosθ of GGX microfacets over the directions: f0 T + (1 - f0) B, without light between microfacets. Fitted to
-/// values that were found by sampling; T is wrong by at most 0.03 and B by 0.06 where the cosine is 0.1 or more.
-vec3 directional_albedo(vec3 f0, float roughness, float cosine) {
-    vec3 powers = vec3(1, cosine, cosine * cosine);
-    float squared = roughness * roughness;
-    float lost = dot(powers, vec3(2.288, -5.423, 2.189)) + roughness * dot(powers, vec3(-5.015, 16.649, -8.123)) +
-                 squared * dot(powers, vec3(2.892, -10.219, 5.447));
-    float grazing = pow(1.0 - cosine, 5.0) * exp(-5.0 * squared);
-    return f0 * clamp(1.0 - squared * lost, 0.0, 1.0) + (1.0 - f0) * grazing;
 }
 
 /// Light that the interface reflects, W/(m² sr), from directions about the mean one. The directions of photons are a

@@ -159,9 +159,8 @@ double light_over_reference(const std::function<Setting(const std::string&, cons
     return mean(render(of("ldm-indirect", more)).image) / mean(truth.image);
 }
 
-// Every kind of source, at the defaults, indirect light over all pixels. Measured: 0.98 for lamps, 0.95 for
-// the sky, of which few photons find the open front, and 0.94 in the shared room, whose lamp hangs a texel
-// below the ceiling: with maps of 400² there is all its light.
+// Every kind of source, at the defaults, indirect light over all pixels; less in the shared room, whose lamp
+// hangs a texel below the ceiling: with maps of 400² there is all its light.
 TEST(LdmIndirectPicture, LampsAndTheSkyLightAsTheReferenceSays) {
     const auto panel = light_over_reference(
         [](const auto& method, const auto& more) { return room("builtin:cornell", method, more); });

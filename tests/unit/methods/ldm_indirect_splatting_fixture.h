@@ -89,6 +89,13 @@ inline scene::Scene lit_square(float half = 20) {
     return scene;
 }
 
+/// What a surface with normal n gets more than the photon's plane, of light that comes from the lamp.
+inline double turned(const FreePhoton& photon, const glm::dvec3& n) {
+    const auto towards = glm::normalize(glm::dvec3(0, 0, 30) - glm::dvec3(photon.position_ws));
+    const double cosine = glm::dot(glm::dvec3(photon.normal), towards);
+    return cosine < 0.9999 ? std::clamp(glm::dot(n, towards) / cosine, 0.0, 4.0) : 1.0;
+}
+
 /// No clamps but those asked for, and direct photons.
 inline li::Parameters free_parameters() {
     li::Parameters parameters;

@@ -20,7 +20,8 @@ class IndirectSplatting : public IndirectSplatTest {
                 const auto n = rgb(normal, x, y);
                 for (const auto& photon : run.photons)
                     if (n != glm::vec3(0))
-                        sum += printed_contribution(photon, run.parameters, rgb(position, x, y), with_pi);
+                        sum += turned(photon, n) *
+                               printed_contribution(photon, run.parameters, rgb(position, x, y), with_pi);
                 const auto difference = glm::abs(sum - glm::dvec3(rgb(irradiance, x, y)));
                 error = std::max({error, difference.r, difference.g, difference.b});
                 largest = std::max({largest, sum.r, sum.g, sum.b});
@@ -123,6 +124,30 @@ TEST_F(IndirectSplatting, WaysAgreeAndOrdersAreFixed) {
             lit += expected > 0;
         }
     EXPECT_GT(lit, 0.5 * 3 * double(pictures[0].pixels.size()));
+}
+
+TEST_F(IndirectSplatting, DirectionsAreSummedByTheirLight) {
+    const Shot shot(lit_square(), splat_camera({1, -2, 3}, {0, 0, 0}), 64, 64);
+    for (const auto& way : all_ways) {
+        IndirectRun run{.photons = {{.position_ws = {-1, 0, 0}}}, .parameters = free_parameters()};
+        run.photons.push_back({.position_ws = {1, 0, 0}, .flux = {3, 2, 2}});
+        run.by(way);
+        splat(shot, run);
+        const auto irradiance = read("indirect.irradiance"), direction = read("indirect.direction"),
+                   position = read("gbuffer.position");
+        int lit = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const auto e = rgb(irradiance, x, y);
+                const float side = rgb(position, x, y).x < 0 ? -1 : 1;
+                const auto towards = glm::normalize(glm::vec3(-side, 0, 30));
+                EXPECT_LE(glm::distance(rgb(direction, x, y), (e.r + e.g + e.b) * towards),
+                          1e-4f * (e.r + e.g + e.b))
+                    << way.name;
+                lit += e.r > 0;
+            }
+        EXPECT_GT(lit, 150) << way.name;
+    }
 }
 
 // Many rounds of photons and squares of tiles, some of which are beside the picture.

@@ -78,6 +78,7 @@ class IndirectTracingTest : public PassTest {
         return {{"directions", std::int64_t{32}},
                 {"resolution", std::int64_t{100}},
                 {"emission", std::int64_t{16}},
+                {"overhang", std::string("returned")},
                 {"reject_hidden", true}};
     }
 
@@ -147,6 +148,8 @@ class IndirectTracingTest : public PassTest {
         }
         return glm::normalize(n);
     }
+    /// What of its footprint is said to lie beyond its surface.
+    static double part_beyond(const li::Photon& photon) { return (photon.leg >> 18 & 63) / 64.0; }
     static glm::dvec3 flux(const li::EnergyRow& row) { return {row.flux[0], row.flux[1], row.flux[2]}; }
 
     /// Whether what was emitted is found again, in every channel, and photons stored hold what the table

@@ -14,7 +14,7 @@ using Paths = Transport::Paths;
 struct Parts {
     std::optional<graph::ImageRef> direct;  ///< none: not asked for, or all by photons
     std::optional<graph::ImageRef> sky;     ///< what a white surface reflects of the environment
-    bool splatted, unlit, emission, lambert;
+    bool splatted, unlit, emission;
     passes::SeenLight seen;
 };
 
@@ -38,14 +38,14 @@ std::map<std::string, std::string> defines_of(const Parts& parts) {
     if (parts.unlit) defines["UNLIT"] = "1";
     if (parts.emission) defines["EMISSION"] = "1";
     if (parts.seen.image) defines["SEEN"] = "1";
-    if (parts.lambert) defines["LAMBERT"] = "1";
     return defines;
 }
 
 /// Constants of compose.comp.
 struct Compose {
+    passes::ReflectionConstants reflection;
     glm::vec3 background;
-    IR_FIELDS(background)
+    IR_FIELDS(reflection, background)
 };
 
 }  // namespace
@@ -59,20 +59,27 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 .splatted = paths != Paths::direct || by_photons,
                 .unlit = paths != Paths::indirect && by_photons,
                 .emission = paths == Paths::full,
-                .lambert = parameters.transport.materials == Transport::Materials::lambert,
                 .seen = passes::seen_light(builder, gbuffer, parameters.transport)};
     const auto radiance = builder.output("radiance", {.format = gl::Format::rgba32f}),
                indirect = builder.output("indirect.radiance", {.format = gl::Format::rgba32f});
+    const passes::Reflection reflection{.scene = scene,
+                                        .gbuffer = gbuffer,
+                                        .light = {splat.irradiance, splat.direction, true},
+                                        .parameters = parameters.receivers,
+                                        .materials = parameters.transport.materials,
+                                        .is_bare = true};
+    gl::ProgramSource source{{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)};
+    reflection.define(source);
     auto pass = builder.pass("compose");
-    pass.reads("irradiance_image", splat.irradiance)
-        .reads(gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material, gbuffer.emission);
+    reflection.declare_reads(pass);
+    reflection.declare_reads_of_light(pass);
+    pass.reads(gbuffer.emission);
     if (parts.direct) pass.reads("direct_image", *parts.direct);
     if (parts.sky) pass.reads("sky_image", *parts.sky);
     if (parts.seen.image) pass.reads("seen_image", *parts.seen.image);
     pass.writes("radiance_image", radiance)
         .writes("indirect_image", indirect)
-        .compute({{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)}, radiance,
-                 Compose{parts.seen.background});
+        .compute(source, radiance, Compose{reflection.constants(builder.inputs()), parts.seen.background});
     passes::see_through_glass(builder, gbuffer, radiance);
 }
 

@@ -14,9 +14,9 @@ graph::ImageRef declare_sums(graph::GraphBuilder& builder) {
     graph::ImageDesc desc;
     desc.text = {.key = "splat.sums",
                  .label = "Sums of atomic additions",
-                 .doc = "Bits of floats. Layers: R, G, B, W/m², and photons."};
+                 .doc = "Bits of floats. Layers: R, G, B, W/m², photons, and the sum of directions."};
     desc.format = gl::Format::r32ui;
-    desc.layers = 4;
+    desc.layers = 7;
     return builder.image(desc);
 }
 
@@ -68,6 +68,7 @@ void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task) {
     builder.pass("atomic sums")
         .reads("sums", sums)
         .writes("irradiance", task.irradiance)
+        .writes("directions", task.direction)
         .compute({{folder + "atomic_sums.comp"}}, task.irradiance);
 }
 

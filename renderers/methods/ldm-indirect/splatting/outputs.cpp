@@ -18,11 +18,19 @@ std::vector<OutputDescription> pictures() {
          .unit = "W/m²",
          .doc = "Sum of the photons' footprints at the pixel; with direct light where photons carry it. "
                 "A: how many photons add to the pixel."},
+        {.key = "indirect.direction",
+         .label = "Sum of directions",
+         .unit = "W/m²",
+         .doc =
+             "Directions to where the splatted light comes from, each as long as the sum of red, green and "
+             "blue of what comes from there."},
         {.key = "indirect.radiance",
          .label = "Indirect radiance",
          .semantic = Semantic::radiance,
          .unit = "W/(m² sr)",
-         .doc = "What the pixel's surface reflects of the splatted irradiance, ρ/π of it."},
+         .doc =
+             "What the pixel's surface reflects of the splatted irradiance: ρ/π of it, and its highlights as "
+             "`receiver` says."},
         passes::valid_output()};
     auto direct = passes::direct_outputs();
     direct.front().active_when = {"direct", {std::string("rasterisation")}};

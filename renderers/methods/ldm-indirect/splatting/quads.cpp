@@ -28,10 +28,11 @@ void write_command(const graph::PassContext& p, passes::PhotonRange range) {
 void splat_quads(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
                  graph::BufferRef command) {
     if (slice.first) p.clear(task.irradiance);
+    if (slice.first) p.clear(task.direction);
     const auto range = passes::photons_of(p, task.photons, slice);
     if (range.first == range.end) return;
     write_command(p, range);
-    p.bind_framebuffer({{task.irradiance}});
+    p.bind_framebuffer({{task.irradiance}, {task.direction}});
     const auto& program = p.use({{folder + "quads.vert", folder + "quads.geom", folder + "quads.frag"}});
     program.set(outlines(p.inputs(), task.photons.parameters));
     p.bind_empty_vertex_array();
@@ -51,7 +52,7 @@ void splat_quads(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto command = declare_command(builder);
     auto pass = builder.pass("splat photons");
     reads_task(pass, task);
-    pass.writes("Draw", command).writes(task.irradiance);
+    pass.writes("Draw", command).writes(task.irradiance, task.direction);
     pass.execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         splat_quads(p, slice, task, command);
     });

@@ -35,13 +35,14 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
     task.position = gbuffer.position;
     task.normal = gbuffer.geometric_normal;
     task.irradiance = builder.output("indirect.irradiance", {.format = gl::Format::rgba32f});
+    task.direction = builder.output("indirect.direction", {.format = gl::Format::rgba32f});
     const bool on_host =
         builder.inputs().processor == Processor::host && parameters.splatting == Splatting::tiles;
     if (on_host)
         splat_on_host(builder, gbuffer, task);
     else
         splat_on_device(builder, task);
-    return {task.irradiance, task.photons.stored, task.photons.arrivals};
+    return {task.irradiance, task.direction, task.photons.stored, task.photons.arrivals};
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -100,21 +100,13 @@ void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons) {
 }
 
 Footprints footprints(const graph::FrameInputs& inputs, const Parameters& parameters) {
-    const auto& view = inputs.view;
     const bool by_photons = parameters.direct == DirectBy::photons;
-    return {.eye_ws = view.eye_ws,
-            .view_axis_ws = -glm::vec3(glm::transpose(view.view_from_world)[2]),
-            .near_plane = view.near_plane,
-            .pixel_size = pixel_size(view),
-            .splat_size = parameters.splat_size,
-            .topological_bias = parameters.topological_bias,
-            .min_axis_pixels = parameters.min_axis_pixels,
-            .longest_axis = longest_axis(parameters, *inputs.world),
+    return {.ellipses = ellipses(inputs, parameters),
             .map_count = static_cast<unsigned>(parameters.maps.directions),
             .light_count = static_cast<unsigned>(inputs.world->lights.size()),
-            .perspective = view.clip_from_view[3][3] == 0,
             .count_indirect = parameters.transport.paths != Paths::direct,
-            .count_direct = by_photons && parameters.transport.paths != Paths::indirect};
+            .count_direct = by_photons && parameters.transport.paths != Paths::indirect,
+            .turns_receivers = parameters.landing == LandingBy::plane};
 }
 
 Outlines outlines(const graph::FrameInputs& inputs, const Parameters& parameters) {

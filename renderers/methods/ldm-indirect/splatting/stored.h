@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/splatting/ellipses.h"
 #include "renderers/methods/ldm-indirect/stages.h"
 #include "renderers/passes/photons/photon_list.h"
 
@@ -36,12 +37,10 @@ void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons);
 
 /// Constants of splatting/footprint.glsl.
 struct Footprints {
-    glm::vec3 eye_ws, view_axis_ws;
-    float near_plane, pixel_size, splat_size, topological_bias, min_axis_pixels, longest_axis;
+    Ellipses ellipses;
     unsigned map_count, light_count;
-    bool perspective, count_indirect, count_direct;
-    IR_FIELDS(eye_ws, view_axis_ws, near_plane, pixel_size, splat_size, topological_bias, min_axis_pixels,
-              longest_axis, map_count, light_count, perspective, count_indirect, count_direct)
+    bool count_indirect, count_direct, turns_receivers;
+    IR_FIELDS(ellipses, map_count, light_count, count_indirect, count_direct, turns_receivers)
 };
 Footprints footprints(const graph::FrameInputs& inputs, const Parameters& parameters);
 
@@ -60,6 +59,7 @@ struct SplatTask {
     StoredPhotons photons;
     graph::ImageRef position, normal;  ///< of the G-buffer; normal is the geometric one
     graph::ImageRef irradiance;        ///< rgba32f
+    graph::ImageRef direction;         ///< rgba32f
 };
 
 void reads_task(graph::PassBuilder& pass, const SplatTask& task);

@@ -80,14 +80,14 @@ void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
 }
 
 graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons& photons) {
-    const auto kernels =
-        builder.buffer({.text = {.key = "splat.kernels",
-                                 .label = "Kernels of photons",
-                                 .doc = "Place and filter of each photon as tiles read them: "
-                                        "centre, three rows of M, E_p π; to_source in w."},
-                        .fields = {{"rows", graph::FieldType::f32, 20}},
-                        .elements = expected_entries,
-                        .growable = true});
+    const auto kernels = builder.buffer(
+        {.text = {.key = "splat.kernels",
+                  .label = "Kernels of photons",
+                  .doc = "Place and filter of each photon as tiles read them: "
+                         "centre, three rows of M, E_p π; to_source and 1 over the cosine to it in w."},
+         .fields = {{"rows", graph::FieldType::f32, 20}},
+         .elements = expected_entries,
+         .growable = true});
     const auto count = builder.counter({.key = "splat.kernel_count",
                                         .label = "Kernels",
                                         .doc = "As many as there are photons.",
@@ -146,6 +146,7 @@ Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
 void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, const Lists& lists,
             int tiles_across) {
     if (slice.first) p.clear(task.irradiance);
+    if (slice.first) p.clear(task.direction);
     auto defines = defines_of(lists.bins);
     defines["ROWS"] = std::to_string(rows);
     const auto& program = p.use({{folder + "gather_bins.comp"}, defines});
@@ -177,7 +178,8 @@ void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task) {
         .reads("Places", lists.places)
         .reads("Lists", lists.entries)
         .reads("Kernels", lists.kernels)
-        .writes("sums", task.irradiance);
+        .writes("sums", task.irradiance)
+        .writes("directions", task.direction);
     pass.execute_sliced(std::int64_t{across} * down, [=](graph::PassContext& p, graph::Slice slice) {
         gather(p, slice, task, lists, across);
     });

@@ -14,9 +14,11 @@
 #include "renderers/passes/lights/emission_sampler.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/open_part.h"
+#include "renderers/passes/reflection/reflection.h"
 #include "renderers/passes/sampling/point_sequence.h"
 #include "renderers/passes/scene/light_data.h"
 #include "renderers/scene/frame.h"
+#include "shaders/methods/ldm-indirect/tracing/emit.comp.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -48,6 +50,7 @@ class ExtendedEmission {
     ExtendedEmission(const graph::FrameInputs& inputs, const passes::ldm::MapsPointer& maps,
                      const ExtendedPhotons& photons, const Parameters& parameters)
         : transport_(parameters.transport),
+          senders_(parameters.senders),
           seed_(inputs.seed),
           photons_(photons),
           maps_(maps),
@@ -110,17 +113,25 @@ class ExtendedEmission {
         return primary;
     }
     /// As emit.comp.
-    glm::vec3 diffuse_reflectance(const passes::Surface& s) const {
+    glm::vec3 sent_part(const passes::Surface& s, float cosine) const {
+        using Materials = Transport::Materials;
         if (s.is_unlit) return glm::vec3(0);
-        if (transport_.materials == Transport::Materials::lambert) return s.base_colour;
-        return s.transmission * (1 - s.metallic) > passes::mostly_glass ? glm::vec3(0)
-                                                                        : (1 - s.metallic) * s.base_colour;
+        if (transport_.materials == Materials::lambert) return s.base_colour;
+        if (s.transmission * (1 - s.metallic) > passes::mostly_glass) return glm::vec3(0);
+        const auto diffuse = (1 - s.metallic) * s.base_colour;
+        if (senders_ == Senders::diffuse) return diffuse;
+        const float bounded = std::max(cosine, 0.05f);
+        if (transport_.materials == Materials::metalness_blend)
+            return diffuse + s.metallic * passes::directional_albedo(s.base_colour, s.roughness, bounded);
+        const auto f0 = glm::mix(glm::vec3(usual_f0), s.base_colour, s.metallic);
+        const auto interface_albedo = passes::directional_albedo(f0, s.roughness, bounded);
+        return (1.0f - interface_albedo) * diffuse + interface_albedo;
     }
     void arrive(Primary& primary, const passes::Surface& at) const {
         primary.position_ws = at.position_ws;
         primary.normal_ws = at.geometric_normal_ws;
         primary.shading_ws = at.shading_normal_ws;
-        primary.reflectance = diffuse_reflectance(at);
+        primary.reflectance = sent_part(at, -glm::dot(primary.direction_ws, primary.shading_ws));
         primary.cosine_sum = 1e-20f;
         for (const auto& frame : maps_->frames)
             primary.cosine_sum += std::abs(glm::dot(primary.shading_ws, glm::vec3(frame.direction)));
@@ -144,6 +155,7 @@ class ExtendedEmission {
     }
 
     Transport transport_;
+    Senders senders_;
     std::uint64_t seed_;
     ExtendedPhotons photons_;
     passes::ldm::MapsPointer maps_;

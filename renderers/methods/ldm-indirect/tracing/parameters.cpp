@@ -15,6 +15,18 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
               .soft = {16, 256},
               .on_change = OnChange::reallocate,
               .coarse = std::int64_t{32}})
+        .add(
+            &Parameters::senders,
+            {.key = "senders",
+             .label = "Senders",
+             .doc = "What the surfaces reflect that photons meet first, into all directions as Lambert's do.",
+             .citation = "Aalund15 §3.4",
+             .choices = {{"diffuse", "Diffuse", "The diffuse part; metals are black."},
+                         {"whole", "Whole albedo",
+                          "What the interface reflects, too, although it would go into narrower lobes."}},
+             .active_when = passes::has_microfacets,
+             .since_version = 4,
+             .value_in_older_projects = std::string("diffuse")})
         .add(&Parameters::footprint,
              {.key = "footprint",
               .label = "Footprint",
@@ -25,6 +37,31 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                            "than the region of directions that the photon stands for."},
                           {"widened", "Widened",
                            "Spread over the region of directions, too: their second moments add."}}})
+        .add(
+            &Parameters::landing,
+            {.key = "landing",
+             .label = "Landing",
+             .doc = "Where photons land that a map's entry stops. The camera's view corrects it for what it "
+                    "shows.",
+             .citation = "Aalund15 §3.1",
+             .choices = {{"centre", "Texel's centre",
+                          "As deep as the entry, whose texel's centre lies beside the photon; of the surface "
+                          "nothing is known."},
+                         {"plane", "Plane",
+                          "On the plane through the entry and its neighbours, which has a normal, too."}},
+             .since_version = 4,
+             .value_in_older_projects = std::string("centre")})
+        .add(&Parameters::overhang,
+             {.key = "overhang",
+              .label = "Overhang",
+              .doc = "What becomes of light whose footprint reaches beyond its surface, or off its plane.",
+              .citation = "Aalund15 §3.4",
+              .choices = {{"lost", "Lost", "As published: pictures are darker along edges."},
+                          {"returned", "Returned",
+                           "The photon is as much brighter where its surface is. The map's entries say how "
+                           "much of a footprint lies on it."}},
+              .since_version = 4,
+              .value_in_older_projects = std::string("lost")})
         .add(&Parameters::reject_hidden,
              {.key = "reject_hidden",
               .label = "Reject hidden photons",

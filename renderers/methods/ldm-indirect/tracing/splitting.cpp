@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
+#include "renderers/methods/ldm-indirect/splatting/ellipses.h"
 #include "renderers/methods/ldm-indirect/tracing/landing.h"
 #include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/scan/scan.h"
@@ -40,8 +41,9 @@ struct Trace {
 
 /// Constants of store.comp.
 struct Store {
+    Ellipses ellipses;
     unsigned first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity;
-    IR_FIELDS(first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity)
+    IR_FIELDS(ellipses, first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity)
 };
 
 /// Constants of store_direct.comp.
@@ -139,25 +141,28 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
 }
 
 void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef places) const {
-    builder.pass("store photons" + part.name)
-        .reads(maps_->frame_buffer)
-        .reads("Primaries", primaries_.records)
+    auto pass = builder.pass("store photons" + part.name);
+    passes::ldm::reads_maps(pass, *maps_);
+    pass.reads("Primaries", primaries_.records)
         .reads("Hits", hits_)
         .reads("Places", places)
         .reads("Bases", bases_)
-        .writes("Photons", photons_.records)
-        .compute_sliced(
-            {{"methods/ldm-indirect/tracing/store.comp"}}, (part.end - part.first) * part.groups,
-            [self = *this, part](const PassContext& context) {
-                return Store{.first_primary = static_cast<unsigned>(part.first),
-                             .first_frame = static_cast<unsigned>(self.maps_->first_map(part.batch)),
-                             .batch_maps = static_cast<unsigned>(part.batch_maps),
-                             .map_groups = static_cast<unsigned>(part.groups),
-                             .maps_of_group = static_cast<unsigned>(group_maps),
-                             .chunk = static_cast<unsigned>(part.chunk),
-                             .capacity = static_cast<unsigned>(context.capacity(self.photons_.records))};
-            },
-            4096);
+        .writes("Photons", photons_.records);
+    const auto run = [self = *this, part](PassContext& context, Slice slice) {
+        gl::ProgramSource source{{"methods/ldm-indirect/tracing/store.comp"}};
+        source.defines = passes::ldm::defines_of(context, *self.maps_);
+        const auto& program = context.use(source);
+        program.set(Store{.ellipses = ellipses(context.inputs(), self.parameters_),
+                          .first_primary = static_cast<unsigned>(part.first),
+                          .first_frame = static_cast<unsigned>(self.maps_->first_map(part.batch)),
+                          .batch_maps = static_cast<unsigned>(part.batch_maps),
+                          .map_groups = static_cast<unsigned>(part.groups),
+                          .maps_of_group = static_cast<unsigned>(group_maps),
+                          .chunk = static_cast<unsigned>(part.chunk),
+                          .capacity = static_cast<unsigned>(context.capacity(self.photons_.records))});
+        gl::dispatch_items(program, slice.begin, slice.end);
+    };
+    pass.execute_sliced((part.end - part.first) * part.groups, run, 4096);
 }
 
 graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gbuffer,

@@ -5,8 +5,8 @@
 namespace ir::passes::ldm {
 namespace {
 
-/// As in trace.glsl.
-constexpr float least_facing = 0.02f, most_tolerance = 1.5f;
+/// As in trace.glsl and entry_plane.glsl.
+constexpr float least_facing = 0.02f, most_tolerance = 1.5f, steepest_texels = 3;
 /// Beyond all depths, which have 16 bits.
 constexpr int none_before = -1000000, none_behind = 1000000;
 
@@ -83,7 +83,7 @@ FirstHit PointTracer::trace_tangent(const glm::vec3& position_ws, const glm::vec
     const float plane = depth + along * gain, start = depth + along * std::max(gain + tolerance, 0.0f);
     const int key = forward ? quantum(start) : -quantum(-start);  // down along ω
     const int found = next_beyond(list(column, row), key, forward);
-    return {true, is_entry(found), along * (static_cast<float>(found) - plane)};
+    return {true, is_entry(found), along * (static_cast<float>(found) - plane), column, row, found};
 }
 
 FirstHit PointTracer::trace_offset(const glm::vec3& position_ws, const glm::vec3& normal_ws,
@@ -104,7 +104,64 @@ FirstHit PointTracer::trace_offset(const glm::vec3& position_ws, const glm::vec3
     const int own = plane - static_cast<float>(before) < static_cast<float>(behind) - plane ? before : behind;
     if (!is_entry(own)) return {true, false};
     const int found = next_beyond(entries, own, forward);
-    return {true, is_entry(found), std::abs(static_cast<float>(found - own))};
+    return {true, is_entry(found), std::abs(static_cast<float>(found - own)), column, row, found};
+}
+
+glm::vec3 PointTracer::project(const glm::vec3& position_ws) const {
+    const auto& frame = map_.frame;
+    return {projected(position_ws, frame.u), projected(position_ws, frame.v),
+            projected(position_ws, frame.depth)};
+}
+
+std::optional<int> PointTracer::nearest(int column, int row, float depth, float reach) const {
+    if (is_outside(column, row) || !knows(row)) return {};
+    std::optional<int> found;
+    for (const int entry : list(column, row)) {
+        const float gap = std::abs(static_cast<float>(entry) - depth);
+        if (gap > reach || (gap == reach && found)) continue;
+        reach = gap;
+        found = entry;
+    }
+    return found;
+}
+
+std::optional<float> PointTracer::slope_along(int column, int row, int across, int down, int entry) const {
+    const float steepest = steepest_texels * texel_quanta_;
+    float least = 2 * steepest;
+    std::optional<float> slope;
+    for (const int side : {-1, 1}) {
+        const auto next =
+            nearest(column + side * across, row + side * down, static_cast<float>(entry), steepest);
+        if (!next) continue;
+        const int straight = 2 * *next - entry;
+        const auto second = nearest(column + 2 * side * across, row + 2 * side * down,
+                                    static_cast<float>(straight), steepest);
+        const float bend = second ? static_cast<float>(std::abs(*second - straight)) : steepest;
+        if (!(bend < least)) continue;
+        least = bend;
+        slope = static_cast<float>(side * (*next - entry));
+    }
+    return slope;
+}
+
+EntryPlane PointTracer::plane_at(int column, int row, int entry) const {
+    const auto along_u = slope_along(column, row, 1, 0, entry),
+               along_v = slope_along(column, row, 0, 1, entry);
+    return {{along_u.value_or(0), along_v.value_or(0)}, along_u && along_v};
+}
+
+glm::vec3 PointTracer::normal_of(const EntryPlane& plane, const glm::vec3& direction) const {
+    const auto& frame = map_.frame;
+    const auto along = frame.direction.w * glm::vec3(frame.direction);
+    const auto n = glm::normalize(glm::cross(glm::vec3(frame.step_u) + plane.slope.x * along,
+                                             glm::vec3(frame.step_v) + plane.slope.y * along));
+    return glm::dot(n, direction) < 0 ? n : -n;
+}
+
+glm::vec2 PointTracer::slope_of(const glm::vec3& normal) const {
+    const float cosine = glm::dot(normal, glm::vec3(map_.frame.direction));
+    const float facing = cosine < 0 ? std::min(cosine, -least_facing) : std::max(cosine, least_facing);
+    return glm::vec2(glm::dot(normal, slope_u_), glm::dot(normal, slope_v_)) / -facing;
 }
 
 }  // namespace ir::passes::ldm

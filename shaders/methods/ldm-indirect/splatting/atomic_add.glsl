@@ -7,7 +7,7 @@
 uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_geometric_normal;
 
-/// Layers: R, G, B (W/m²), photons.
+/// Layers: R, G, B (W/m²), photons, sum of directions.
 #ifdef FLOAT_ATOMICS
 layout(r32f) uniform image2DArray sums;
 void atomic_add(ivec3 texel, float value) { imageAtomicAdd(sums, texel, value); }
@@ -27,6 +27,8 @@ void add_at(Kernel k, ivec2 pixel) {
     if (normal_ws == vec3(0) || !add_kernel(k, texelFetch(gbuffer_position, pixel, 0).xyz, normal_ws, irradiance)) return;
     for (int c = 0; c < 3; ++c) atomic_add(ivec3(pixel, c), irradiance[c]);
     atomic_add(ivec3(pixel, 3), 1.0);
+    vec3 direction = direction_of(k, irradiance);
+    for (int c = 0; c < 3; ++c) atomic_add(ivec3(pixel, 4 + c), direction[c]);
 }
 
 /// The pixels first, first + step, … before end of the footprint's rectangle, counted row by row.

@@ -2,12 +2,8 @@
 // and sources that are SEEN and no surfaces.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-#include "lib/brdf.glsl"
+#include "passes/reflection/reflection.glsl"
 
-uniform sampler2D irradiance_image;
-uniform sampler2D gbuffer_geometric_normal;
-uniform sampler2D gbuffer_albedo;
-uniform sampler2D gbuffer_material;
 uniform sampler2D gbuffer_emission;
 uniform sampler2D direct_image;
 uniform sampler2D sky_image;
@@ -17,10 +13,10 @@ layout(rgba32f) uniform writeonly image2D indirect_image;
 
 uniform vec3 background;  // W/(m² sr)
 
-/// ρ: the diffuse part of the material, as if nothing lay above it.
-vec3 diffuse_reflectance(vec3 base_colour, vec4 material) {
+/// Of the material's diffuse part, as if nothing lay above it.
+vec3 sky_reflectance(vec3 base_colour, vec4 material) {
     if (material.z > 0.5) return vec3(0);  // unlit
-#ifdef LAMBERT
+#if MATERIALS == 2
     return base_colour;
 #else
     return (1.0 - material.x) * base_colour;
@@ -36,15 +32,14 @@ void main() {
         vec3 base_colour = texelFetch(gbuffer_albedo, pixel, 0).rgb;
         vec4 material = texelFetch(gbuffer_material, pixel, 0);
 #ifdef SPLATTED
-        // f = ρ/π [Aalund15 eq. 5]
-        indirect = diffuse_reflectance(base_colour, material) / PI * texelFetch(irradiance_image, pixel, 0).rgb;
+        indirect = reflected(pixel);
         radiance += indirect;
 #endif
 #ifdef DIRECT_LIGHT
         radiance += texelFetch(direct_image, pixel, 0).rgb;
 #endif
 #ifdef SKY
-        radiance += diffuse_reflectance(base_colour, material) * texelFetch(sky_image, pixel, 0).rgb;
+        radiance += sky_reflectance(base_colour, material) * texelFetch(sky_image, pixel, 0).rgb;
 #endif
 #ifdef UNLIT
         if (material.z > 0.5) radiance += base_colour;

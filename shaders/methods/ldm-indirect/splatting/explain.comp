@@ -41,18 +41,18 @@ float filter_length(Footprint f, vec3 x) {
 }
 
 /// [Aalund15 eqs. 4-6]
-vec3 contribution_of(Photon photon, Footprint f, vec3 x) {
+vec3 contribution_of(Photon photon, Footprint f, vec3 x, float facing) {
     float area = PI / 4.0 * length(cross(2.0 * f.p_ws, 2.0 * f.q_ws)), l = filter_length(f, x);
     float kernel = l < 1.0 ? 3.0 / PI * (1.0 - l * l) * (1.0 - l * l) : 0.0;
-    return photon.flux / area * PI * kernel;
+    return photon.flux / (area * part_on_surface(photon)) * PI * kernel * turned(facing, per_cosine(f));
 }
 
-void write(uint place, uint i, Photon photon, Footprint f, vec3 x) {
+void write(uint place, uint i, Photon photon, Footprint f, vec3 x, float facing) {
     bool is_direct = (photon.leg & LEG_DIRECT) != 0u;
     found[place].centre = floats(f.centre_ws);
     found[place].axis_u = floats(f.p_ws);
     found[place].axis_v = floats(f.q_ws);
-    found[place].contribution = floats(contribution_of(photon, f, x));
+    found[place].contribution = floats(contribution_of(photon, f, x, facing));
     found[place].flux = floats(photon.flux);
     found[place].map = is_direct ? LEG_MAP : photon.leg & LEG_MAP;
     found[place].side = is_direct ? 0 : (photon.leg & LEG_ALONG) != 0u ? 1 : -1;
@@ -78,8 +78,9 @@ void main() {
     Photon photon = photons[i];
     Footprint f = footprint_of(photon);
     vec3 x = texelFetch(gbuffer_position, picked_pixel, 0).xyz;
-    if (!f.counts || filter_length(f, x) >= 1.0 || dot(normal_ws, f.to_source_ws) <= 0.0) return;
+    float facing = dot(normal_ws, f.to_source_ws);
+    if (!f.counts || filter_length(f, x) >= 1.0 || facing <= 0.0) return;
     atomicAdd(photon_count, 1u);
     uint place = atomicAdd(found_count, 1u);
-    if (place < uint(found.length())) write(place, i, photon, f, x);
+    if (place < uint(found.length())) write(place, i, photon, f, x, facing);
 }

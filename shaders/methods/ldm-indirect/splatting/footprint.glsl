@@ -1,20 +1,16 @@
 // What a photon lights: an ellipsoid around the ellipse that its differential spans.  [Aalund15 eqs. 4-7]
 // renderers/methods/ldm-indirect/splatting/stored.h has the constants.
 #include "lib/constants.glsl"
-#include "lib/spaces.glsl"
 #include "methods/ldm-indirect/records.glsl"
+#include "methods/ldm-indirect/splatting/ellipse.glsl"
 
 layout(std430) readonly buffer Stored { uint stored; };
 /// Directions of the maps (w 0), then places (w 1) or directions of travel (w 0) of the lights.
 layout(std430) readonly buffer Arrivals { vec4 arrivals[]; };
 
-uniform vec3 eye_ws, view_axis_ws;
-uniform float near_plane;
-uniform bool perspective;
-uniform float pixel_size;  // m, of a pixel at 1 m along the view axis; of a parallel view everywhere
-uniform float splat_size, topological_bias, min_axis_pixels, longest_axis;
 uniform uint map_count, light_count;
 uniform bool count_indirect, count_direct;
+uniform bool turns_receivers;  // see turned()
 
 struct Footprint {
     bool counts;        // false: nothing to splat
@@ -26,29 +22,10 @@ struct Footprint {
     vec3 to_source_ws;  // where the light came from
 };
 
-/// Narrower ellipses are taken for lines.
-const float min_ratio = 1e-6;
-
-const uint MENDED_SHORT = 1u, MENDED_LONG = 2u, MENDED_DEGENERATE = 4u, NOT_FINITE = 8u;
-
 bool not_finite(vec3 v) { return any(isnan(v)) || any(isinf(v)); }
 
 bool is_asked_for(Photon photon) {
     return (photon.leg & LEG_DIRECT) != 0u ? count_direct : count_indirect;
-}
-
-/// Semi-axes of the ellipse with the conjugate radii u and v, the longer first.
-void principal_axes(vec2 u, vec2 v, out vec2 direction, out float longer, out float shorter) {
-    float xx = u.x * u.x + v.x * v.x, xy = u.x * u.y + v.x * v.y, yy = u.y * u.y + v.y * v.y;
-    longer = sqrt(0.5 * (xx + yy) + length(vec2(0.5 * (xx - yy), xy)));
-    shorter = longer > 0.0 ? abs(u.x * v.y - u.y * v.x) / longer : 0.0;
-    float angle = xy == 0.0 && xx == yy ? 0.0 : 0.5 * atan(2.0 * xy, xx - yy);
-    direction = vec2(cos(angle), sin(angle));
-}
-
-/// m, that a pixel spans at the photon across the view.
-float pixel_at(vec3 position_ws) {
-    return perspective ? pixel_size * max(dot(position_ws - eye_ws, view_axis_ws), near_plane) : pixel_size;
 }
 
 vec3 source_direction(Photon photon) {
@@ -63,7 +40,8 @@ vec3 source_direction(Photon photon) {
 }
 
 /// The photon's footprint with its axes in the receiver's plane, scaled, and between the least and the longest.
-/// The area follows, so that the flux stays.  [Aalund15 eq. 4, with A_p = π |p| |q|]
+/// The area follows, so that the flux stays; what lies beyond the
+/// surface comes to what does not.  [Aalund15 eq. 4, with A_p = π |p| |q|]
 Footprint footprint_of(Photon photon) {
     Footprint f;
     f.mended = 0u;
@@ -75,27 +53,31 @@ Footprint footprint_of(Photon photon) {
     if (!f.counts) return f;
     f.centre_ws = photon.centre_ws;
     f.n_ws = unpacked_direction(photon.normal);
-    mat3 frame = frame_around(f.n_ws);
-    bool broken = any(isnan(photon.axis_u)) || any(isnan(photon.axis_v));
-    // squares of larger numbers would not be finite
-    vec3 u = broken ? vec3(0) : clamp(splat_size * photon.axis_u, vec3(-1e9), vec3(1e9));
-    vec3 v = broken ? vec3(0) : clamp(splat_size * photon.axis_v, vec3(-1e9), vec3(1e9));
-    vec2 direction;
-    float longer, shorter;
-    principal_axes((u * frame).xy, (v * frame).xy, direction, longer, shorter);
-    float least = min_axis_pixels * pixel_at(f.centre_ws), most = max(longest_axis, least);
-    if (shorter < least) f.mended |= MENDED_SHORT;
-    if (longer > most) f.mended |= MENDED_LONG;
-    if (!(shorter > min_ratio * longer)) f.mended |= MENDED_DEGENERATE;
-    longer = clamp(longer, max(least, 1e-9), most);
-    shorter = clamp(shorter, max(least, min_ratio * longer), longer);
-    f.p_ws = longer * (direction.x * frame[0] + direction.y * frame[1]);
-    f.q_ws = shorter * (direction.x * frame[1] - direction.y * frame[0]);
-    // a = a' √|D_u x × D_v x| in M: the kernel ends so far from the plane
-    f.height = sqrt(longer * shorter) / topological_bias;
-    f.irradiance = photon.flux / (PI * longer * shorter);
+    Ellipse e = ellipse_of(f.centre_ws, f.n_ws, photon.axis_u, photon.axis_v);
+    f.mended = e.mended;
+    f.p_ws = e.p_ws;
+    f.q_ws = e.q_ws;
+    f.height = e.height;
+    f.irradiance = photon.flux / (PI * e.area_part * part_on_surface(photon));
     f.to_source_ws = source_direction(photon);
     return f;
+}
+
+/// 0: as printed. So it is across the ray, too, where a photon's surface is not known.
+float per_cosine(Footprint f) {
+    float cosine = dot(f.n_ws, f.to_source_ws);
+    return turns_receivers && cosine < 0.9999 ? 1.0 / max(cosine, 1e-3) : 0.0;
+}
+
+/// Most that a surface may get more than the photon's plane because it faces the light more.
+// C++: ir::methods::ldm_indirect::most_turned
+const float MOST_TURNED = 4.0;
+
+/// What a surface gets of E_p that is turned against the photon's plane: its cosine to the light over the plane's.
+/// DEVIATION [Aalund15 eq. 5]: print has the plane's cosine for all surfaces in the kernel. With each surface's own
+/// the kernel gives as much light as the beam brings, whatever lies in it.
+float turned(float facing, float per_cosine) {
+    return per_cosine > 0.0 ? min(facing * per_cosine, MOST_TURNED) : 1.0;
 }
 
 /// [Aalund15 eq. 6]

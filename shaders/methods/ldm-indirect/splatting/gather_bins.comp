@@ -9,6 +9,7 @@ layout(std430) readonly buffer Lists { uint lists[]; };
 uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_geometric_normal;
 layout(rgba32f) uniform image2D sums;
+layout(rgba32f) uniform image2D directions;
 
 uniform uint tiles_across, bins_across, first_tile;
 uniform uint round_first, round_size;  // entries of each list
@@ -23,7 +24,7 @@ void main() {
     end = min(end, begin + round_size);
     if (begin >= end) return;
     ivec2 first = ivec2(at + gl_LocalInvocationID.xy * uvec2(1, ROWS)), size = imageSize(sums);
-    vec3 position_ws[ROWS], normal_ws[ROWS];
+    vec3 position_ws[ROWS], normal_ws[ROWS], direction[ROWS];
     vec4 sum[ROWS];
     for (int i = 0; i < ROWS; ++i) {
         ivec2 pixel = first + ivec2(0, i);
@@ -31,16 +32,21 @@ void main() {
         normal_ws[i] = inside ? texelFetch(gbuffer_geometric_normal, pixel, 0).xyz : vec3(0);  // 0: faces no light
         position_ws[i] = inside ? texelFetch(gbuffer_position, pixel, 0).xyz : vec3(0);
         sum[i] = inside ? imageLoad(sums, pixel) : vec4(0);
+        direction[i] = inside ? imageLoad(directions, pixel).xyz : vec3(0);
     }
     for (uint entry = begin; entry < end; ++entry) {
         Kernel k = unpacked_kernel(kernels[lists[entry]]);
         for (int i = 0; i < ROWS; ++i) {
             vec3 irradiance;
-            if (add_kernel(k, position_ws[i], normal_ws[i], irradiance)) sum[i] += vec4(irradiance, 1);
+            if (!add_kernel(k, position_ws[i], normal_ws[i], irradiance)) continue;
+            sum[i] += vec4(irradiance, 1);
+            direction[i] += direction_of(k, irradiance);
         }
     }
     for (int i = 0; i < ROWS; ++i) {
         ivec2 pixel = first + ivec2(0, i);
-        if (all(lessThan(pixel, size))) imageStore(sums, pixel, sum[i]);
+        if (any(greaterThanEqual(pixel, size))) continue;
+        imageStore(sums, pixel, sum[i]);
+        imageStore(directions, pixel, vec4(direction[i], 0));
     }
 }

@@ -5,15 +5,20 @@ struct Kernel {
     vec3 centre_ws, row_p, row_q, row_n;  // rows of M
     vec3 peak;                            // E_p π, W/m²
     vec3 to_source_ws;
+    float per_cosine;                     // 1 over that to the light on the photon's own plane
 };
 
 /// The rows of M for axes that are the ellipse's own: D_u/2 = p, D_v/2 = q, n are orthogonal.
 Kernel kernel_of(Footprint f) {
     return Kernel(f.centre_ws, f.p_ws / dot(f.p_ws, f.p_ws), f.q_ws / dot(f.q_ws, f.q_ws), f.n_ws / f.height,
-                  PI * f.irradiance, f.to_source_ws);
+                  PI * f.irradiance, f.to_source_ws, per_cosine(f));
 }
 
+/// What it adds to the sum of directions where it adds this irradiance.
+vec3 direction_of(Kernel k, vec3 irradiance) { return dot(irradiance, vec3(1)) * k.to_source_ws; }
+
 /// What it adds to the irradiance at a place with this geometric normal, W/m². [Aalund15 eq. 5]
+/// DEVIATION [Aalund15 eq. 5]: see turned().
 /// DEVIATION [Aalund15 eq. 5]: f_s is left out here and applied to the sum, as it is the same for all photons
 /// of a pixel: texture detail survives, and nothing but rounding changes. Where it would be 0, as the surface
 /// faces away from the light, nothing is added; the paper names only a against light on wrong surfaces. Without
@@ -22,6 +27,7 @@ bool add_kernel(Kernel k, vec3 position_ws, vec3 normal_ws, out vec3 irradiance)
     vec3 d = position_ws - k.centre_ws;
     vec3 l = vec3(dot(k.row_p, d), dot(k.row_q, d), dot(k.row_n, d));
     float squared = dot(l, l);
-    irradiance = k.peak * silverman(squared);
-    return squared < 1.0 && dot(normal_ws, k.to_source_ws) > 0.0;
+    float facing = dot(normal_ws, k.to_source_ws);
+    irradiance = k.peak * (silverman(squared) * turned(facing, k.per_cosine));
+    return squared < 1.0 && facing > 0.0;
 }

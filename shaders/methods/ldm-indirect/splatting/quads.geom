@@ -19,7 +19,7 @@ layout(location = 1) flat out vec3 row_p;
 layout(location = 2) flat out vec3 row_q;
 layout(location = 3) flat out vec3 row_n;
 layout(location = 4) flat out vec3 peak;
-layout(location = 5) flat out vec3 to_source_ws;
+layout(location = 5) flat out vec4 to_source_ws;  // w: per_cosine
 
 void emit(vec2 position_px, Kernel k) {
     vec2 ndc = position_px / size_px * 2.0 - 1.0;
@@ -29,7 +29,7 @@ void emit(vec2 position_px, Kernel k) {
     row_q = k.row_q;
     row_n = k.row_n;
     peak = k.peak;
-    to_source_ws = k.to_source_ws;
+    to_source_ws = vec4(k.to_source_ws, k.per_cosine);
     EmitVertex();
 }
 

@@ -3,6 +3,7 @@
 layout(local_size_x = 64) in;
 #include "passes/shadow/shadow.glsl"
 #include "passes/ldm/frames.glsl"
+#include "lib/brdf.glsl"
 #include "lib/spaces.glsl"
 #include "methods/ldm-indirect/tracing/differentials.glsl"
 #include "methods/ldm-indirect/tracing/primary.glsl"
@@ -79,10 +80,23 @@ float cosines(vec3 normal) {
     return sum;
 }
 
-/// All surfaces are Lambertian; unlit ones and glass reflect nothing so.
-vec3 diffuse_reflectance(vec3 base_colour, float tag) {
+/// Of dielectrics: what lights see knows no index of refraction, and 1.5 is usual.
+// C++: ir::methods::ldm_indirect::usual_f0
+const float USUAL_F0 = 0.04;
+
+/// All surfaces send as Lambertian ones; unlit ones and glass send nothing.
+/// DEVIATION [glTF2 B.3]: with the whole albedo what the interface reflects goes into all directions, too.
+vec3 sent_part(vec3 base_colour, float roughness, float tag, float cosine) {
     if (tag <= 0.0) return vec3(0);
-    return params.materials == MATERIALS_LAMBERT ? base_colour : base_colour * (2.0 - tag);
+    if (params.materials == MATERIALS_LAMBERT) return base_colour;
+    float metallic = tag - 1.0;
+    vec3 diffuse = (1.0 - metallic) * base_colour;
+    if (params.senders == SENDERS_DIFFUSE) return diffuse;
+    float bounded = max(cosine, 0.05);
+    if (params.materials == MATERIALS_METALNESS_BLEND)
+        return diffuse + metallic * directional_albedo(base_colour, roughness, bounded);
+    vec3 interface_albedo = directional_albedo(mix(vec3(USUAL_F0), base_colour, metallic), roughness, bounded);
+    return (1.0 - interface_albedo) * diffuse + interface_albedo;
 }
 
 void arrive(inout Primary p, ivec2 texel, int layer) {
@@ -91,7 +105,8 @@ void arrive(inout Primary p, ivec2 texel, int layer) {
     p.fate = PRIMARY_SPLITS;
     p.normal_ws = texelFetch(rsm_geometric_normal, ivec3(texel, layer), 0).xyz;
     p.shading_ws = normalize(shading.xyz);
-    p.reflectance = diffuse_reflectance(texelFetch(rsm_albedo_roughness, ivec3(texel, layer), 0).rgb, shading.w);
+    vec4 albedo = texelFetch(rsm_albedo_roughness, ivec3(texel, layer), 0);
+    p.reflectance = sent_part(albedo.rgb, albedo.a, shading.w, -dot(p.direction_ws, p.shading_ws));
     p.position_ws += p.path_length * p.direction_ws;
     p.cosine_sum = max(cosines(p.shading_ws), 1e-20);
     if (dot(p.direction_ws, p.normal_ws) > -MIN_FACING) {

@@ -66,10 +66,11 @@ Landing unseen_landing(bool is_inside, vec3 origin, vec3 direction, float distan
 /// sloped surfaces would hide from themselves. In a closed box of 4 m, 64 maps of 100² (200²), 39 % (12 %) of what
 /// arrived in view was lost as hidden, and is 0.05 % now.
 ///
-/// `unseen_normal`: of the receiver, for what the nearest pixel does not know; maps know no normals. A footprint
-/// across the ray has a sphere for its ellipsoid, which lights any plane through its middle with all its flux.
+/// `map_normal`: of the receiver, for what the nearest pixel does not know; against the ray where the map does not
+/// know either (`has_surface` false). A footprint across the ray lights a plane through its middle with all its flux
+/// if it is as thick as wide.
 Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 step_u, vec3 step_v, Spread spread,
-                vec3 unseen_normal) {
+                vec3 map_normal, bool has_surface) {
     float moved = distance;
     bool is_inside = false;
     for (int turn = 0; turn < 4; ++turn) {
@@ -83,8 +84,11 @@ Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 s
         float facing = dot(normal, direction), gap = dot(normal, seen.xyz - place);
         bool is_near = abs(gap) <= params.visibility_tolerance * seen.w;
         if (!is_inside && facing > -MIN_FACING) break;
-        if (is_near && facing > MIN_FACING) return Landing(CAUSE_BACK, distance, vec3(0));
-        if (is_near && abs(facing) <= MIN_FACING) return Landing(CAUSE_DEGENERATE, distance, vec3(0));
+        if (is_near && facing > -MIN_FACING) {
+            // The ray runs along what is seen, or comes from behind it, and meets something else beside it?
+            if (has_surface && !bool(params.reject_hidden) && dot(map_normal, normal) > -0.5) break;
+            return Landing(facing > MIN_FACING ? CAUSE_BACK : CAUSE_DEGENERATE, distance, vec3(0));
+        }
         if (abs(facing) <= MIN_FACING) break;
         float next = max(moved + gap / facing, 0.0);
         float allowed = error + entry_error(normal, direction, step_u, step_v);
@@ -97,5 +101,5 @@ Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 s
         if (!is_explained) break;
         moved = next;
     }
-    return unseen_landing(is_inside, origin, direction, distance, unseen_normal, spread);
+    return unseen_landing(is_inside, origin, direction, distance, map_normal, spread);
 }

@@ -4,8 +4,12 @@
 // (393,216 photons, 176,258 stored, on llvmpipe).
 layout(local_size_x = 64) in;
 #include "passes/ldm/frames.glsl"
+#include "passes/ldm/storage.glsl"
+#include "passes/ldm/trace.glsl"
+#include "passes/ldm/entry_plane.glsl"
 #include "lib/spaces.glsl"
 #include "methods/ldm-indirect/records.glsl"
+#include "methods/ldm-indirect/tracing/overhang.glsl"
 #include "methods/ldm-indirect/tracing/differentials.glsl"
 #include "methods/ldm-indirect/tracing/primary.glsl"
 
@@ -48,7 +52,12 @@ void main() {
         uvec2 hit = hits[local * batch_maps + map];
         float t = uintBitsToFloat(hit.x);
         if (t < 0.0) continue;
-        if (place < capacity) photons[place] = photon(primaries[first_primary + local], first_frame + map, t, hit.y);
+        if (place < capacity) {
+            Photon p = photon(primaries[first_primary + local], first_frame + map, t, hit.y);
+            if (params.overhang == OVERHANG_RETURNED)
+                p.leg |= part_beyond(p, ldm_frames[first_frame + map], map, params.resolution) << LEG_BEYOND_SHIFT;
+            photons[place] = p;
+        }
         ++place;
     }
 }

@@ -4,6 +4,7 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/storage.glsl"
 #include "passes/ldm/trace.glsl"
 #include "passes/ldm/self_hit.glsl"
+#include "passes/ldm/entry_plane.glsl"
 #include "lib/spaces.glsl"
 #include "methods/ldm-indirect/tracing/differentials.glsl"
 #include "methods/ldm-indirect/tracing/primary.glsl"
@@ -36,9 +37,22 @@ Landing trace(Primary p, MapFrame frame, uint map, bool forward, vec3 direction)
     if (dot(p.normal_ws, direction) <= 0.0) return Landing(CAUSE_BELOW, 0.0, vec3(0));
     LdmHit hit = ldm_trace(frame, map, p.position_ws, p.normal_ws, forward, LDM_FAR_QUANTA);
     if (!hit.found) return Landing(CAUSE_LEFT, 0.0, vec3(0));
-    return landing(p.position_ws, direction, max(hit.distance, 0.0) * frame.direction.w,
+    float distance = max(hit.distance, 0.0);
+    vec3 normal = -direction;
+    bool has_surface = false;
+    if (params.landing == LANDING_PLANE) {
+        LdmPlane plane = ldm_plane(frame, map, hit.texel, params.resolution, hit.entry);
+        has_surface = plane.known;
+        if (has_surface) {
+            vec3 x = ldm_project(frame, p.position_ws);
+            float entry = hit.entry + dot(plane.slope, x.xy - vec2(hit.texel) - 0.5);
+            distance = max(forward ? entry - x.z : x.z - entry, 0.0);
+            normal = ldm_normal(frame, plane, direction);
+        }
+    }
+    return landing(p.position_ws, direction, distance * frame.direction.w,
                    entry_error(p.normal_ws, direction, frame.step_u.xyz, frame.step_v.xyz), frame.step_u.xyz,
-                   frame.step_v.xyz, spread_of(p), -direction);
+                   frame.step_v.xyz, spread_of(p), normal, has_surface);
 }
 
 void main() {

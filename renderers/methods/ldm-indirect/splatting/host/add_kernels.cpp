@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "renderers/passes/vectors/targets.h"
+#include "shaders/methods/ldm-indirect/splatting/footprint.glsl.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/methods/ldm-indirect/splatting/host/add_kernels.cpp"
@@ -68,7 +69,7 @@ std::uint32_t reached(const SurfaceBoxes& boxes, std::size_t first, const HostKe
 /// Some pixels and their sums.
 struct Pixels {
     Vector3 position, normal;
-    Floats red, green, blue, count;
+    Floats sums[TileSums::channels];
 };
 
 Vector3 load3(const std::vector<float> (&axes)[3], std::size_t place) {
@@ -81,12 +82,16 @@ HWY_INLINE void add_kernel(Pixels& to, const HostKernel& k) {
     const auto p = dot(d, k.row_p), q = dot(d, k.row_q), h = dot(d, k.row_n);
     const auto one = hn::Set(f, 1);
     const auto below = hn::Sub(one, hn::MulAdd(h, h, hn::MulAdd(q, q, hn::Mul(p, p))));
-    const auto lit = hn::And(hn::Gt(below, hn::Zero(f)), hn::Gt(dot(to.normal, k.to_source_ws), hn::Zero(f)));
-    const auto weight = hn::IfThenElseZero(lit, hn::Mul(below, below));
-    to.red = hn::MulAdd(weight, hn::Set(f, k.peak.x), to.red);
-    to.green = hn::MulAdd(weight, hn::Set(f, k.peak.y), to.green);
-    to.blue = hn::MulAdd(weight, hn::Set(f, k.peak.z), to.blue);
-    to.count = hn::Add(to.count, hn::IfThenElseZero(lit, one));
+    const auto facing = dot(to.normal, k.to_source_ws);
+    const auto turned =
+        k.per_cosine > 0 ? hn::Min(hn::Mul(facing, hn::Set(f, k.per_cosine)), hn::Set(f, most_turned)) : one;
+    const auto lit = hn::And(hn::Gt(below, hn::Zero(f)), hn::Gt(facing, hn::Zero(f)));
+    const auto weight = hn::IfThenElseZero(lit, hn::Mul(hn::Mul(below, below), turned));
+    for (int i = 0; i < 3; ++i) {
+        to.sums[i] = hn::MulAdd(weight, hn::Set(f, k.peak[i]), to.sums[i]);
+        to.sums[4 + i] = hn::MulAdd(weight, hn::Set(f, k.directed[i]), to.sums[4 + i]);
+    }
+    to.sums[3] = hn::Add(to.sums[3], hn::IfThenElseZero(lit, one));
 }
 
 void add_to_tile(const PixelTiles& tiles, std::size_t tile, std::span<const HostKernel> kernels,
@@ -96,21 +101,17 @@ void add_to_tile(const PixelTiles& tiles, std::size_t tile, std::span<const Host
         const auto place = tile * pixels + static_cast<std::size_t>(first);
         for (int v = 0; v < vectors; ++v) {
             const auto at = place + static_cast<std::size_t>(v * lanes);
-            part[v] = {load3(tiles.position, at),
-                       load3(tiles.geometric_normal, at),
-                       hn::LoadU(f, sums.channel[0].data() + at),
-                       hn::LoadU(f, sums.channel[1].data() + at),
-                       hn::LoadU(f, sums.channel[2].data() + at),
-                       hn::LoadU(f, sums.channel[3].data() + at)};
+            part[v].position = load3(tiles.position, at);
+            part[v].normal = load3(tiles.geometric_normal, at);
+            for (int i = 0; i < TileSums::channels; ++i)
+                part[v].sums[i] = hn::LoadU(f, sums.channel[i].data() + at);
         }
         for (const auto number : list)
             for (auto& some : part) add_kernel(some, kernels[number]);
         for (int v = 0; v < vectors; ++v) {
             const auto at = place + static_cast<std::size_t>(v * lanes);
-            hn::StoreU(part[v].red, f, sums.channel[0].data() + at);
-            hn::StoreU(part[v].green, f, sums.channel[1].data() + at);
-            hn::StoreU(part[v].blue, f, sums.channel[2].data() + at);
-            hn::StoreU(part[v].count, f, sums.channel[3].data() + at);
+            for (int i = 0; i < TileSums::channels; ++i)
+                hn::StoreU(part[v].sums[i], f, sums.channel[i].data() + at);
         }
     }
 }

@@ -32,9 +32,11 @@ struct TileGroups {
 };
 TileGroups group_tiles(const PixelTiles& tiles);
 
-/// Sums of each pixel, as PixelTiles counts them: RGB irradiance, W/m², and kernels that added to it.
+/// Sums of each pixel, as PixelTiles counts them: RGB irradiance, W/m², kernels that added to it, and the sum
+/// of directions.
 struct TileSums {
-    std::vector<float> channel[4];
+    static constexpr int channels = 7;
+    std::vector<float> channel[channels];
 };
 
 /// Kernels that are added at once: 64 to a word.

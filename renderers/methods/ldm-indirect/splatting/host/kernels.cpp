@@ -28,28 +28,12 @@ MendedFootprints& MendedFootprints::operator+=(const MendedFootprints& other) {
     return *this;
 }
 
-float KernelMaker::pixel_at(glm::vec3 position_ws) const {
+float EllipseMaker::pixel_at(glm::vec3 position_ws) const {
     if (!c_.perspective) return c_.pixel_size;
     return c_.pixel_size * std::max(glm::dot(position_ws - c_.eye_ws, c_.view_axis_ws), c_.near_plane);
 }
 
-glm::vec3 KernelMaker::to_source(const Photon& photon) const {
-    if ((photon.leg & leg_direct) == 0) {
-        const glm::vec3 along(arrivals_[std::min(photon.leg & leg_map, c_.map_count - 1)]);
-        return (photon.leg & leg_along) != 0 ? -along : along;
-    }
-    if (c_.light_count == 0) return glm::vec3(0);
-    const auto& light = arrivals_[c_.map_count + std::min(photon.leg >> leg_light_shift, c_.light_count - 1)];
-    return light.w > 0.5f ? glm::normalize(glm::vec3(light) - photon.centre_ws) : -glm::vec3(light);
-}
-
-HostKernel KernelMaker::make(const Photon& photon, MendedFootprints& mended) const {
-    const bool counts = (photon.leg & leg_direct) != 0 ? c_.count_direct : c_.count_indirect;
-    if (!is_finite(photon.centre_ws) || !is_finite(photon.flux)) {
-        ++mended.broken;
-        return {};
-    }
-    if (!counts) return {};
+HostEllipse EllipseMaker::make(const Photon& photon, MendedFootprints& mended) const {
     const auto frame = scene::frame_around(unpacked_direction(photon.normal));
     const bool broken = is_nan(photon.axis_u) || is_nan(photon.axis_v);
     // Squares of larger numbers would not be finite.
@@ -70,16 +54,46 @@ HostKernel KernelMaker::make(const Photon& photon, MendedFootprints& mended) con
     mended.degenerate += !(shorter > min_ratio * longer);
     longer = std::clamp(longer, std::max(least, 1e-9f), most);
     shorter = std::clamp(shorter, std::max(least, min_ratio * longer), longer);
+    HostEllipse e;
+    e.p = direction.x * frame[0] + direction.y * frame[1];
+    e.q = direction.x * frame[1] - direction.y * frame[0];
+    e.n = frame[2];
+    e.longer = longer, e.shorter = shorter;
     // a = a' √|D_u x × D_v x| in M: the kernel ends so far from the plane
-    const float height = std::sqrt(longer * shorter) / c_.topological_bias;
+    e.height = std::sqrt(longer * shorter) / c_.topological_bias;
+    return e;
+}
+
+glm::vec3 KernelMaker::to_source(const Photon& photon) const {
+    if ((photon.leg & leg_direct) == 0) {
+        const glm::vec3 along(arrivals_[std::min(photon.leg & leg_map, c_.map_count - 1)]);
+        return (photon.leg & leg_along) != 0 ? -along : along;
+    }
+    if (c_.light_count == 0) return glm::vec3(0);
+    const auto& light = arrivals_[c_.map_count + std::min(photon.leg >> leg_light_shift, c_.light_count - 1)];
+    return light.w > 0.5f ? glm::normalize(glm::vec3(light) - photon.centre_ws) : -glm::vec3(light);
+}
+
+HostKernel KernelMaker::make(const Photon& photon, MendedFootprints& mended) const {
+    const bool counts = (photon.leg & leg_direct) != 0 ? c_.count_direct : c_.count_indirect;
+    if (!is_finite(photon.centre_ws) || !is_finite(photon.flux)) {
+        ++mended.broken;
+        return {};
+    }
+    if (!counts) return {};
+    const auto e = ellipses_.make(photon, mended);
     HostKernel k;
     k.centre_ws = photon.centre_ws;
-    k.row_p = (direction.x * frame[0] + direction.y * frame[1]) / longer;
-    k.row_q = (direction.x * frame[1] - direction.y * frame[0]) / shorter;
-    k.row_n = frame[2] / height;
+    k.row_p = e.p / e.longer;
+    k.row_q = e.q / e.shorter;
+    k.row_n = e.n / e.height;
     // E_p π times Silverman's 3/π, and A_p = π |p| |q|
-    k.peak = photon.flux * (3 * std::numbers::inv_pi_v<float> / (longer * shorter));
+    k.peak =
+        photon.flux * (3 * std::numbers::inv_pi_v<float> / (e.longer * e.shorter * part_on_surface(photon)));
     k.to_source_ws = to_source(photon);
+    const float cosine = glm::dot(e.n, k.to_source_ws);
+    if (c_.turns_receivers && cosine < 0.9999f) k.per_cosine = 1 / std::max(cosine, 1e-3f);
+    k.directed = (k.peak.x + k.peak.y + k.peak.z) * k.to_source_ws;
     k.counts = true;
     return k;
 }

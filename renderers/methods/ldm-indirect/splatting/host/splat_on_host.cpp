@@ -45,14 +45,15 @@ class HostSplat {
         });
     }
 
-    void write(std::span<glm::vec4> picture) {
+    void write(std::span<glm::vec4> irradiance, std::span<glm::vec4> direction) {
         arena_.execute([&] {
             tbb::parallel_for(0, tiles_.height, [&](int y) {
                 for (int x = 0; x < tiles_.width; ++x) {
                     const auto from = tiles_.place(x, y);
-                    auto& to = picture[static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles_.width) +
-                                       static_cast<std::size_t>(x)];
-                    for (int i = 0; i < 4; ++i) to[i] = sums_.channel[i][from];
+                    const auto to = static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles_.width) +
+                                    static_cast<std::size_t>(x);
+                    for (int i = 0; i < 4; ++i) irradiance[to][i] = sums_.channel[i][from];
+                    for (int i = 0; i < 3; ++i) direction[to][i] = sums_.channel[4 + i][from];
                 }
             });
         });
@@ -95,7 +96,7 @@ void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         .has_two_bodies()
         .reads(task.photons.records, task.photons.stored, gbuffer.position, gbuffer.normal,
                gbuffer.geometric_normal)
-        .writes(task.irradiance)
+        .writes(task.irradiance, task.direction)
         .counts(counters.axes_short)
         .counts(counters.axes_long)
         .counts(counters.degenerate)
@@ -105,7 +106,7 @@ void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
             passes::add_stored<Photon>(p, task.photons, slice, KernelRound::kernels,
                                        [&](auto photons) { splat->add(photons); });
             if (!slice.last) return;
-            splat->write(p.pixels<glm::vec4>(task.irradiance));
+            splat->write(p.pixels<glm::vec4>(task.irradiance), p.pixels<glm::vec4>(task.direction));
             p.add(counters.axes_short, splat->mended().axes_short);
             p.add(counters.axes_long, splat->mended().axes_long);
             p.add(counters.degenerate, splat->mended().degenerate);

@@ -77,7 +77,8 @@ Photon photon_of(const Primary& primary, const Child& child, const glm::vec3& ma
     result.source = primary.source;
     result.axis_u = axes.u;
     result.axis_v = axes.v;
-    result.leg = child.map | (along ? leg_along : 0u) | primary.light << leg_light_shift;
+    result.leg = child.map | (along ? leg_along : 0u) | child.beyond << leg_beyond_shift |
+                 primary.light << leg_light_shift;
     result.path_length = primary.path_length + child.distance;
     result.flux = reflected_flux(primary) * (std::abs(cosine) / primary.cosine_sum);
     result.normal = child.normal;

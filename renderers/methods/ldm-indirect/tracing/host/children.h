@@ -20,6 +20,7 @@ struct Child {
     std::uint32_t map;
     float distance;        ///< m, from the first surface
     std::uint32_t normal;  ///< as Photon::normal
+    std::uint32_t beyond;  ///< 64ths of its kernel that lie beyond its surface
 };
 
 /// The record of a child that flew along ±`map_direction`, as store.comp makes it. `half_turn`: half of the

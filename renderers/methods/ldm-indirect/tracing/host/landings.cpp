@@ -74,8 +74,10 @@ Landing LandingView::land(const Arrival& a) const {
         const float facing = glm::dot(normal, a.direction), gap = glm::dot(normal, glm::vec3(seen) - place);
         const bool is_near = std::abs(gap) <= tolerance_ * seen.w;
         if (!is_inside && facing > -min_facing) break;
-        if (is_near && facing > min_facing) return {Cause::back, a.distance, {}};
-        if (is_near && std::abs(facing) <= min_facing) return {Cause::degenerate, a.distance, {}};
+        if (is_near && facing > -min_facing) {
+            if (a.has_surface && !reject_hidden_ && glm::dot(a.map_normal, normal) > -0.5f) break;
+            return {facing > min_facing ? Cause::back : Cause::degenerate, a.distance, {}};
+        }
         if (std::abs(facing) <= min_facing) break;
         const float next = std::max(moved + gap / facing, 0.0f);
         const float allowed = a.error + entry_error(normal, a.direction, a.step_u, a.step_v);
@@ -87,7 +89,7 @@ Landing LandingView::land(const Arrival& a) const {
         if (!is_explained) break;
         moved = next;
     }
-    return unseen(a, is_inside, a.distance, a.unseen_normal);
+    return unseen(a, is_inside, a.distance, a.map_normal);
 }
 
 }  // namespace ir::methods::ldm_indirect

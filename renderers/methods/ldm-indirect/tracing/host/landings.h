@@ -28,7 +28,8 @@ struct Arrival {
     float distance, error;  ///< m
     glm::vec3 step_u, step_v;
     Spread spread;
-    glm::vec3 unseen_normal;
+    glm::vec3 map_normal;
+    bool has_surface = false;
 };
 
 /// How far along the ray a map's entry may lie from where the ray meets a surface with normal n.

@@ -11,6 +11,7 @@
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/tracing/host/children.h"
 #include "renderers/methods/ldm-indirect/tracing/host/landings.h"
+#include "renderers/methods/ldm-indirect/tracing/host/overhang.h"
 #include "renderers/passes/ldm/host/first_hit.h"
 #include "renderers/passes/ldm/host/trace_on_host.h"
 
@@ -32,7 +33,7 @@ struct Source {
 struct Hit {
     std::uint32_t source;  ///< place among the sources
     float distance;
-    std::uint32_t normal;
+    std::uint32_t normal, beyond;
 };
 
 /// Of each source and cause: photons, and their part of the flux as a whole number. Any thread may add, and
@@ -86,7 +87,8 @@ class HostSplit {
 
     std::int64_t first_slice() const { return static_cast<std::int64_t>(workers_.size()); }
 
-    void begin(std::span<const Primary> primaries) {
+    void begin(const graph::FrameInputs& inputs, std::span<const Primary> primaries) {
+        ellipses_.emplace(ellipses(inputs, parameters_));
         sources_.clear();
         for (std::size_t i = 0; i < primaries.size(); ++i)
             if (splits(primaries[i])) sources_.push_back(source_of(primaries[i], i));
@@ -100,14 +102,14 @@ class HostSplit {
 
     /// Maps begin … end - 1.
     void trace(const graph::PassContext& context, const ldm::HostScene& scene, const LandingView& view,
-               graph::Slice slice) {
+               std::span<const Primary> primaries, graph::Slice slice) {
         std::atomic<std::int64_t> next{slice.begin};
         arena_.execute([&] {
             tbb::parallel_for(
                 std::size_t{0}, workers_.size(),
                 [&](std::size_t i) {
                     for (auto map = next++; map < slice.end && !context.cancel().is_cancelled(); map = next++)
-                        trace_map(scene, view, workers_[i], static_cast<std::size_t>(map));
+                        trace_map(scene, view, primaries, workers_[i], static_cast<std::size_t>(map));
                 },
                 tbb::simple_partitioner());
         });
@@ -158,7 +160,8 @@ class HostSplit {
                 1 / p.cosine_sum, {axis, turn}};
     }
 
-    void trace_map(const ldm::HostScene& scene, const LandingView& view, Worker& worker, std::size_t map) {
+    void trace_map(const ldm::HostScene& scene, const LandingView& view, std::span<const Primary> primaries,
+                   Worker& worker, std::size_t map) {
         const int resolution = maps_->layout.resolution, rows = ldm::StreamedMap::band_rows(resolution);
         auto& hits = hits_[map];
         for (int row = 0; row < resolution; row += rows) {
@@ -166,7 +169,7 @@ class HostSplit {
             ldm::build_map(scene.meshlets, scene.masks, maps_->frames[map], row,
                            std::min(rows, resolution - row), worker.map, worker.scratch);
             const auto built = Clock::now();
-            trace_band(view, worker, hits);
+            trace_band(view, primaries, worker, map);
             worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
             worker.ask_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
         }
@@ -175,10 +178,40 @@ class HostSplit {
                       [](const Hit& a, const Hit& b) { return a.source < b.source; });
     }
 
-    void trace_band(const LandingView& view, Worker& worker, std::vector<Hit>& hits) {
+    /// Where a hit is, and of what surface.
+    Arrival arrival(const ldm::PointTracer& tracer, const ldm::MapFrame& frame, const Source& s, bool forward,
+                    const ldm::FirstHit& hit) const {
+        const glm::vec3 v(frame.direction), step_u(frame.step_u), step_v(frame.step_v);
+        Arrival a;
+        a.origin = s.position_ws;
+        a.direction = forward ? v : -v;
+        a.map_normal = -a.direction;
+        float distance = hit.distance;
+        if (parameters_.landing == LandingBy::plane) {
+            const auto plane = tracer.plane_at(hit.column, hit.row, hit.entry);
+            a.has_surface = plane.is_known;
+            if (plane.is_known) {
+                const auto x = tracer.project(s.position_ws);
+                const auto from_centre = glm::vec2(x) - glm::vec2(hit.column, hit.row) - 0.5f;
+                const float depth = static_cast<float>(hit.entry) + glm::dot(plane.slope, from_centre);
+                distance = forward ? depth - x.z : x.z - depth;
+                a.map_normal = tracer.normal_of(plane, a.direction);
+            }
+        }
+        a.distance = std::max(distance, 0.0f) * frame.direction.w;
+        a.error = entry_error(s.normal_ws, a.direction, step_u, step_v);
+        a.step_u = step_u;
+        a.step_v = step_v;
+        a.spread = s.spread;
+        return a;
+    }
+
+    void trace_band(const LandingView& view, std::span<const Primary> primaries, Worker& worker,
+                    std::size_t map) {
+        auto& hits = hits_[map];
         const ldm::PointTracer tracer(worker.map, rule_);
         const auto& frame = worker.map.frame;
-        const glm::vec3 v(frame.direction), step_u(frame.step_u), step_v(frame.step_v);
+        const glm::vec3 v(frame.direction);
         const bool is_first = worker.map.first_row == 0;
         for (std::size_t i = 0; i < sources_.size(); ++i) {
             const auto& s = sources_[i];
@@ -190,17 +223,20 @@ class HostSplit {
                 const auto hit = tracer.trace(s.position_ws, s.normal_ws, forward);
                 if (!hit.is_here) continue;
                 at.cause = Cause::left;
-                if (hit.is_found)
-                    at =
-                        view.land({s.position_ws, direction, std::max(hit.distance, 0.0f) * frame.direction.w,
-                                   entry_error(s.normal_ws, direction, step_u, step_v), step_u, step_v,
-                                   s.spread, -direction});
+                if (hit.is_found) at = view.land(arrival(tracer, frame, s, forward, hit));
             } else if (!is_first) {
                 continue;
             }
             shares_.add(i, at.cause, std::abs(cosine) * s.per_cosine);
-            if (at.cause >= Cause::stored)
-                hits.push_back({static_cast<std::uint32_t>(i), at.distance, packed_direction(at.normal_ws)});
+            if (at.cause < Cause::stored) continue;
+            Hit stored{static_cast<std::uint32_t>(i), at.distance, packed_direction(at.normal_ws), 0};
+            if (parameters_.overhang == Overhang::returned) {
+                MendedFootprints mended;  // counted where they are splatted
+                const Child child{static_cast<std::uint32_t>(map), stored.distance, stored.normal, 0};
+                const auto photon = photon_of(primaries[s.primary], child, v, half_turn_);
+                stored.beyond = part_beyond(tracer, frame, photon, ellipses_->make(photon, mended));
+            }
+            hits.push_back(stored);
         }
     }
 
@@ -216,7 +252,7 @@ class HostSplit {
             for (; hit != hits.end() && hit->source < end; ++hit) {
                 const auto place = first + places[hit->source - begin]++;
                 if (place >= photons.size()) continue;
-                const Child child{static_cast<std::uint32_t>(map), hit->distance, hit->normal};
+                const Child child{static_cast<std::uint32_t>(map), hit->distance, hit->normal, hit->beyond};
                 photons[place] =
                     photon_of(primaries[sources_[hit->source].primary], child, direction, half_turn_);
             }
@@ -227,6 +263,7 @@ class HostSplit {
     Parameters parameters_;
     ldm::SelfHitRule rule_;
     float half_turn_;
+    std::optional<EllipseMaker> ellipses_;
     tbb::task_arena arena_;
     std::vector<Worker> workers_;
     std::vector<Source> sources_;
@@ -268,13 +305,13 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
     const auto run = [=, records = photons.records, count_of = photons.count](graph::PassContext& context,
                                                                               graph::Slice slice) {
         const auto all = context.elements<const Primary>(primaries.records);
-        if (slice.first) split->begin(all);
+        if (slice.first) split->begin(context.inputs(), all);
         const auto& view = context.inputs().view;
         const LandingView landing(landing_constants(context.inputs(), parameters), parameters,
                                   {view.width, view.height},
                                   context.pixels<const glm::vec4>(gbuffer.position),
                                   context.pixels<const glm::vec4>(gbuffer.geometric_normal));
-        split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, slice);
+        split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, all, slice);
         if (!slice.last) return;
         split->write_shares(context.elements<Shares>(primaries.shares));
         const auto before =
