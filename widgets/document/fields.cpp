@@ -67,8 +67,7 @@ QToolButton* make_button(const char* drawing, const QString& tip, QWidget* paren
 }
 
 void set_range(NumberField* field, const projects::Range& range) {
-    constexpr double max_value = 1e300;  // sums of what is typed stay finite
-    field->setRange(std::max(range.min, -max_value), std::min(range.max, max_value));
+    field->setRange(std::max(range.min, -field->max_value), std::min(range.max, field->max_value));
 }
 
 NumberField* make_number(const QString& name, const projects::FieldText& text, QWidget* parent) {

@@ -40,7 +40,7 @@ void leave_letters_to_shortcuts(QAbstractSpinBox* field) {
 
 NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
     setDecimals(12);  // digits are cut by textFromValue, not by rounding the value
-    setRange(-1e300, 1e300);
+    setRange(-max_value, max_value);
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
     setLocale(QLocale::c());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDoubleSpinBox>
+#include <limits>
 
 namespace ir::widgets {
 
@@ -14,6 +15,9 @@ void leave_letters_to_shortcuts(QAbstractSpinBox* field);
 class NumberField : public QDoubleSpinBox {
     Q_OBJECT
   public:
+    /// What a renderer's numbers hold; sums of what is typed stay finite.
+    static constexpr double max_value = std::numeric_limits<float>::max();
+
     explicit NumberField(QWidget* parent = nullptr);
     /// Whole numbers only.
     void set_whole(bool whole);

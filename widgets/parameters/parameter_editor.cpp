@@ -100,8 +100,8 @@ class NumberEditor final : public ParameterEditor {
         }
         field_ = new NumberField(this);
         field_->set_whole(whole_);
-        field_->setMinimum(std::max(parameter.hard.min, whole_ ? -9e15 : -1e300));
-        field_->setMaximum(std::min(parameter.hard.max, whole_ ? 9e15 : 1e300));
+        field_->setMinimum(std::max(parameter.hard.min, whole_ ? -9e15 : -field_->max_value));
+        field_->setMaximum(std::min(parameter.hard.max, whole_ ? 9e15 : field_->max_value));
         if (const auto suffix = suffix_text(parameter); !suffix.isEmpty()) {
             field_->setSuffix(suffix);
             field_->setMinimumWidth(field_->minimumWidth() + field_->fontMetrics().horizontalAdvance(suffix));
