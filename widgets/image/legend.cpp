@@ -52,10 +52,12 @@ std::vector<Mark> marks_of(const PreparedPicture& picture) {
     for (const auto& category : occurring.categories)
         marks.push_back({colour_of(category), QString::fromStdString(category.label)});
     if (display.mark_bad) {
-        if (occurring.nan) marks.push_back({{255, 0, 255}, QStringLiteral("NaN")});
-        if (occurring.plus_infinity) marks.push_back({{255, 255, 0}, QStringLiteral("+Inf")});
-        if (occurring.minus_infinity) marks.push_back({{0, 255, 255}, QStringLiteral("−Inf")});
-        if (occurring.negative && display.negative_is_bad)
+        auto bad = occurring.bad;
+        if (!display.hide_invalid) bad.add(occurring.hidden_bad);
+        if (bad.nan) marks.push_back({{255, 0, 255}, QStringLiteral("NaN")});
+        if (bad.plus_infinity) marks.push_back({{255, 255, 0}, QStringLiteral("+Inf")});
+        if (bad.minus_infinity) marks.push_back({{0, 255, 255}, QStringLiteral("−Inf")});
+        if (bad.negative && display.negative_is_bad)
             marks.push_back({{40, 80, 255}, legend_text("negative")});
     }
     if (display.zebra && display.mode != Display::Mode::ids) {

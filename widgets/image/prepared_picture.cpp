@@ -48,12 +48,12 @@ std::shared_ptr<const Occurring> occurring_in(const Picture& picture, const Imag
             if ((*cover)[i] == Cover::gap) continue;
         }
         const float* pixel = &shown.pixels[i * std::size_t(shown.channels)];
+        const bool hidden = cover && (*cover)[i] == Cover::hidden;
         for (int c = 0; c < values; ++c) {
-            found->nan |= std::isnan(pixel[c]);
-            found->plus_infinity |= std::isinf(pixel[c]) && pixel[c] > 0;
-            found->minus_infinity |= std::isinf(pixel[c]) && pixel[c] < 0;
-            found->negative |= pixel[c] < 0;
-            if (!std::isfinite(pixel[c]) || (cover && (*cover)[i] == Cover::hidden)) continue;
+            const bool infinite = std::isinf(pixel[c]), negative = pixel[c] < 0;
+            (hidden ? found->hidden_bad : found->bad)
+                .add({std::isnan(pixel[c]), infinite && !negative, infinite && negative, negative});
+            if (!std::isfinite(pixel[c]) || hidden) continue;
             found->least = any ? std::min(found->least, pixel[c]) : pixel[c];
             found->greatest = any ? std::max(found->greatest, pixel[c]) : pixel[c];
             any = true;

@@ -17,9 +17,21 @@ enum class Cover : std::uint8_t {
 };
 using CoverMap = std::vector<Cover>;
 
+/// Values that may be faults.
+struct BadValues {
+    bool nan = false, plus_infinity = false, minus_infinity = false, negative = false;
+    void add(const BadValues& other) {
+        nan |= other.nan;
+        plus_infinity |= other.plus_infinity;
+        minus_infinity |= other.minus_infinity;
+        negative |= other.negative;
+    }
+};
+
 /// What there is in a picture that a legend may have to explain.
 struct Occurring {
-    bool nan = false, plus_infinity = false, minus_infinity = false, negative = false, hidden = false;
+    BadValues bad, hidden_bad;  ///< where no mask hides it, and where one does
+    bool hidden = false;
     float least = 0, greatest = 0;     ///< of finite values that no mask hides
     std::vector<Category> categories;  ///< of the picture's
 };

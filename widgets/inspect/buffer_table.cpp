@@ -7,6 +7,7 @@
 #include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
+#include <QTransposeProxyModel>
 #include <algorithm>
 #include <utility>
 
@@ -15,14 +16,21 @@
 
 namespace ir::widgets {
 
-BufferTable::BufferTable(QWidget* parent)
-    : QWidget(parent), model_(new BufferModel(this)), view_(new QTableView(this)) {
+BufferTable::BufferTable(QWidget* parent) : QWidget(parent), model_(new BufferModel(this)) {
     pool_.setMaxThreadCount(1);
-    make_view();
+    auto* fields = new QTransposeProxyModel(this);
+    fields->setSourceModel(model_);
+    view_ = make_view(model_, "elements");
+    single_ = make_view(fields, "fields");
+    connect_view();
     auto* page = new QVBoxLayout(this);
     page->setContentsMargins(0, 0, 0, 0);
     page->setSpacing(0);
-    page->addWidget(make_bar());
+    title_ = new QLabel(this);
+    title_->setContentsMargins(6, 4, 4, 4);
+    title_->setMinimumWidth(1);
+    page->addWidget(title_);
+    page->addWidget(bar_ = make_bar());
     problem_ = new QLabel(this);
     problem_->setObjectName(QStringLiteral("problem"));
     problem_->setWordWrap(true);
@@ -31,6 +39,7 @@ BufferTable::BufferTable(QWidget* parent)
     problem_->hide();
     page->addWidget(problem_);
     page->addWidget(view_, 1);
+    page->addWidget(single_, 1);
     status_ = new QLabel(this);
     status_->setObjectName(QStringLiteral("status"));
     status_->setWordWrap(true);
@@ -47,15 +56,9 @@ BufferTable::~BufferTable() {
 
 QWidget* BufferTable::make_bar() {
     auto* bar = new QWidget(this);
-    auto* rows = new QVBoxLayout(bar);
-    rows->setContentsMargins(6, 4, 4, 4);
-    rows->setSpacing(4);
-    title_ = new QLabel(bar);
-    title_->setMinimumWidth(1);
-    rows->addWidget(title_);
-    auto* row = new QHBoxLayout;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(6, 0, 4, 4);
     row->setSpacing(4);
-    rows->addLayout(row);
     filter_ = new QLineEdit(bar);
     filter_->setObjectName(QStringLiteral("filter"));
     filter_->setClearButtonEnabled(true);
@@ -88,29 +91,46 @@ QWidget* BufferTable::make_bar() {
     return bar;
 }
 
-void BufferTable::make_view() {
-    view_->setModel(model_);
-    view_->setObjectName(QStringLiteral("elements"));
+QTableView* BufferTable::make_view(QAbstractItemModel* model, const char* name) {
+    auto* view = new QTableView(this);
+    view->setModel(model);
+    view->setObjectName(QLatin1String(name));
+    view->setAlternatingRowColors(true);
+    view->setShowGrid(false);
+    view->setWordWrap(false);
+    view->setCornerButtonEnabled(false);
+    view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view->setTabKeyNavigation(false);
+    view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() + 5);
+    view->horizontalHeader()->setHighlightSections(false);
+    return view;
+}
+
+void BufferTable::connect_view() {
     view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    view_->setAlternatingRowColors(true);
-    view_->setShowGrid(false);
-    view_->setWordWrap(false);
-    view_->setCornerButtonEnabled(false);
-    view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    view_->setTabKeyNavigation(false);
     view_->verticalHeader()->hide();
-    view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    view_->verticalHeader()->setDefaultSectionSize(view_->fontMetrics().height() + 5);
     auto* header = view_->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::Interactive);
     header->setSectionsClickable(true);
-    header->setHighlightSections(false);
     view_->installEventFilter(this);
     connect(header, &QHeaderView::sectionClicked, this, &BufferTable::sort_by);
     connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             &BufferTable::chosen_by_person);
     connect(view_, &QTableView::activated, this,
             [this](const QModelIndex& at) { emit show_wanted(model_->element(at.row())); });
+    single_->horizontalHeader()->hide();
+    single_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    single_->verticalHeader()->setHighlightSections(false);
+}
+
+/// Of one element there is nothing to filter, to sort or to go to.
+void BufferTable::show_one_or_many() {
+    const bool single = reason_.isEmpty() && model_->buffer().elements == 1;
+    bar_->setVisible(!single);
+    view_->setVisible(!single);
+    single_->setVisible(single);
+    if (single) single_->setRowHidden(0, true);  // its number
 }
 
 void BufferTable::set_buffer(const QString& name, BufferData buffer) {
@@ -121,6 +141,7 @@ void BufferTable::set_buffer(const QString& name, BufferData buffer) {
     showing_ = true;
     model_->set_buffer(std::move(buffer));
     showing_ = false;
+    show_one_or_many();
     if (!same_fields) {
         listing_ = {};
         chosen_ = -1;
@@ -146,6 +167,7 @@ void BufferTable::clear(const QString& reason) {
     chosen_ = -1;
     filter_->clear();
     model_->set_buffer({});
+    show_one_or_many();
     relist();
 }
 
@@ -208,7 +230,7 @@ void BufferTable::update_status() {
     if (listing_.filter || model_->listed())
         parts << tr("%1 of %2 elements").arg(count(quint64(model_->rowCount())), count(buffer.elements));
     else
-        parts << tr("%1 elements").arg(count(buffer.elements));
+        parts << (buffer.elements == 1 ? tr("1 element") : tr("%1 elements").arg(count(buffer.elements)));
     if (buffer.present() < buffer.elements)
         parts << tr("only the first %1 were sent").arg(count(buffer.present()));
     if (listing_.sorted_by >= 0 && !busy_ && quint64(model_->rowCount()) > max_sorted)

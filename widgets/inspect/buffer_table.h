@@ -16,7 +16,8 @@ class QToolButton;
 namespace ir::widgets {
 
 /// Any buffer as a table: filter, sort, jump, choose, save. Big buffers are filtered and sorted on another
-/// thread; until that is done the table shows what it listed before.
+/// thread; until that is done the table shows what it listed before. The fields of a single element stand
+/// below each other.
 class BufferTable : public QWidget {
     Q_OBJECT
   public:
@@ -66,7 +67,8 @@ class BufferTable : public QWidget {
         bool plain() const { return !filter && sorted_by < 0; }
     };
     QWidget* make_bar();
-    void make_view();
+    QTableView* make_view(QAbstractItemModel* model, const char* name);
+    void connect_view();
     /// Takes the filter line's text; says what is wrong with it.
     void read_filter();
     /// Lists again after a change of contents, filter or order.
@@ -79,9 +81,11 @@ class BufferTable : public QWidget {
     void show_chosen();
     void fit_columns();
     void update_status();
+    void show_one_or_many();
 
     BufferModel* model_;
-    QTableView* view_;
+    QTableView *view_, *single_;  ///< of many elements, of one
+    QWidget* bar_;
     QLineEdit *filter_ = nullptr, *element_ = nullptr;
     QToolButton *copy_ = nullptr, *save_ = nullptr;
     QLabel *title_ = nullptr, *status_ = nullptr, *problem_ = nullptr;

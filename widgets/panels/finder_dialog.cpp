@@ -13,7 +13,8 @@
 namespace ir::widgets {
 namespace {
 
-constexpr int usual_width = 640, usual_height = 420;  // logical pixels
+constexpr int usual_width = 760, usual_height = 420;  // logical pixels
+constexpr int column_margin = 14;
 constexpr std::size_t max_shown = 200;
 enum Column { kind, name, place, keys };
 
@@ -92,9 +93,9 @@ FinderDialog::FinderDialog(std::vector<Findable> all, QWidget* parent)
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setAccessibleName(tr("What fits"));
     list_->header()->setStretchLastSection(false);
-    list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    list_->header()->setSectionResizeMode(name, QHeaderView::Stretch);
-    list_->header()->setSectionResizeMode(place, QHeaderView::Fixed);  // long ones leave room for names
+    list_->header()->setSectionResizeMode(QHeaderView::Fixed);
+    list_->header()->setMinimumSectionSize(0);
+    list_->viewport()->installEventFilter(this);
     nothing_ = new QLabel(tr("Nothing has all of these words."), this);
     layout->addWidget(line_);
     layout->addWidget(nothing_);
@@ -105,7 +106,6 @@ FinderDialog::FinderDialog(std::vector<Findable> all, QWidget* parent)
     search({});
     const QSize room = parent->size();
     resize(std::min(usual_width, room.width() - 20), std::min(usual_height, room.height() - 20));
-    list_->setColumnWidth(place, size().width() / 3);
     move(parent->mapToGlobal(
         QPoint((room.width() - size().width()) / 2, std::min(80, (room.height() - size().height()) / 2))));
     line_->setFocus();
@@ -128,10 +128,31 @@ void FinderDialog::search(const QString& query) {
         item->setText(place, what.why_not);
     }
     nothing_->setVisible(order.empty());
+    fit_columns();
     list_->setCurrentItem(list_->topLevelItem(0));
 }
 
+/// Names have the room that they need, places what is left of it: those are cut first.
+void FinderDialog::fit_columns() {
+    const auto needed = [this](int column) {
+        int width = 0;
+        for (int i = 0; i < list_->topLevelItemCount(); ++i)
+            width =
+                std::max(width, list_->fontMetrics().horizontalAdvance(list_->topLevelItem(i)->text(column)));
+        return width > 0 ? width + column_margin : 0;
+    };
+    const int room = list_->viewport()->width();
+    const int kinds = needed(kind), key_room = std::min(needed(keys), room / 4);
+    const int names =
+        std::clamp(needed(name), 0, std::max(0, room - kinds - key_room - std::min(needed(place), room / 5)));
+    list_->setColumnWidth(kind, kinds);
+    list_->setColumnWidth(name, names);
+    list_->setColumnWidth(keys, key_room);
+    list_->setColumnWidth(place, std::max(0, room - kinds - names - key_room));
+}
+
 bool FinderDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == list_->viewport() && event->type() == QEvent::Resize) fit_columns();
     if (watched == line_ && event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         for (const int each : {Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown})

@@ -38,6 +38,7 @@ class FinderDialog : public QDialog {
 
   private:
     void search(const QString& query);
+    void fit_columns();
     void go();
 
     std::vector<Findable> all_;

@@ -10,11 +10,11 @@ PreferencesDialog::PreferencesDialog(const std::vector<ParameterDescription>& pr
     : QDialog(parent), panel_(new ParameterPanel), given_(new QLabel) {
     setWindowTitle(tr("Preferences"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setMinimumWidth(420);
+    setMinimumWidth(480);
     panel_->set_parameters("preferences", preferences, tr("Rendering"));
     given_->setObjectName(QStringLiteral("given"));
     given_->setWordWrap(true);
-    auto* note = new QLabel(tr("They hold for all projects and count at once."));
+    auto* note = new QLabel(tr("These hold for all projects and take effect at once."));
     note->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     auto* layout = new QVBoxLayout(this);

@@ -48,10 +48,10 @@ void ValueStrip::set_picture(const Image& image, Semantic semantic, const QStrin
     say(summary(), true);
 }
 
-QString ValueStrip::summary(int statistics) const {
+QString ValueStrip::summary(int statistics, bool named) const {
     if (size_.isEmpty()) return name_;
-    QString text =
-        QStringLiteral("%1  %2×%3×%4 ").arg(name_).arg(size_.width()).arg(size_.height()).arg(channels_);
+    QString text = QStringLiteral("%1×%2×%3 ").arg(size_.width()).arg(size_.height()).arg(channels_);
+    if (named) text.prepend(name_ + QStringLiteral("  "));
     const QString fields[] = {QStringLiteral("  min ") + short_number(statistics_.min),
                               QStringLiteral("  max ") + short_number(statistics_.max),
                               QStringLiteral("  mean ") + short_number(statistics_.mean)};
@@ -68,15 +68,16 @@ void ValueStrip::say(const QString& full, bool is_summary) {
     update_line();
 }
 
-/// Whole fields go rather than digits: half a number would be read as another one.
+/// Whole fields go rather than digits: half a number would be read as another one. The name goes first:
+/// the view's title has it.
 void ValueStrip::update_line() {
     const QFontMetrics metrics(values_->font());
     const auto fits = [&](const QString& line) {
         return metrics.horizontalAdvance(line) <= values_->width();
     };
     QString line = full_;
-    for (int statistics = 2; is_summary_ && statistics >= 0 && !fits(line); --statistics)
-        line = summary(statistics);
+    for (int statistics = 3; is_summary_ && statistics >= 0 && !fits(line); --statistics)
+        line = summary(statistics, false);
     if (!fits(line)) line = metrics.elidedText(line, Qt::ElideRight, values_->width());
     if (line != values_->text()) values_->setText(line);
     values_->setToolTip(full_);

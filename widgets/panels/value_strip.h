@@ -30,7 +30,8 @@ class ValueStrip : public QWidget {
     void resizeEvent(QResizeEvent*) override;
 
   private:
-    QString summary(int statistics = 3) const;  ///< with so many of min, max and mean
+    /// With so many of min, max and mean.
+    QString summary(int statistics = 3, bool named = true) const;
     void say(const QString& full, bool is_summary);
     void update_line();
     QLabel *values_, *zoom_;

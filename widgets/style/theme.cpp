@@ -72,6 +72,15 @@ void draw_tip(const QStyleOption& option, QPainter& painter) {
     painter.restore();
 }
 
+/// Fusion cuts the text of a list through a letter.
+QStyleOptionComboBox with_elided_text(const QStyleOptionComboBox& combo, const QPainter& painter, int room) {
+    constexpr int margins = 2, icon_margin = 4;  // of Fusion
+    auto elided = combo;
+    if (!combo.currentIcon.isNull()) room -= combo.iconSize.width() + icon_margin;
+    elided.currentText = painter.fontMetrics().elidedText(combo.currentText, Qt::ElideRight, room - margins);
+    return elided;
+}
+
 }  // namespace
 
 void apply_theme(QApplication& application) {
@@ -106,6 +115,12 @@ void ThemeStyle::drawControl(ControlElement element, const QStyleOption* option,
     if (element == CE_HeaderSection || element == CE_HeaderEmptyArea)
         return draw_header_section(*option, *painter);
     if (element == CE_ShapedFrame && is_frameless(widget)) return;
+    if (const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+        combo && element == CE_ComboBoxLabel) {
+        const auto room = proxy()->subControlRect(CC_ComboBox, combo, SC_ComboBoxEditField, widget).width();
+        const auto elided = with_elided_text(*combo, *painter, room);
+        return QProxyStyle::drawControl(element, &elided, painter, widget);
+    }
     const auto* dock = qstyleoption_cast<const QStyleOptionDockWidget*>(option);
     if (element != CE_DockWidgetTitle || !dock || dock->verticalTitleBar)
         return QProxyStyle::drawControl(element, option, painter, widget);
@@ -137,6 +152,13 @@ int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
         default:
             return QProxyStyle::pixelMetric(metric, option, widget);
     }
+}
+
+/// Dialogs' buttons have words: Fusion's pictures are black on dark grey.
+int ThemeStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                          QStyleHintReturn* data) const {
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, data);
 }
 
 QRect ThemeStyle::subElementRect(SubElement element, const QStyleOption* option,

@@ -21,15 +21,17 @@ QString text_of(const std::string& text) {
 
 /// Logical pixels: what a control keeps of itself in the narrowest view.
 constexpr int min_width = 22;
+/// Letters of a wide kind; twelve usual ones take as much room.
+constexpr int letters_of_a_source = 10;
 
-QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip) {
+QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip, int letters) {
     auto* combo = new QComboBox(parent);
     combo->setObjectName(name);
     combo->setToolTip(tip);
     combo->setAccessibleName(tip);
     combo->setMinimumWidth(min_width);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    combo->setMinimumContentsLength(2);
+    combo->setMinimumContentsLength(letters);
     combo->view()->setMinimumWidth(240);
     combo->setFocusPolicy(Qt::StrongFocus);
     return combo;
@@ -112,6 +114,7 @@ ViewHeader::ViewHeader(QWidget* parent) : QWidget(parent) {
     column->addWidget(a_.line);
     column->addWidget(b_.line);
     make_mode_controls(a_.line, b_.line);
+    make_menu();
     warning_ = new QLabel(this);
     warning_->setObjectName(QStringLiteral("warning"));
     warning_->setWordWrap(true);
@@ -129,12 +132,13 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
     row->setSpacing(4);
     result.badge = new QLabel(name.toUpper(), result.line);
     result.badge->setStyleSheet(QStringLiteral("font-weight: bold; padding: 0 3px;"));
-    result.owner =
-        make_combo(result.line, QStringLiteral("owner-") + name, tr("Experiment or image that is shown"));
-    result.output =
-        make_combo(result.line, QStringLiteral("output-") + name, tr("Output or buffer that is shown"));
+    result.owner = make_combo(result.line, QStringLiteral("owner-") + name,
+                              tr("Experiment or image that is shown"), letters_of_a_source);
+    result.output = make_combo(result.line, QStringLiteral("output-") + name,
+                               tr("Output or buffer that is shown"), letters_of_a_source);
     result.part =
-        make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"));
+        make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"), 7);
+    result.part->setMinimumWidth(result.part->sizeHint().width());  // "Slice 12"
     row->addWidget(result.badge);
     row->addWidget(result.owner, 3);
     row->addWidget(result.output, 3);
@@ -163,8 +167,7 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
 }
 
 void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
-    mode_ = make_combo(first, QStringLiteral("mode"), tr("How pictures are put beside each other"));
-    mode_->setMinimumContentsLength(8);
+    mode_ = make_combo(first, QStringLiteral("mode"), tr("How pictures are put beside each other"), 8);
     for (const auto mode : all_modes()) mode_->addItem(mode_name(mode), int(mode));
     connect(mode_, &QComboBox::activated, this, [this](int index) {
         choose([&](ViewState& state) { state.mode = ViewMode(mode_->itemData(index).toInt()); });
@@ -198,8 +201,7 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
             if (on) state.more.clear();
         });
     });
-    difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"));
-    difference_->setMinimumContentsLength(9);
+    difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"), 9);
     for (const auto kind : all_differences()) {
         difference_->addItem(difference_name(kind), int(kind));
         difference_->setItemData(difference_->count() - 1, difference_doc(kind), Qt::ToolTipRole);
@@ -220,6 +222,18 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
          {static_cast<QWidget*>(chain_), static_cast<QWidget*>(pictures_), static_cast<QWidget*>(difference_),
           static_cast<QWidget*>(swap_), static_cast<QWidget*>(link_)})
         second->layout()->addWidget(each);
+}
+
+void ViewHeader::make_menu() {
+    more_ = make_button(a_.line, QStringLiteral("more"), "menu",
+                        tr("How pictures are compared: this view is too narrow for the lists"), false);
+    more_->setPopupMode(QToolButton::InstantPopup);
+    menu_ = new QMenu(more_);
+    more_->setMenu(menu_);
+    connect(menu_, &QMenu::aboutToShow, this, &ViewHeader::fill_menu);
+    a_.line->layout()->addWidget(more_);
+    secondary_ = {{mode_, false},  {difference_, false}, {pictures_, false},
+                  {chain_, false}, {swap_, false},       {link_, false}};
 }
 
 void ViewHeader::show_source(const SourceLine& line, const ViewSource& source,
@@ -248,27 +262,19 @@ void ViewHeader::set_fields(const ViewFields& fields) {
     const auto* output = find_output(fields_.outputs_a, state.a.output);
     const bool picture = !output || output->kind == OutputKind::image ||
                          output->kind == OutputKind::pyramid || output->kind == OutputKind::stack;
-    const bool comparing = picture && compares(state.mode);
+    const bool comparing = picture && compares(state.mode), stages = state.mode == ViewMode::stages;
     show_source(a_, state.a, fields_.outputs_a);
     a_.badge->setVisible(comparing);
-    b_.line->setVisible(comparing);
     show_source(b_, state.b, fields_.outputs_b);
-    const bool many = takes_many(state.mode);
     // Rows of stages are chosen in the menu alone.
     for (QWidget* each :
          {static_cast<QWidget*>(b_.badge), static_cast<QWidget*>(b_.owner), static_cast<QWidget*>(b_.output)})
-        each->setVisible(state.mode != ViewMode::stages);
-    if (state.mode == ViewMode::stages) b_.part->hide();
-    chain_->setVisible(state.mode == ViewMode::stages && (fields_.has_stages || state.chain));
+        each->setVisible(!stages);
+    if (stages) b_.part->hide();
     chain_->setChecked(state.chain);
-    pictures_->setVisible(many);
-    pictures_->setText(
-        tr("Pictures (%1)").arg(int(state.more.size()) + (state.mode == ViewMode::stages ? 1 : 2)));
-    difference_->setVisible(state.mode == ViewMode::difference || state.mode == ViewMode::stages);
+    pictures_->setText(tr("Pictures (%1)").arg(int(state.more.size()) + (stages ? 1 : 2)));
     difference_->setCurrentIndex(difference_->findData(int(state.difference)));
     difference_->setToolTip(tr("Kind of difference: %1").arg(difference_doc(state.difference)));
-    swap_->setVisible(state.mode != ViewMode::stages);
-    mode_->setVisible(picture);
     mode_->setCurrentIndex(mode_->findData(int(state.mode)));
     table_->setVisible(output && !picture);
     table_->setEnabled(output && output->kind != OutputKind::table);
@@ -277,6 +283,71 @@ void ViewHeader::set_fields(const ViewFields& fields) {
     link_->setChecked(fields_.linked);
     warning_->setText(fields_.warning);
     warning_->setVisible(comparing && !fields_.warning.isEmpty());
+    const bool difference = state.mode == ViewMode::difference || stages;
+    secondary_ = {{mode_, picture},
+                  {difference_, comparing && difference},
+                  {pictures_, comparing && takes_many(state.mode)},
+                  {chain_, comparing && stages && (fields_.has_stages || state.chain)},
+                  {swap_, comparing && !stages},
+                  {link_, comparing}};
+    fold();
+}
+
+void ViewHeader::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fold();
+}
+
+/// For everything that is wanted, at the sizes that controls would like.
+bool ViewHeader::has_room() const {
+    for (const auto* line : {a_.line, b_.line}) {
+        int needed = -line->layout()->spacing();
+        for (int i = 0; i < line->layout()->count(); ++i) {
+            auto* control = line->layout()->itemAt(i)->widget();
+            const auto found = std::find_if(secondary_.begin(), secondary_.end(),
+                                            [&](const auto& each) { return each.control == control; });
+            if (control != more_ && (found == secondary_.end() ? !control->isHidden() : found->wanted))
+                needed += control->sizeHint().width() + line->layout()->spacing();
+        }
+        if (needed > layout()->contentsRect().width()) return false;
+    }
+    return true;
+}
+
+void ViewHeader::fold() {
+    const bool folds = !has_room();
+    for (const auto& each : secondary_) each.control->setVisible(each.wanted && !folds);
+    more_->setVisible(folds && secondary_.front().wanted);
+    const bool comparing = a_.badge->isVisibleTo(a_.line);
+    b_.line->setVisible(comparing && !(folds && b_.owner->isHidden()));
+}
+
+/// What stands in the header where there is room.
+void ViewHeader::fill_menu() {
+    menu_->clear();
+    for (const auto& [control, wanted] : secondary_) {
+        if (!wanted) continue;
+        if (auto* combo = qobject_cast<QComboBox*>(control)) {
+            menu_->addSection(combo->accessibleName());
+            for (int i = 0; i < combo->count(); ++i) {
+                auto* action = menu_->addAction(combo->itemText(i));
+                action->setCheckable(true);
+                action->setChecked(i == combo->currentIndex());
+                connect(action, &QAction::triggered, combo, [combo, i] {
+                    combo->setCurrentIndex(i);
+                    emit combo->activated(i);
+                });
+            }
+            menu_->addSeparator();
+        } else if (auto* button = qobject_cast<QToolButton*>(control); button->menu()) {
+            menu_->addMenu(button->menu())->setText(button->text());
+        } else {
+            auto* action = menu_->addAction(button->icon(), button->accessibleName());
+            action->setCheckable(button->isCheckable());
+            action->setChecked(button->isChecked());
+            connect(action, &QAction::triggered, button, [button] { button->click(); });
+        }
+    }
 }
 
 void ViewHeader::show_layers_shown(bool shown) {

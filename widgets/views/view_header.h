@@ -12,6 +12,7 @@ class QToolButton;
 namespace ir::widgets {
 
 /// What a view shows, chosen by hand: one line for a picture, a second one for what it is compared with.
+/// Where a view is too narrow for all of it, pictures keep their lists and a menu holds the rest.
 class ViewHeader : public QWidget {
     Q_OBJECT
   public:
@@ -30,6 +31,9 @@ class ViewHeader : public QWidget {
     /// Layers of a 3D view beside it.
     void layers_toggled(bool shown);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     struct SourceLine {
         QWidget* line = nullptr;
@@ -38,9 +42,13 @@ class ViewHeader : public QWidget {
     };
     SourceLine make_line(const QString& name, ViewSource ViewState::*member);
     void make_mode_controls(QWidget* first, QWidget* second);
+    void make_menu();
     void show_source(const SourceLine& line, const ViewSource& source,
                      const std::vector<OutputOption>& outputs);
     void fill_pictures_menu();
+    void fill_menu();
+    bool has_room() const;
+    void fold();
     template <class Change>
     void choose(Change change);
 
@@ -49,7 +57,13 @@ class ViewHeader : public QWidget {
     QComboBox *mode_ = nullptr, *difference_ = nullptr;
     QToolButton *pictures_ = nullptr, *swap_ = nullptr, *link_ = nullptr, *table_ = nullptr,
                 *layers_ = nullptr, *chain_ = nullptr;
-    QMenu* pictures_menu_ = nullptr;
+    QMenu *pictures_menu_ = nullptr, *menu_ = nullptr;
+    QToolButton* more_ = nullptr;  ///< opens the menu
+    struct Secondary {
+        QWidget* control;
+        bool wanted;  ///< by what the view shows
+    };
+    std::vector<Secondary> secondary_;  ///< controls that fold into the menu
     QLabel* warning_ = nullptr;
 };
 

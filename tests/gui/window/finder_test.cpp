@@ -111,6 +111,24 @@ TEST_F(FinderTest, CarriesActionsOutAndShowsTheirKeys) {
     EXPECT_EQ(window.session().document().experiments.size(), 2u);
 }
 
+TEST_F(FinderTest, NoNameIsCutOnASmallScreen) {
+    window.resize(1280, 770);
+    open_scene();
+    for (const char* words : {"", "sample", "parameter", "action", "manual"}) {
+        find(words);
+        ASSERT_GT(list().topLevelItemCount(), 3) << words;
+        for (int i = 0; i < list().topLevelItemCount(); ++i) {
+            const auto text = list().topLevelItem(i)->text(1);
+            EXPECT_LE(list().fontMetrics().horizontalAdvance(text) + 6, list().columnWidth(1))
+                << text.toStdString();
+        }
+        int columns = 0;
+        for (int c = 0; c < list().columnCount(); ++c) columns += list().columnWidth(c);
+        EXPECT_LE(columns, list().viewport()->width()) << words << ": keys are seen, too";
+        escape();
+    }
+}
+
 TEST_F(FinderTest, ArrowsAndTheMouseChoose) {
     open_scene();
     find("");

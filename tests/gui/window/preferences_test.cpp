@@ -78,6 +78,8 @@ TEST_F(PreferencesWindowTest, OpensOnceWithItsKeyAndClosesWithEscape) {
         EXPECT_TRUE(each->toolTip().contains("Default: ")) << each->objectName().toStdString();
     for (const auto& each : Preferences::descriptions())
         EXPECT_EQ(editor(each.key.c_str())->focusProxy()->accessibleName().toStdString(), each.label);
+    EXPECT_TRUE(dialog()->findChild<QDialogButtonBox*>()->buttons().front()->icon().isNull())
+        << "a black picture on dark grey";
     QTest::keyClick(dialog(), Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([this] { return !dialog(); }, 3000));
 }

@@ -1,8 +1,11 @@
 #include <QDockWidget>
+#include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
+#include <QStyleOption>
+#include <QToolButton>
 
 #include "app/engine/execution.h"
 #include "app/gui/dock_layout.h"
@@ -117,6 +120,52 @@ TEST_F(SizesTest, FourComparisonsFitTheSmallestScreen) {
         ASSERT_TRUE(settle());
         expect_fits();
     }
+}
+
+TEST_F(SizesTest, ListsOfFourComparisonsKeepTwelveLetters) {
+    show_four("");
+    for (int view = 0; view < 4; ++view) {
+        window.workspace().area().set_active(view);
+        window.views().set_mode(widgets::ViewMode::difference);
+    }
+    window.docks().apply("default");
+    trigger("views-4");
+    window.resize(1280, 770);
+    ASSERT_TRUE(settle());
+    for (int view = 0; view < 4; ++view)
+        for (const char* list : {"owner-a", "output-a", "owner-b", "output-b"}) {
+            auto* combo = window.workspace().pane(view)->header().findChild<QComboBox*>(list);
+            ASSERT_TRUE(combo->isVisible());
+            QStyleOptionComboBox option;
+            option.initFrom(combo);
+            const auto field = combo->style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                              QStyle::SC_ComboBoxEditField, combo);
+            EXPECT_GE(field.width(), combo->fontMetrics().horizontalAdvance("Ambient occl"))
+                << list << " of view " << view;
+        }
+    auto* more = window.workspace().active_pane().header().findChild<QToolButton*>("more");
+    const auto choose_in_menu = [&](const QString& text) {
+        emit more->menu()->aboutToShow();
+        for (auto* action : more->menu()->actions())
+            if (action->text() == text) return action->trigger();
+        ADD_FAILURE() << text.toStdString();
+    };
+    ASSERT_TRUE(more->isVisible());
+    choose_in_menu(widgets::difference_name(DifferenceKind::absolute));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().active_state().difference, DifferenceKind::absolute);
+    choose_in_menu(widgets::mode_name(widgets::ViewMode::wipe));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().active_state().mode, widgets::ViewMode::wipe);
+    const bool linked = window.workspace().views().linked();
+    choose_in_menu(
+        window.workspace().active_pane().header().findChild<QToolButton*>("link")->accessibleName());
+    EXPECT_NE(window.workspace().views().linked(), linked);
+    trigger("views-1");
+    window.resize(1600, 1000);
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(more->isVisible()) << "there is room";
+    EXPECT_TRUE(header("mode")->isVisible());
 }
 
 TEST_F(SizesTest, FourTablesFitTheSmallestScreen) {

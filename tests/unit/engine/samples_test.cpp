@@ -9,6 +9,7 @@
 #include "app/engine/execution.h"
 #include "projects/check.h"
 #include "projects/store.h"
+#include "renderers/image/colour_map.h"
 
 namespace ir::engine {
 namespace {
@@ -87,6 +88,30 @@ TEST_P(Samples, ShowOutputsThatExist) {
                                             [&](const auto& each) { return each.key == output; });
             EXPECT_TRUE(output.empty() || exists) << owner << ": " << output;
         }
+}
+
+/// A colour map that does not exist is grey in the window, and nothing else says so.
+TEST_P(Samples, DisplayOutputsThatExistInColoursThatDo) {
+    const auto file = GetParam() / "session.json";
+    if (!fs::exists(file)) return;
+    std::set<std::string> outputs;
+    for (const auto& experiment : loaded.project.experiments)
+        for (const auto& output : registry().at(experiment.method).outputs) outputs.insert(output.key);
+    const auto session = read_json(file);
+    const auto& maps = colour_map_names();
+    const auto& displays = session.contains("displays") ? session["displays"] : nlohmann::json::object();
+    for (const auto& [key, display] : displays.items()) {
+        EXPECT_TRUE(outputs.count(key)) << key;
+        const auto map = display.value("colour_map", maps.front());
+        EXPECT_TRUE(std::count(maps.begin(), maps.end(), map)) << key << ": " << map;
+    }
+}
+
+/// A window of another size, and the next version, arrange views anew, in the order of their numbers.
+TEST_P(Samples, LeaveTheArrangementOfViewsToTheWindow) {
+    const auto file = GetParam() / "session.json";
+    if (!fs::exists(file)) return;
+    EXPECT_FALSE(read_json(file)["views"].contains("arrangement"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Samples, testing::ValuesIn(samples()), [](const auto& info) {

@@ -21,13 +21,37 @@ TEST(Legend, ListsOnlyWhatOccurs) {
     auto found = prepared(image);
     ASSERT_EQ(found.occurring->categories.size(), 2u);
     EXPECT_EQ(found.occurring->categories[1].label, "own");
-    EXPECT_FALSE(found.occurring->nan);
+    EXPECT_FALSE(found.occurring->bad.nan);
     const qreal without = legend_size(found, 1, 1000).height();
     image.pixels = {std::nanf(""), 2};
     found = prepared(image);
-    EXPECT_TRUE(found.occurring->nan);
+    EXPECT_TRUE(found.occurring->bad.nan);
     image.pixels = {1, 1};
     EXPECT_LT(legend_size(prepared(image), 1, 1000).height(), without);
+}
+
+/// A difference has no number where a mask hides both pictures, and no colour for it is seen.
+TEST(Legend, LeavesOutWhatAMaskHides) {
+    Image image(2, 1, 1), valid(2, 1, 1);
+    image.pixels = {std::nanf(""), 2};
+    valid.pixels = {0, 1};
+    auto picture = std::make_shared<Picture>(*make_picture(image, Semantic::generic));
+    picture->valid = std::make_shared<Image>(valid);
+    Display display;
+    display.mode = Display::Mode::scalar;
+    display.hide_invalid = true;
+    const auto height = [&] {
+        return legend_size(PictureCache().prepare(picture, display), 1, 1000).height();
+    };
+    const qreal masked = height();
+    image.pixels = {1, 2};
+    picture->image = std::make_shared<Image>(image);
+    EXPECT_EQ(masked, height());
+    display.hide_invalid = false;
+    const qreal bare = height();
+    image.pixels = {std::nanf(""), 2};
+    picture->image = std::make_shared<Image>(image);
+    EXPECT_GT(height(), bare) << "then it is seen";
 }
 
 TEST(Legend, MarksEndsThatValuesGoBeyond) {

@@ -5,10 +5,12 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollArea>
 #include <QSignalSpy>
+#include <QStyleOption>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
@@ -261,6 +263,23 @@ TEST(ShortcutsDialog, ListsEveryActionByMenuAndFindsThem) {
     EXPECT_EQ(shown, QStringList{"Open …"});
 }
 
+TEST(Theme, ListsCutTheirTextBetweenLettersAndSaySo) {
+    const QString text = QStringLiteral("Ambient occlusion from layered depth maps");
+    QComboBox combo;
+    combo.addItem(text);
+    combo.resize(140, combo.sizeHint().height());
+    const auto cut = combo.grab().toImage();
+    QStyleOptionComboBox option;
+    option.initFrom(&combo);
+    const int room = combo.style()
+                         ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &combo)
+                         .width() -
+                     2;
+    combo.setItemText(0, combo.fontMetrics().elidedText(text, Qt::ElideRight, room));
+    ASSERT_TRUE(combo.currentText().endsWith(QChar(0x2026)));
+    EXPECT_EQ(cut, combo.grab().toImage());
+}
+
 /// Alpha is 1 in a black picture; four numbers of another meaning are four.
 TEST(ValueStrip, StatisticsLeaveAlphaOut) {
     Image black(4, 4, 4);
@@ -272,6 +291,24 @@ TEST(ValueStrip, StatisticsLeaveAlphaOut) {
     EXPECT_TRUE(strip.text().contains("max 1  mean 0.25")) << strip.text().toStdString();
     EXPECT_EQ(display_for(Semantic::normal, "", black).high, 1);
     EXPECT_EQ(display_for(Semantic::position, "", black).high, 0) << "the range is that of the values";
+}
+
+TEST(ValueStrip, LeavesItsNameOutBeforeNumbers) {
+    Image picture(4, 4, 1);
+    picture.pixels[0] = 0.25f;
+    ValueStrip strip;
+    strip.resize(2000, strip.sizeHint().height());
+    strip.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&strip));
+    strip.set_picture(picture, Semantic::accessibility, "A long name of an experiment · Accessibility", {});
+    const auto full = strip.text();
+    const auto* shown = strip.findChild<QLabel*>("values");
+    EXPECT_EQ(shown->text(), full);
+    ASSERT_TRUE(full.startsWith("A long name")) << full.toStdString();
+    strip.resize(420, strip.height());
+    EXPECT_LT(shown->text().size(), full.size()) << shown->text().toStdString();
+    EXPECT_TRUE(shown->text().startsWith("4×4×1")) << shown->text().toStdString();
+    EXPECT_TRUE(shown->text().contains("max 0.25")) << shown->text().toStdString();
 }
 
 TEST(ValueStrip, SaysNothingOfPixelsThatASmallerPictureLacks) {

@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -224,6 +225,23 @@ class BufferTableTest : public testing::Test {
     QString status() { return table.findChild<QLabel*>("status")->text(); }
     BufferTable table;
 };
+
+TEST_F(BufferTableTest, FieldsOfOneElementStandBelowEachOther) {
+    table.set_buffer("Counts", buffer(1));
+    auto* fields = table.findChild<QTableView*>("fields");
+    ASSERT_TRUE(fields->isVisible());
+    EXPECT_FALSE(table.view().isVisible());
+    EXPECT_FALSE(table.findChild<QLineEdit*>("filter")->isVisible()) << "nothing to look for";
+    EXPECT_EQ(fields->model()->headerData(1, Qt::Vertical).toString(), "position.x");
+    EXPECT_EQ(fields->model()->rowCount(), table.model().columnCount());
+    for (int row = 1; row < fields->model()->rowCount(); ++row)
+        EXPECT_EQ(fields->model()->index(row, 0).data(), table.model().index(0, row).data());
+    EXPECT_FALSE(fields->horizontalScrollBar()->isVisible());
+    EXPECT_EQ(status(), "1 element");
+    table.set_buffer("Counts", buffer(2));
+    EXPECT_FALSE(fields->isVisible());
+    EXPECT_TRUE(table.view().isVisible());
+}
 
 TEST_F(BufferTableTest, FiltersAndSaysWhatIsWrongWithAFilter) {
     table.set_buffer("Nodes", buffer(100));
