@@ -174,7 +174,7 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     });
     table_ =
         make_button(first, QStringLiteral("table"), "table", tr("The buffer's numbers as a table"), true);
-    connect(table_, &QToolButton::toggled, this, [this](bool on) {
+    connect(table_, &QToolButton::clicked, this, [this](bool on) {
         if (on != fields_.state.as_table) choose([&](ViewState& state) { state.as_table = on; });
     });
     layers_ = make_button(first, QStringLiteral("layers"), "layers", tr("What is drawn, and how"), true);
@@ -215,7 +215,7 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     connect(swap_, &QToolButton::clicked, this, &ViewHeader::swap_wanted);
     link_ = make_button(second, QStringLiteral("link"), "link",
                         tr("Zoom, place, camera and colour range are one for all views (L)"), true);
-    connect(link_, &QToolButton::toggled, this, [this](bool on) {
+    connect(link_, &QToolButton::clicked, this, [this](bool on) {
         if (on != fields_.linked) emit link_chosen(on);
     });
     for (QWidget* each :

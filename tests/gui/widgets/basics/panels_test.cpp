@@ -23,6 +23,7 @@
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/panels/value_strip.h"
 #include "widgets/panels/welcome_page.h"
+#include "widgets/views/view_header.h"
 
 namespace ir::widgets {
 namespace {
@@ -261,6 +262,21 @@ TEST(ShortcutsDialog, ListsEveryActionByMenuAndFindsThem) {
             if (!tree->topLevelItem(g)->isHidden() && !tree->topLevelItem(g)->child(i)->isHidden())
                 shown << tree->topLevelItem(g)->child(i)->text(0);
     EXPECT_EQ(shown, QStringList{"Open …"});
+}
+
+/// A project with a table opened with its view active: what is shown counted as chosen by a person.
+TEST(ViewHeader, ShowingATableChoosesNothing) {
+    ViewHeader header;
+    const QSignalSpy chosen(&header, &ViewHeader::state_chosen), linked(&header, &ViewHeader::link_chosen);
+    ViewFields fields;
+    fields.owners = {{"a", "A", {}}};
+    fields.outputs_a = {{"counts", "Counts", {}, {}, OutputKind::table}};
+    fields.state.a = {"a", "counts"};
+    fields.linked = false;
+    header.set_fields(fields);
+    EXPECT_TRUE(header.findChild<QToolButton*>("table")->isChecked());
+    EXPECT_EQ(chosen.count(), 0);
+    EXPECT_EQ(linked.count(), 0);
 }
 
 TEST(Theme, ListsCutTheirTextBetweenLettersAndSaySo) {
