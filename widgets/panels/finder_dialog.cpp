@@ -144,7 +144,7 @@ void FinderDialog::fit_columns() {
     const int room = list_->viewport()->width();
     const int kinds = needed(kind), key_room = std::min(needed(keys), room / 4);
     const int names =
-        std::clamp(needed(name), 0, std::max(0, room - kinds - key_room - std::min(needed(place), room / 5)));
+        std::clamp(needed(name), 0, std::max(0, room - kinds - key_room - std::min(needed(place), room / 8)));
     list_->setColumnWidth(kind, kinds);
     list_->setColumnWidth(name, names);
     list_->setColumnWidth(keys, key_room);
