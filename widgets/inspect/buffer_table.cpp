@@ -16,12 +16,11 @@
 
 namespace ir::widgets {
 
-BufferTable::BufferTable(QWidget* parent) : QWidget(parent), model_(new BufferModel(this)) {
+BufferTable::BufferTable(QWidget* parent)
+    : QWidget(parent), model_(new BufferModel(this)), fields_(new QTransposeProxyModel(this)) {
     pool_.setMaxThreadCount(1);
-    auto* fields = new QTransposeProxyModel(this);
-    fields->setSourceModel(model_);
     view_ = make_view(model_, "elements");
-    single_ = make_view(fields, "fields");
+    single_ = make_view(fields_, "fields");
     connect_view();
     auto* page = new QVBoxLayout(this);
     page->setContentsMargins(0, 0, 0, 0);
@@ -130,7 +129,9 @@ void BufferTable::show_one_or_many() {
     bar_->setVisible(!single);
     view_->setVisible(!single);
     single_->setVisible(single);
-    if (single) single_->setRowHidden(0, true);  // its number
+    if (!single) return;
+    if (fields_->sourceModel() != model_) fields_->setSourceModel(model_);
+    single_->setRowHidden(0, true);  // its number
 }
 
 void BufferTable::set_buffer(const QString& name, BufferData buffer) {
@@ -139,6 +140,8 @@ void BufferTable::set_buffer(const QString& name, BufferData buffer) {
     title_->setText(QStringLiteral("<b>%1</b>").arg(name.toHtmlEscaped()));
     title_->setToolTip(name);
     showing_ = true;
+    // A column for each of millions of elements would take minutes.
+    if (buffer.elements != 1) fields_->setSourceModel(nullptr);
     model_->set_buffer(std::move(buffer));
     showing_ = false;
     show_one_or_many();

@@ -12,6 +12,7 @@ class QLabel;
 class QLineEdit;
 class QTableView;
 class QToolButton;
+class QTransposeProxyModel;
 
 namespace ir::widgets {
 
@@ -84,6 +85,7 @@ class BufferTable : public QWidget {
     void show_one_or_many();
 
     BufferModel* model_;
+    QTransposeProxyModel* fields_;
     QTableView *view_, *single_;  ///< of many elements, of one
     QWidget* bar_;
     QLineEdit *filter_ = nullptr, *element_ = nullptr;
