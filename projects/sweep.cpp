@@ -58,14 +58,4 @@ std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep,
     return points;
 }
 
-std::vector<SweepPoint> shard(const std::vector<SweepPoint>& points, int index, int count) {
-    if (count < 1 || index < 1 || index > count)
-        throw UsageError("shard: give I/N with I from 1 to N, as in 1/4");
-    std::vector<SweepPoint> result;
-    for (auto i = static_cast<std::size_t>(index - 1); i < points.size();
-         i += static_cast<std::size_t>(count))
-        result.push_back(points[i]);
-    return result;
-}
-
 }  // namespace ir::projects

@@ -18,7 +18,4 @@ struct SweepPoint {
 /// that the method refuses, and beyond 100,000 points.
 std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep, const Registry& registry);
 
-/// The points of shard `index` (1-based) of `count`: every count-th, so that shards are equally hard.
-std::vector<SweepPoint> shard(const std::vector<SweepPoint>& points, int index, int count);
-
 }  // namespace ir::projects

@@ -1,4 +1,5 @@
 #include "app/cli/plot_project.h"
+#include "app/cli/shard.h"
 #include "renderers/core/limits.h"
 
 namespace ir::cli {
@@ -6,6 +7,7 @@ namespace ir::cli {
 void add_plot(CLI::App& app, Run& run) {
     struct Flags {
         ProjectPlots job;
+        ShardFlags shard;
         bool quiet = false, no_keep = false;
     };
     auto flags = std::make_shared<Flags>();
@@ -23,13 +25,17 @@ void add_plot(CLI::App& app, Run& run) {
         ->default_str("-");
     command->add_option("--csv", job.csv, "File for the numbers of one plot as a table");
     command->add_flag("--no-keep", flags->no_keep, "Do not store the numbers in the project's results");
+    add_shard_flags(*command, flags->shard, "plot");
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, job.machine);
     command->callback([flags, command, &run] {
         if (command->count("--json") && flags->job.json.empty()) flags->job.json = "-";
         flags->job.keep = !flags->no_keep;
         flags->job.show_progress = !flags->quiet;
-        run = [flags] { return plot_project(flags->job); };
+        run = [flags] {
+            flags->job.shard = chosen_shard(flags->shard);
+            return plot_project(flags->job);
+        };
     });
 }
 

@@ -41,7 +41,7 @@ std::vector<projects::ErrorPlot> chosen_plots(const projects::Project& project, 
         throw UsageError("--metric '" + job.metric + "' is unknown" + known_are(job.metric, metrics));
     for (auto& plot : plots)
         if (!job.metric.empty()) plot.metric = job.metric;
-    return plots;
+    return part_of(plots, job.shard);
 }
 
 std::string value_text(const projects::Json& value) {

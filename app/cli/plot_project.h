@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "projects/shard.h"
 
 namespace ir::cli {
 
@@ -16,6 +17,7 @@ struct ProjectPlots {
     std::string csv = {};                 ///< file for the numbers of the only plot
     std::string metric = {};              ///< instead of the plots' own
     int repeats = 1;
+    projects::Shard shard = {};  ///< of the plots
     bool keep = true, show_progress = true;
 };
 

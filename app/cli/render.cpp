@@ -12,6 +12,7 @@
 #include "app/cli/render_project.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
+#include "app/cli/shard.h"
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
 #include "projects/light_help.h"
@@ -29,6 +30,7 @@ struct RenderFlags {
     MachineFlags machine;
     ExperimentFlags experiment;
     InspectionFlags inspection;
+    ShardFlags shard;
     std::string project, scene, method, environment, out, json;
     std::vector<std::string> experiments, lights, dumps;
     double initial_capacity = 1;
@@ -181,6 +183,7 @@ void add_render(CLI::App& app, Run& run) {
     command->add_flag("--keep", flags->keep,
                       "Keep the results in the project; what accumulates goes on from the kept state");
     add_checkpoint_flag(*command, flags->checkpoint);
+    add_shard_flags(*command, flags->shard, "experiment of a PROJECT");
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
     command->callback([flags, command, &run] {
@@ -199,11 +202,13 @@ void add_render(CLI::App& app, Run& run) {
                 if (!flags->keep) refuse_given(*command, {"--checkpoint"}, "without --keep");
                 return render_project({flags->machine, flags->project, flags->out, flags->experiments,
                                        flags->dumps, flags->inspection, flags->keep, !flags->quiet,
-                                       flags->json, flags->checkpoint, flags->experiment});
+                                       flags->json, flags->checkpoint, flags->experiment,
+                                       chosen_shard(flags->shard)});
             }
             if (flags->scene.empty() || flags->method.empty())
                 throw UsageError("give a PROJECT, or --scene and --method");
-            refuse_given(*command, {"--keep", "--experiment", "--checkpoint"}, "without a PROJECT");
+            refuse_given(*command, {"--keep", "--experiment", "--checkpoint", "--shard", "--shard-from-env"},
+                         "without a PROJECT");
             if (!flags->match) refuse_given(*command, {"--samples"}, "without --match");
             return render_scene(*flags);
         };

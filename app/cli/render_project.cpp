@@ -89,7 +89,7 @@ double frames_of(const projects::Experiment& experiment) {
 
 int render_project(const ProjectRender& job) {
     const auto loaded = load_project(job.project);
-    const auto ids = chosen_ids(loaded.project, job.experiments);
+    const auto ids = part_of(chosen_ids(loaded.project, job.experiments), job.shard);
     OutputFiles files;
     files.reads(loaded);
     for (const auto& id : std::set(ids.begin(), ids.end()))

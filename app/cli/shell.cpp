@@ -23,26 +23,30 @@ struct Option {
 struct Command {
     std::string name, doc;
     std::vector<Option> options;
+    std::vector<Command> below;  ///< "merge" of "sweep"
 };
 
-std::vector<Command> commands_of(const CLI::App& app) {
-    std::vector<Command> commands;
+Command command_of(const CLI::App& app) {
     const auto all = [](const auto*) { return true; };
-    for (const CLI::App* each : app.get_subcommands(all)) {
-        Command command{each->get_name(), each->get_description(), {}};
-        const auto add = [&](const CLI::App& holder) {
-            for (const auto* option : holder.get_options(all)) {
-                const bool is_positional = option->get_lnames().empty();
-                command.options.push_back(
-                    {is_positional ? option->get_name(true) : "--" + option->get_lnames().front(),
-                     option->get_description(), is_positional, option->get_items_expected_max() > 0});
-            }
-        };
-        add(*each);
-        for (const auto* group : each->get_subcommands(all)) add(*group);  // option groups
-        commands.push_back(std::move(command));
+    Command command{app.get_name(), app.get_description(), {}, {}};
+    for (const auto* option : app.get_options(all)) {
+        const bool is_positional = option->get_lnames().empty();
+        command.options.push_back(
+            {is_positional ? option->get_name(true) : "--" + option->get_lnames().front(),
+             option->get_description(), is_positional, option->get_items_expected_max() > 0});
     }
-    return commands;
+    for (const auto* each : app.get_subcommands(all)) {
+        auto inner = command_of(*each);
+        if (each->get_name().empty())  // an option group
+            std::move(inner.options.begin(), inner.options.end(), std::back_inserter(command.options));
+        else
+            command.below.push_back(std::move(inner));
+    }
+    return command;
+}
+
+std::vector<Command> commands_of(const CLI::App& app) {
+    return command_of(app).below;
 }
 
 /// Words that the value of an option may be; empty: a file.
@@ -161,6 +165,16 @@ std::string roff(std::string text) {
     return text;
 }
 
+void print_section(const Command& command, const std::string& above) {
+    const auto name = above + command.name;
+    std::cout << ".SS " << roff(name) << "\n" << roff(command.doc) << ".\n";
+    for (const auto& option : command.options)
+        std::cout << ".TP\n"
+                  << (option.is_positional ? ".I " : ".B ") << roff(option.name) << "\n"
+                  << roff(option.doc) << "\n";
+    for (const auto& each : command.below) print_section(each, name + " ");
+}
+
 void print_manual(const CLI::App& app, const std::vector<Command>& commands) {
     std::cout << ".TH INTERREFLECT\\-CLI 1 \"\" \"Interreflect " << engine::version() << "\"\n"
               << ".SH NAME\n"
@@ -168,13 +182,7 @@ void print_manual(const CLI::App& app, const std::vector<Command>& commands) {
               << ".SH SYNOPSIS\n.B " << roff(program) << "\n.I COMMAND\n[\\fIOPTIONS\\fR]\n"
               << ".SH DESCRIPTION\n"
               << roff(app.get_description()) << "\n.SH COMMANDS\n";
-    for (const auto& command : commands) {
-        std::cout << ".SS " << roff(command.name) << "\n" << roff(command.doc) << ".\n";
-        for (const auto& option : command.options)
-            std::cout << ".TP\n"
-                      << (option.is_positional ? ".I " : ".B ") << roff(option.name) << "\n"
-                      << roff(option.doc) << "\n";
-    }
+    for (const auto& command : commands) print_section(command, "");
     std::cout << ".SH EXIT STATUS\n";
     for (const auto& status : exit_statuses())
         std::cout << ".TP\n.B " << status.value << "\n" << roff(status.doc) << "\n";

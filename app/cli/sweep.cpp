@@ -2,28 +2,37 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
 #include "app/cli/output_files.h"
+#include "app/cli/picture_file.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_frames.h"
-#include "projects/sweep.h"
-#include "projects/text.h"
+#include "app/cli/shard.h"
+#include "app/engine/sweep_run.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
+#include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+using engine::SweepRow, engine::SweepTable;
 
 struct SweepFlags {
-    ProjectRender job;
-    std::string name, shard;
-    bool quiet = false;
+    MachineFlags machine;
+    std::string project, name, out, json, csv, samples;
+    std::vector<std::string> dumps;
+    ShardFlags shard;
+    std::optional<int> repeats;
+    bool is_judged = false, keep = false, resume = false, quiet = false;
+
+    bool has_pictures() const { return keep || !is_judged; }
 };
 
 const projects::Sweep& chosen_sweep(const projects::Project& project, const std::string& name) {
@@ -34,153 +43,292 @@ const projects::Sweep& chosen_sweep(const projects::Project& project, const std:
                      known_are(name, words_of(project.sweeps, &projects::Sweep::id)));
 }
 
-struct Shard {
-    int index = 1, count = 1;
-};
-
-Shard parse_shard(const std::string& text) {
-    Shard shard;
-    if (text.empty()) return shard;
+/// The value of --reference, which may be left out: 0.
+std::uint64_t parse_samples(const std::string& text) {
+    std::int64_t samples = 0;
     const auto* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, shard.index);
-    const bool has_count = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
-    const auto second = has_count ? std::from_chars(first.ptr + 1, end, shard.count) : first;
-    if (!has_count || second.ec != std::errc{} || second.ptr != end || shard.index < 1 ||
-        shard.index > shard.count)
-        throw UsageError("--shard '" + text + "': give I/N with I from 1 to N, as in 1/4");
-    return shard;
+    const auto result = std::from_chars(text.data(), end, samples);
+    if (!text.empty() &&
+        (result.ec != std::errc{} || result.ptr != end || samples < 1 || samples > max_samples))
+        throw UsageError("--reference '" + text + "': give a number of samples from 1 to " +
+                         std::to_string(max_samples) + ", or none");
+    return static_cast<std::uint64_t>(samples);
 }
 
-/// "sweep.json", or "sweep-2-of-4.json", so that shards may share a folder.
-std::string list_name(const Shard& shard) {
-    if (shard.count == 1) return "sweep.json";
-    return "sweep-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count) + ".json";
-}
-
-Json entry_of(const projects::SweepPoint& point) {
-    return {{"id", point.experiment.id}, {"coordinates", point.coordinates}};
-}
-
-/// Renders one point; what went wrong stands in its entry.
-Json render_point(const SweepFlags& flags, engine::Machine& machine, const projects::LoadedProject& loaded,
-                  const projects::SweepPoint& point, ProgressLine& line, int& status) {
-    auto entry = entry_of(point);
-    try {
-        const auto statistics =
-            render_one(flags.job, machine, loaded.project, point.experiment, loaded.folder, line);
-        entry["image"] = point.experiment.id + ".exr";
-        entry["wall_ms"] = Json::parse(statistics).at("wall_ms");
-    } catch (const Error& error) {
-        line.clear();
-        complain(point.experiment.id + ": " + error.what());
-        entry["problem"] = projects::printable(error.what(), 4096);
-        status = std::max(status, status_of(error));
-    }
-    return entry;
-}
-
-/// The file that says what became of each variation. It is there from the beginning, so that it tells what is
-/// not rendered yet however the sweep ends.
-class SweepList {
+/// The files that say what became of each variation: a line each as it ends, and the list in the sweep's
+/// order, which is there from the beginning, so that it tells what is not rendered yet however the sweep
+/// ends.
+class SweepFiles {
   public:
-    SweepList(std::filesystem::path file, Json head, const std::vector<projects::SweepPoint>& points)
-        : file_(std::move(file)), list_(std::move(head)) {
-        list_["points"] = Json::array();
-        for (const auto& point : points) {
-            auto entry = entry_of(point);
-            entry["problem"] = "not rendered yet";
-            list_["points"].push_back(std::move(entry));
-        }
-        write();
+    SweepFiles(const fs::path& stem, const SweepTable& table)
+        : list_(stem.string() + ".json"), lines_(stem.string() + ".jsonl"), table_(table) {
+        std::string text;
+        for (const auto& row : table.rows)
+            if (row.is_done()) text += engine::row_line(row);
+        write_file(lines_, text);
+        stream_.open(lines_, std::ios::binary | std::ios::app);
+        write_list();
     }
 
-    const std::filesystem::path& file() const { return file_; }
-    std::string text() const { return list_.dump(2) + "\n"; }
-    /// How many were rendered.
-    std::size_t done() const { return done_; }
+    const fs::path& list() const { return list_; }
 
-    void put(std::size_t point, Json entry) {
-        done_ += entry.contains("image") ? 1 : 0;
-        list_["points"][point] = std::move(entry);
-        if (Clock::now() - written_ > std::chrono::seconds(1)) write();
+    /// A row of the table is complete.
+    void put(const SweepRow& row) {
+        stream_ << engine::row_line(row) << std::flush;
+        if (!stream_) throw Error(lines_.string() + ": cannot be written; is the disk full?");
+        if (Clock::now() - written_ > std::chrono::seconds(1) + 20 * writing_) write_list();
     }
-    void write() {
-        write_file(file_, text());
+    void write_list() {
+        const auto start = Clock::now();
+        write_file(list_, engine::table_json(table_));
         written_ = Clock::now();
+        writing_ = written_ - start;
     }
 
   private:
     using Clock = std::chrono::steady_clock;
-    std::filesystem::path file_;
-    Json list_;
+    const fs::path list_, lines_;
+    const SweepTable& table_;
+    std::ofstream stream_;
     Clock::time_point written_;
-    std::size_t done_ = 0;
+    Clock::duration writing_{0};
 };
 
-int run_sweep(const SweepFlags& flags) {
-    const auto shard = parse_shard(flags.shard);
-    const auto loaded = load_project(flags.job.project);
-    const auto& sweep = chosen_sweep(loaded.project, flags.name);
-    std::vector<projects::SweepPoint> points;
-    try {
-        points = projects::sweep_points(loaded.project, sweep, engine::registry());
-    } catch (const UsageError& error) {  // the project says it, not the command line
-        throw InputError(flags.job.project, "", error.what());
+class SweepCommand {
+  public:
+    explicit SweepCommand(const SweepFlags& flags)
+        : flags_(flags),
+          shard_(chosen_shard(flags.shard)),
+          samples_(parse_samples(flags.samples)),
+          repeats_(flags.repeats.value_or(flags.is_judged ? 1 : 0)),
+          stem_(fs::path(flags.out) / engine::table_name(shard_)),
+          loaded_(load_project(flags.project)) {}
+
+    int run() {
+        const auto& sweep = chosen_sweep(loaded_.project, flags_.name);
+        auto points = points_of(sweep);
+        OutputFiles files;
+        files.reads(loaded_);
+        for (const char* extension : {".json", ".jsonl"}) files.writes("--out", stem_.string() + extension);
+        files.writes("--json", flags_.json);
+        files.writes("--csv", flags_.csv);
+        make_out_folder(flags_.out);
+        engine::Machine machine(machine_options(flags_.machine));
+        engine::SweepRun variations(machine, loaded_.project, loaded_.folder, options());
+        std::vector<SweepRow> rows;
+        for (const auto& point : points) rows.push_back(variations.planned(point));
+        table_ = {sweep.id, sweep.experiment, engine::sweep_plan(rows), shard_, part_of(rows, shard_)};
+        points = part_of(points, shard_);
+        if (flags_.resume) resume();
+        render(variations, points);
+        tell();
+        return status_;
     }
-    points = projects::shard(points, shard.index, shard.count);
-    OutputFiles files;
-    files.reads(loaded);
-    files.writes("--out", (std::filesystem::path(flags.job.out) / list_name(shard)).string());
-    files.writes("--json", flags.job.json);
-    make_out_folder(flags.job.out);
-    engine::Machine machine(machine_options(flags.job.machine));
-    SweepList list(std::filesystem::path(flags.job.out) / list_name(shard),
-                   {{"sweep", sweep.id},
-                    {"experiment", sweep.experiment},
-                    {"shard", shard.index},
-                    {"shards", shard.count}},
-                   points);
-    int status = done;
-    double frames = 0;
-    for (const auto& point : points) frames += frames_of(point.experiment);
-    ProgressLine line(flags.job.show_progress, frames);
-    try {
+
+  private:
+    std::vector<projects::SweepPoint> points_of(const projects::Sweep& sweep) const {
+        try {
+            return projects::sweep_points(loaded_.project, sweep, engine::registry());
+        } catch (const UsageError& error) {  // the project says it, not the command line
+            throw InputError(flags_.project, "", error.what());
+        }
+    }
+
+    engine::SweepOptions options() {
+        engine::SweepOptions options;
+        options.is_judged = flags_.is_judged;
+        options.samples = samples_;
+        options.repeats = repeats_;
+        options.references = fs::path(flags_.out) / "references";
+        options.frame = frame_options(flags_.machine, flags_.dumps);
+        if (!flags_.quiet)
+            options.frame.progress = [this](const std::string& what, double part) {
+                line_->tell(what, part);
+            };
+        options.note = [this](const std::string& note) {
+            line_->clear();
+            std::cerr << "note: " << note << "\n";
+        };
+        return options;
+    }
+
+    void resume() {
+        const auto count = engine::resume_rows(table_, flags_.out, repeats_ > 0, flags_.has_pictures());
+        if (count > 0 && !flags_.quiet)
+            std::cerr << "interreflect-cli: " << count << " of " << table_.rows.size()
+                      << " variations are there already\n";
+    }
+
+    void render(engine::SweepRun& variations, const std::vector<projects::SweepPoint>& points) {
+        SweepFiles files(stem_, table_);
+        const auto work_of = [&](const projects::SweepPoint& point) {
+            return frames_of(point.experiment) * (1 + repeats_);
+        };
+        double work = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
-            list.put(i, render_point(flags, machine, loaded, points[i], line, status));
-    } catch (const Cancelled&) {
-        list.write();
-        std::cerr << "interreflect-cli: rendered " << list.done() << " of " << points.size()
-                  << " variations; " << list.file().string() << " lists which\n";
-        throw;
+            if (!table_.rows[i].is_done()) work += work_of(points[i]);
+        line_.emplace(!flags_.quiet, work);
+        try {
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                auto& row = table_.rows[i];
+                if (row.is_done()) continue;
+                line_->begin(row.id, work_of(points[i]));
+                render_one(variations, points[i], row);
+                files.put(row);
+            }
+        } catch (const Cancelled&) {
+            line_->clear();
+            files.write_list();
+            const auto done = std::count_if(table_.rows.begin(), table_.rows.end(),
+                                            [](const SweepRow& row) { return row.is_done(); });
+            std::cerr << "interreflect-cli: rendered " << done << " of " << table_.rows.size()
+                      << " variations; " << files.list().string()
+                      << " lists which, and --resume renders the others\n";
+            throw;
+        }
+        files.write_list();
     }
-    list.write();
-    if (flags.job.json == "-")
-        std::cout << list.text();
-    else if (!flags.job.json.empty())
-        write_file(flags.job.json, list.text());
-    return status;
+
+    /// What goes wrong stands in the row.
+    void render_one(engine::SweepRun& variations, const projects::SweepPoint& point, SweepRow& row) {
+        bool was_refused = row.problem != SweepRow::not_rendered;
+        if (!was_refused)
+            variations.render(
+                point, row,
+                [&](const engine::Execution& execution, const FrameReport& report) {
+                    warn_of_unmatched(flags_.dumps, report);
+                    line_->clear();
+                    print_messages(execution, report);
+                    return flags_.has_pictures() ? written(execution, report, point.experiment.id) : "";
+                },
+                was_refused);
+        line_->clear();
+        if (row.is_done()) return print(row);
+        complain(row.id + ": " + row.problem);
+        status_ = std::max(status_, was_refused ? int{bad_input} : int{failed});
+    }
+
+    std::string written(const engine::Execution& execution, const FrameReport& report,
+                        const std::string& id) const {
+        const auto stem = (fs::path(flags_.out) / id).string();
+        write_picture(stem + ".exr", execution, flags_.dumps);
+        write_picture(stem + ".png", execution, {});
+        write_file(stem + ".json", engine::statistics_json(execution, report) + "\n");
+        return id + ".exr";
+    }
+
+    void print(const SweepRow& row) const {
+        auto& stream = flags_.json == "-" ? std::cerr : std::cout;
+        stream << row.id << "  ";
+        if (!row.image.empty()) stream << (fs::path(flags_.out) / row.image).string() << "  ";
+        stream << static_cast<long>(row.cold_ms) << " ms";
+        if (row.warm_ms) stream << ", warm " << static_cast<long>(*row.warm_ms) << " ms";
+        if (const auto error = row.errors.find("rmse"); error != row.errors.end())
+            stream << ", rmse " << error->second;
+        stream << "\n";
+    }
+
+    void tell() const {
+        if (flags_.json == "-")
+            std::cout << engine::table_json(table_);
+        else if (!flags_.json.empty())
+            write_file(flags_.json, engine::table_json(table_));
+        if (!flags_.csv.empty()) write_file(flags_.csv, engine::table_csv(table_));
+    }
+
+    const SweepFlags& flags_;
+    const projects::Shard shard_;
+    const std::uint64_t samples_;
+    const int repeats_;
+    const fs::path stem_;
+    const projects::LoadedProject loaded_;
+    SweepTable table_;
+    std::optional<ProgressLine> line_;
+    int status_ = done;
+};
+
+struct MergeFlags {
+    std::vector<std::string> folders;
+    std::string out, csv;
+};
+
+int merge(const MergeFlags& flags) {
+    OutputFiles files;
+    for (const auto& folder : flags.folders)
+        for (const auto& list : engine::sweep_lists(folder))
+            if (list.stem() != engine::table_name({})) files.reads("DIR", list.string());
+    files.writes("--out", flags.out);
+    files.writes("--csv", flags.csv);
+    const auto table = engine::merged_tables({flags.folders.begin(), flags.folders.end()},
+                                             fs::absolute(flags.out).parent_path());
+    require_folder_of(flags.out, "--out");
+    write_file(flags.out, engine::table_json(table));
+    if (!flags.csv.empty()) write_file(flags.csv, engine::table_csv(table));
+    const auto open = std::count_if(table.rows.begin(), table.rows.end(),
+                                    [](const SweepRow& row) { return !row.is_done(); });
+    if (open == 0) return done;
+    complain(std::to_string(open) + " of " + std::to_string(table.rows.size()) +
+             " variations have no result; " + flags.out + " says why");
+    return failed;
+}
+
+void add_merge(CLI::App& sweep, Run& run) {
+    auto flags = std::make_shared<MergeFlags>();
+    auto* command = sweep.add_subcommand("merge", "Join the lists of all shards of a sweep");
+    command->add_option("DIR", flags->folders, "Folders that the shards were rendered to")->required();
+    command->add_option("--out", flags->out, "File for the list, as one machine would have written it")
+        ->required();
+    command->add_option("--csv", flags->csv, "File for the list as a table");
+    command->preparse_callback([&sweep](std::size_t) { sweep.get_option("--out")->required(false); });
+    command->callback([flags, &run] { run = [flags] { return merge(*flags); }; });
 }
 
 }  // namespace
 
 void add_sweep(CLI::App& app, Run& run) {
     auto flags = std::make_shared<SweepFlags>();
-    auto& job = flags->job;
-    auto* command = app.add_subcommand("sweep", "Render all variations of a project's sweep");
-    command->add_option("PROJECT", job.project, "Project folder")->required();
-    command->add_option("NAME", flags->name, "Id or name of the sweep")->required();
-    command->add_option("--out", job.out, "Folder for ID-0001.exr, … and the list sweep.json")->required();
-    command->add_option("--shard", flags->shard, "I/N: only every N-th variation, beginning with the I-th");
-    command->add_option("--dump", job.dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
-    command->add_option("--json", job.json, "File for the list, too; - or nothing: standard output")
+    auto* command = app.add_subcommand(
+        "sweep", "Render all variations of a project's sweep; `sweep merge` joins its shards");
+    // Required below, or a required place would take "merge".
+    const std::vector<CLI::Option*> places{
+        command->add_option("PROJECT", flags->project, "Project folder"),
+        command->add_option("NAME", flags->name, "Id or name of the sweep")};
+    command
+        ->add_option("--out", flags->out,
+                     "Folder for ID-0001.exr, …, the list sweep.json, and sweep.jsonl with a line for each "
+                     "variation as it ends")
+        ->required();
+    auto* reference =
+        command
+            ->add_option("--reference", flags->samples,
+                         "Measure the error of each variation against its ground truth, of so many "
+                         "samples (default: as Match has it); pictures are written with --keep alone")
+            ->expected(0, 1);
+    command
+        ->add_option("--repeats", flags->repeats,
+                     "Warm runs of each variation after the first, whose median time is told apart from the "
+                     "first's (default: 1 with --reference, else 0)")
+        ->check(CLI::Range(0, max_repeats));
+    command->add_flag("--keep", flags->keep, "Write the pictures with --reference, too");
+    command->add_flag("--resume", flags->resume,
+                      "Render only what --out lacks: what failed, what was not reached, and what would be "
+                      "another picture now");
+    add_shard_flags(*command, flags->shard, "variation");
+    command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
+    command->add_option("--json", flags->json, "File for the list, too; - or nothing: standard output")
         ->expected(0, 1)
         ->default_str("-");
+    command->add_option("--csv", flags->csv, "File for the list as a table");
     add_quiet_flag(*command, flags->quiet);
-    add_machine_flags(*command, job.machine);
-    command->callback([flags, command, &run] {
-        if (command->count("--json") && flags->job.json.empty()) flags->job.json = "-";
-        flags->job.show_progress = !flags->quiet;
-        run = [flags] { return run_sweep(*flags); };
+    add_machine_flags(*command, flags->machine);
+    add_merge(*command, run);
+    command->callback([flags, command, reference, places, &run] {
+        if (command->got_subcommand("merge")) return;
+        for (const auto* place : places)
+            if (place->count() == 0) throw CLI::RequiredError(place->get_name());
+        if (command->count("--json") && flags->json.empty()) flags->json = "-";
+        flags->is_judged = reference->count() > 0;
+        run = [flags] { return SweepCommand(*flags).run(); };
     });
 }
 

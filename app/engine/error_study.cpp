@@ -6,9 +6,9 @@
 #include <set>
 
 #include "app/engine/from_project.h"
+#include "app/engine/measure.h"
 #include "app/engine/median.h"
 #include "app/engine/moving.h"
-#include "app/engine/pictures.h"
 #include "app/engine/study_plan.h"
 #include "app/engine/study_reference.h"
 #include "projects/samples.h"
@@ -213,26 +213,15 @@ class Study {
 
     void measure(Execution& execution, const FrameReport& report, ErrorPoint& point) {
         machine_.context().make_current();
-        const auto& reference = reference_of(execution);
-        const auto image = main_result(execution);
-        const auto valid = execution.graph().read_image("valid").value_or(Image());
         point.memory_bytes = report.memory_bytes;
-        std::string refusal;
-        for (const auto& name : metric_names()) {
-            check();
-            try {
-                const auto result = compute_metrics(
-                    image, reference.image, {name},
-                    {.valid_image = valid.empty() ? nullptr : &valid,
-                     .valid_reference = reference.valid.empty() ? nullptr : &reference.valid});
-                point.errors[name] = result.values.at(name);
-                point.pixels = result.pixels;
-                point.skipped = result.skipped;
-            } catch (const UsageError& error) {
-                refusal = error.what();  // a metric may not apply: too few pixels, too few channels
-            }
+        try {
+            auto measured = engine::measure(execution, reference_of(execution), callbacks_.cancel);
+            point.errors = std::move(measured.errors);
+            point.pixels = measured.pixels;
+            point.skipped = measured.skipped;
+        } catch (const UsageError& error) {
+            refuse(point, projects::printable(error.what(), 300));
         }
-        if (point.errors.empty()) refuse(point, projects::printable(refusal, 300));
     }
 
     Machine& machine_;

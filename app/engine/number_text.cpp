@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace ir::engine {
 
@@ -9,11 +10,25 @@ projects::Json number_json(double value) {
     return std::isfinite(value) ? projects::Json(value) : projects::Json();
 }
 
+double number_from(const projects::Json& json, const std::string& reason,
+                   const projects::ObjectReader& reader, const std::string& key) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (json.is_number()) return json.get<double>();
+    if (json == "inf" || (json.is_null() && reason.starts_with("infinite"))) return infinity;
+    if (json == "-inf" || (json.is_null() && reason.starts_with("minus infinite"))) return -infinity;
+    if (json == "nan" || json.is_null()) return std::nan("");
+    reader.fail(key, "must be a number or null");
+}
+
 std::string csv_field(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + '"';
+}
+
+std::string csv_value(const projects::Json& value) {
+    return value.is_null() ? "" : csv_field(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 std::string csv_number(double value) {

@@ -2,15 +2,20 @@
 
 #include <string>
 
-#include "projects/json.h"
+#include "projects/object_reader.h"
 
 namespace ir::engine {
 
 /// Null for what is not finite, which JSON cannot say; why_not_finite() goes beside it.
 projects::Json number_json(double value);
+/// Back, given the text beside it; the first builds wrote "inf", "-inf" and "nan" instead. `key`: of the
+/// reader's member, for the InputError.
+double number_from(const projects::Json& json, const std::string& reason,
+                   const projects::ObjectReader& reader, const std::string& key);
 
 /// A field of a table [RFC 4180 §2].
 std::string csv_field(const std::string& text);
 std::string csv_number(double value);
+std::string csv_value(const projects::Json& value);
 
 }  // namespace ir::engine

@@ -1,28 +1,14 @@
-#include <cmath>
-#include <limits>
-
 #include "app/engine/error_study.h"
+#include "app/engine/measure.h"
 #include "app/engine/number_text.h"
 #include "projects/object_reader.h"
 #include "renderers/core/limits.h"
-#include "renderers/image/metrics.h"
 
 namespace ir::engine {
 namespace {
 
 using projects::Json;
 using projects::ObjectReader;
-
-/// As number_json() and why_not_finite() wrote it; the first builds wrote "inf", "-inf" and "nan" instead.
-double number_from(const Json& json, const std::string& reason, const ObjectReader& reader,
-                   const std::string& key) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (json.is_number()) return json.get<double>();
-    if (json == "inf" || (json.is_null() && reason.starts_with("infinite"))) return infinity;
-    if (json == "-inf" || (json.is_null() && reason.starts_with("minus infinite"))) return -infinity;
-    if (json == "nan" || json.is_null()) return std::nan("");
-    reader.fail(key, "must be a number or null");
-}
 
 Json point_json(const ErrorPoint& point) {
     Json json{{"experiment", point.experiment}, {"value", point.value}, {"frames", point.frames}};
@@ -31,12 +17,7 @@ Json point_json(const ErrorPoint& point) {
         return json;
     }
     json["ms"] = point.ms;
-    json["errors"] = Json::object();
-    for (const auto& [metric, error] : point.errors) {
-        json["errors"][metric] = number_json(error);
-        if (const auto why = why_not_finite(error, metric, point.pixels); !why.empty())
-            json["reasons"][metric] = why;
-    }
+    put_errors(json, point.errors, point.pixels);
     json["pixels"] = point.pixels;
     json["skipped"] = point.skipped;
     json["memory_bytes"] = point.memory_bytes;
@@ -51,16 +32,7 @@ ErrorPoint read_point(ObjectReader& reader) {
     point.frames = int(reader.integer("frames", 1, 1, max_frames));
     point.problem = reader.text("problem");
     point.ms = reader.number("ms", 0, 0);
-    if (const auto* errors = reader.take("errors")) {
-        if (!errors->is_object()) reader.fail("errors", "must be an object of numbers by metric");
-        const auto* reasons = reader.take("reasons");
-        for (auto it = errors->begin(); it != errors->end(); ++it) {
-            const bool has_reason =
-                reasons && reasons->contains(it.key()) && reasons->at(it.key()).is_string();
-            point.errors[it.key()] = number_from(
-                *it, has_reason ? reasons->at(it.key()).get<std::string>() : "", reader, "errors");
-        }
-    }
+    point.errors = read_errors(reader);
     point.pixels = reader.natural("pixels", 0);
     point.skipped = reader.natural("skipped", 0);
     point.memory_bytes = reader.natural("memory_bytes", 0);
@@ -75,10 +47,6 @@ std::vector<std::string> read_texts(ObjectReader& reader, const std::string& key
         texts.push_back(json);
     });
     return texts;
-}
-
-std::string csv_value(const Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.is_null() ? "" : value.dump();
 }
 
 }  // namespace
@@ -115,7 +83,7 @@ std::string study_csv(const ErrorStudy& study) {
     text += ",pixels,skipped,memory_bytes,on_front,problem\r\n";
     for (const auto& point : study.points) {
         const bool is_there = point.problem.empty();
-        text += csv_field(point.experiment) + "," + csv_field(csv_value(point.value)) + "," +
+        text += csv_field(point.experiment) + "," + csv_value(point.value) + "," +
                 std::to_string(point.frames) + "," + (is_there ? csv_number(point.ms) : "");
         for (const auto& metric : study.metrics) {
             const auto error = point.errors.find(metric);

@@ -124,23 +124,5 @@ TEST_F(PlotCommand, EndsWithTheProjectAtFaultWhereEveryPointIsRefused) {
     EXPECT_NE(outcome.out.find("ldm-200"), std::string::npos) << "the table says why of each";
 }
 
-TEST_F(PlotCommand, ShardsOfASweepMakeTheWhole) {
-    const auto sweep = [&](const std::string& flags) {
-        const auto outcome =
-            run("sweep " + path() + " directions --quiet --out " + file("out") + " " + flags);
-        EXPECT_EQ(outcome.status, 0) << outcome.err;
-    };
-    sweep("--shard 1/2");
-    sweep("--shard 2/2");
-    for (const char* id : {"ldm-200-0001", "ldm-200-0002", "ldm-200-0003"})
-        EXPECT_TRUE(fs::exists(file("out/" + std::string(id) + ".exr"))) << id;
-    const auto first = Json::parse(read(file("out/sweep-1-of-2.json")));
-    ASSERT_EQ(first["points"].size(), 2u);
-    EXPECT_EQ(first["points"][1]["coordinates"], Json({{"directions", 24}}));
-    EXPECT_EQ(first["points"][1]["image"], "ldm-200-0003.exr");
-    EXPECT_GT(first["points"][1]["wall_ms"], 0);
-    EXPECT_EQ(Json::parse(read(file("out/sweep-2-of-2.json")))["points"].size(), 1u);
-}
-
 }  // namespace
 }  // namespace ir

@@ -55,7 +55,8 @@ TEST_F(ShellCommand, LightsAreExplainedWhateverElseIsMissing) {
 TEST_F(ShellCommand, TheManualHasEveryCommandAndNoRequestByChance) {
     const auto page = output("manual");
     EXPECT_EQ(page.rfind(".TH ", 0), 0u);
-    for (const auto* part : {".SS render\n", ".SS sweep\n", ".B \\-\\-dump\n", ".SH EXIT STATUS\n"})
+    for (const auto* part :
+         {".SS render\n", ".SS sweep\n", ".SS sweep merge\n", ".B \\-\\-dump\n", ".SH EXIT STATUS\n"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     std::istringstream lines(page);
     for (std::string line; std::getline(lines, line);) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "app/cli/command.h"
+#include "projects/shard.h"
+
+namespace ir::cli {
+
+/// "--shard I/N" and "--shard-from-env"
+struct ShardFlags {
+    std::string text;
+    bool is_from_environment = false;
+};
+
+/// `what` is divided: "variation", "plot".
+void add_shard_flags(CLI::App& command, ShardFlags& flags, const std::string& what);
+
+/// All of the work where no flag is given; that of this task of a Slurm job array, whatever number its tasks
+/// begin with. Throws UsageError.
+projects::Shard chosen_shard(const ShardFlags& flags);
+
+}  // namespace ir::cli
