@@ -1,6 +1,7 @@
 #include "app/engine/sweep_table.h"
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include "app/engine/measure.h"
@@ -77,8 +78,10 @@ SweepRow read_row(const Json& json, const std::string& file, const std::string& 
     return row;
 }
 
+/// As table_name() calls them; statistics of an experiment "sweep" are none.
 bool is_list(const fs::path& file) {
-    return file.filename().string().starts_with("sweep") && file.extension() == ".json";
+    static const std::regex name("sweep(-[0-9]+-of-[0-9]+)?\\.json");
+    return std::regex_match(file.filename().string(), name);
 }
 
 bool same_sweep(const SweepTable& a, const SweepTable& b) {
