@@ -110,9 +110,16 @@ class SweepCommand {
         OutputFiles files;
         files.reads(loaded_);
         for (const char* extension : {".json", ".jsonl"}) files.writes("--out", stem_.string() + extension);
+        if (flags_.has_pictures())
+            for (const auto& point : part_of(points, shard_))
+                for (const char* extension : {".exr", ".png", ".json"})
+                    files.writes("--out",
+                                 (fs::path(flags_.out) / (point.experiment.id + extension)).string());
         files.writes("--json", flags_.json);
         files.writes("--csv", flags_.csv);
         make_out_folder(flags_.out);
+        if (!flags_.json.empty() && flags_.json != "-") require_folder_of(flags_.json, "--json");
+        if (!flags_.csv.empty()) require_folder_of(flags_.csv, "--csv");
         engine::Machine machine(machine_options(flags_.machine));
         engine::SweepRun variations(machine, loaded_.project, loaded_.folder, options());
         std::vector<SweepRow> rows;
@@ -184,6 +191,12 @@ class SweepCommand {
             std::cerr << "interreflect-cli: rendered " << done << " of " << table_.rows.size()
                       << " variations; " << files.list().string()
                       << " lists which, and --resume renders the others\n";
+            throw;
+        } catch (...) {  // the device is lost, the disk is full
+            try {
+                files.write_list();
+            } catch (const Error&) {  // what went wrong first is told
+            }
             throw;
         }
         files.write_list();
@@ -262,6 +275,7 @@ int merge(const MergeFlags& flags) {
     const auto table = engine::merged_tables({flags.folders.begin(), flags.folders.end()},
                                              fs::absolute(flags.out).parent_path());
     require_folder_of(flags.out, "--out");
+    if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
     write_file(flags.out, engine::table_json(table));
     if (!flags.csv.empty()) write_file(flags.csv, engine::table_csv(table));
     const auto open = std::count_if(table.rows.begin(), table.rows.end(),

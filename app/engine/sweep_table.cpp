@@ -266,6 +266,14 @@ std::vector<SweepRow> read_row_lines(const fs::path& file) {
 }
 
 std::size_t resume_rows(SweepTable& table, const fs::path& folder, bool is_timed, bool has_picture) {
+    std::map<std::string, SweepRow> by_id;  // the last of each counts
+    const auto take = [&by_id](std::vector<SweepRow> rows) {
+        for (auto& row : rows)
+            if (row.is_done()) by_id[row.id] = std::move(row);
+    };
+    const auto take_lines = [&take](const fs::path& file) {
+        if (real_file_system().exists(file)) take(read_row_lines(file));
+    };
     for (const auto& file : sweep_lists(folder)) {
         const auto other = read_table(file);
         if (!same_sweep(table, other))
@@ -273,20 +281,19 @@ std::size_t resume_rows(SweepTable& table, const fs::path& folder, bool is_timed
                              "is of sweep '" + other.sweep + "' of experiment '" + other.experiment +
                                  "', which sweep '" + table.sweep +
                                  "' cannot go on from; give another --out, or leave out --resume");
+        take(other.rows);
+        take_lines(fs::path(file).replace_extension(".jsonl"));
     }
-    const auto lines = folder / (table_name(table.shard) + ".jsonl");
-    if (!real_file_system().exists(lines)) return 0;
-    std::map<std::string, SweepRow> by_id;  // the last line of each counts
-    for (auto& row : read_row_lines(lines)) by_id[row.id] = std::move(row);
+    take_lines(folder / (table_name(table.shard) + ".jsonl"));
     std::size_t count = 0;
     for (auto& row : table.rows) {
         const auto found = by_id.find(row.id);
-        if (found == by_id.end()) continue;
+        if (found == by_id.end() || row.problem != SweepRow::not_rendered) continue;
         auto& before = found->second;
         std::error_code ignored;
         const bool is_whole =
             !has_picture || (!before.image.empty() && fs::is_regular_file(folder / before.image, ignored));
-        if (!before.is_done() || before.key != row.key || before.reference != row.reference ||
+        if (before.key != row.key || before.reference != row.reference ||
             before.coordinates != row.coordinates || (is_timed && !before.warm_ms) || !is_whole)
             continue;
         row = std::move(before);

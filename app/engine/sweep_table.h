@@ -58,10 +58,10 @@ std::string row_line(const SweepRow& row);
 /// killed, and does not count. Throws InputError with one line.
 std::vector<SweepRow> read_row_lines(const std::filesystem::path& file);
 
-/// Puts rows of an earlier run of the same shard, which lies in `folder` as NAME.json and NAME.jsonl, in the
-/// place of those of `table` that are the same variation, judged alike and timed where `is_timed`, with their
-/// picture where `has_picture`. Nothing where there is no earlier run. Returns how many. Throws InputError
-/// where a list in the folder is of another sweep.
+/// Puts rows of earlier runs, whatever their shard, which lie in `folder` as NAME.json and NAME.jsonl, in the
+/// place of those of `table` that wait and are the same variation, judged alike and timed where `is_timed`,
+/// with their picture where `has_picture`. Nothing where there is no earlier run. Returns how many. Throws
+/// InputError where a list in the folder is of another sweep.
 std::size_t resume_rows(SweepTable& table, const std::filesystem::path& folder, bool is_timed,
                         bool has_picture);
 

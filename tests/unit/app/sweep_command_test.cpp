@@ -188,6 +188,12 @@ TEST_F(SweepCommand, ShardsJoinToWhatOneMachineMakes) {
     }
     EXPECT_EQ(without_times(merged), without_times(list("one/sweep.json")));
     EXPECT_EQ(lines_of(read(file("all.csv"))).size(), 4u);
+
+    // One machine goes on where a shard ended.
+    sweep("first", "--reference 4 --keep --repeats 0 --resume");
+    const auto whole = list("first/sweep.json");
+    EXPECT_EQ(without_times(whole), without_times(list("one/sweep.json")));
+    EXPECT_EQ(whole["points"][0], list("first/sweep-1-of-2.json")["points"][0]) << "times, too: it was kept";
 }
 
 TEST_F(SweepCommand, MergeRefusesInOneLine) {
@@ -228,6 +234,8 @@ TEST_F(SweepCommand, MergeRefusesInOneLine) {
 }
 
 TEST_F(SweepCommand, RefusesInOneLine) {
+    for (const char* option : {"--csv ", "--json "})
+        expect_refused(command("out", option + file("nowhere/list")), 2, "nowhere");
     expect_refused(command("out", "--shard 0/2"), 2, "--shard '0/2': give I/N with I from 1 to N");
     for (const char* shard : {"3/2", "1/0", "1", "a/2", "1/2/3"})
         expect_refused(command("out", "--shard " + std::string(shard)), 2, "the first shard is 1, not 0");

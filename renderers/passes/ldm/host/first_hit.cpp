@@ -118,7 +118,8 @@ std::optional<int> PointTracer::nearest(int column, int row, float depth, float 
     std::optional<int> found;
     for (const int entry : list(column, row)) {
         const float gap = std::abs(static_cast<float>(entry) - depth);
-        if (gap > reach || (gap == reach && found)) continue;
+        if (gap > reach || (gap == reach && found && entry < *found))
+            continue;  // the one behind, as ldm_nearest()
         reach = gap;
         found = entry;
     }

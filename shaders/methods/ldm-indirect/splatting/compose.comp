@@ -14,12 +14,13 @@ layout(rgba32f) uniform writeonly image2D indirect_image;
 uniform vec3 background;  // W/(m² sr)
 
 /// Of the material's diffuse part, as if nothing lay above it.
-vec3 sky_reflectance(vec3 base_colour, vec4 material) {
+vec3 sky_reflectance(vec4 albedo, vec4 material) {
     if (material.z > 0.5) return vec3(0);  // unlit
 #if MATERIALS == 2
-    return base_colour;
+    return albedo.rgb;
 #else
-    return (1.0 - material.x) * base_colour;
+    float dielectric = 1.0 - material.x;
+    return dielectric * (1.0 - albedo.a * dielectric) * albedo.rgb;  // albedo.a: transmission
 #endif
 }
 
@@ -29,7 +30,7 @@ void main() {
     vec3 radiance = background, indirect = vec3(0);
     if (texelFetch(gbuffer_geometric_normal, pixel, 0).xyz != vec3(0)) {
         radiance = vec3(0);
-        vec3 base_colour = texelFetch(gbuffer_albedo, pixel, 0).rgb;
+        vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
         vec4 material = texelFetch(gbuffer_material, pixel, 0);
 #ifdef SPLATTED
         indirect = reflected(pixel);
@@ -39,10 +40,10 @@ void main() {
         radiance += texelFetch(direct_image, pixel, 0).rgb;
 #endif
 #ifdef SKY
-        radiance += sky_reflectance(base_colour, material) * texelFetch(sky_image, pixel, 0).rgb;
+        radiance += sky_reflectance(albedo, material) * texelFetch(sky_image, pixel, 0).rgb;
 #endif
 #ifdef UNLIT
-        if (material.z > 0.5) radiance += base_colour;
+        if (material.z > 0.5) radiance += albedo.rgb;
 #endif
 #ifdef EMISSION
         radiance += texelFetch(gbuffer_emission, pixel, 0).rgb;
