@@ -22,4 +22,4 @@ struct Photon {
 };
 
 /// Of the kernel.
-float part_on_surface(Photon photon) { return 1.0 - float(bitfieldExtract(photon.leg, 18, 6)) / 64.0; }
+float part_on_surface(Photon photon) { return 1.0 - float(bitfieldExtract(photon.leg, int(LEG_BEYOND_SHIFT), 6)) / 64.0; }

@@ -31,9 +31,11 @@ struct LdmHit {
 LdmHit ldm_no_hit(bool outside) { return LdmHit(false, 0.0, outside, false, 0, ivec2(0), 0.0); }
 
 /// Least |n·v| that slopes are computed with: they become infinite where a surface is seen edge on.
+// C++: ir::passes::ldm::least_facing
 const float LDM_LEAST_FACING = 0.02;
 
 /// Most that the slope may add to the tolerance, in texels, so that grazing rays see walls of two texels.
+// C++: ir::passes::ldm::most_tolerance
 const float LDM_MOST_TOLERANCE = 1.5;
 
 /// Quanta by which a storage may move entries; tolerances are no less.

@@ -2,11 +2,12 @@
 
 #include <cmath>
 
+#include "shaders/passes/ldm/entry_plane.glsl.h"
+#include "shaders/passes/ldm/trace.glsl.h"
+
 namespace ir::passes::ldm {
 namespace {
 
-/// As in trace.glsl and entry_plane.glsl.
-constexpr float least_facing = 0.02f, most_tolerance = 1.5f, steepest_texels = 3;
 /// Beyond all depths, which have 16 bits.
 constexpr int none_before = -1000000, none_behind = 1000000;
 

@@ -6,6 +6,7 @@
 
 #include "renderers/passes/ldm/host/lanes.inl"
 #include "renderers/passes/ldm/host/streamed_map.h"
+#include "shaders/passes/ldm/trace.glsl.h"
 
 #if defined(IR_LDM_HOST_QUESTION) == defined(HWY_TARGET_TOGGLE)
 #ifdef IR_LDM_HOST_QUESTION
@@ -21,7 +22,7 @@ namespace {
 constexpr int pixels = PixelTiles::pixels;
 
 /// As in trace.glsl.
-constexpr float least_facing = 0.02f, most_tolerance = 1.5f, near_plane = 1.5f;
+constexpr float near_plane = 1.5f;
 /// Beyond all entries, which are less.
 constexpr int last_key = 65534;
 
