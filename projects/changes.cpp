@@ -8,11 +8,6 @@ namespace {
 
 constexpr std::size_t shortest_key = 6;
 
-const Experiment& experiment_of(const Project& project, const std::string& id) {
-    if (const auto* found = find_item(project.experiments, id)) return *found;
-    throw UsageError("there is no experiment '" + printable(id, 60) + "' in the project");
-}
-
 const KeptResult* find_by_prefix(const ResultIndex& index, const std::string& text) {
     if (const auto* exact = index.find(text)) return exact;
     const KeptResult* found = nullptr;

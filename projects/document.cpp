@@ -3,7 +3,15 @@
 #include <algorithm>
 #include <cctype>
 
+#include "projects/text.h"
+#include "renderers/core/error.h"
+
 namespace ir::projects {
+
+const Experiment& experiment_of(const Project& project, const std::string& id) {
+    if (const auto* found = find_item(project.experiments, id)) return *found;
+    throw UsageError("there is no experiment '" + printable(id, 60) + "' in the project");
+}
 
 Experiment effective(const Experiment& experiment) {
     Experiment result = experiment;

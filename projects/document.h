@@ -75,6 +75,9 @@ struct LightSet {
     bool operator==(const LightSet&) const = default;
 };
 
+/// The highest number of a light or a part that moves.
+inline constexpr int max_moved = 1'000'000;
+
 /// What a camera, a light or a part of a scene does over time. Linear between keys, rotations and directions
 /// along the shortest arc; before the first key and after the last it stays, or begins again. Where several
 /// move the same thing the last one counts.
@@ -227,6 +230,9 @@ auto find_item(List& list, const std::string& id) -> decltype(list.data()) {
         if (item.id == id) return &item;
     return nullptr;
 }
+
+/// Throws UsageError that names the id where there is none.
+const Experiment& experiment_of(const Project& project, const std::string& id);
 
 /// The experiment as it runs: the active preset's overrides applied, presets dropped.
 Experiment effective(const Experiment& experiment);

@@ -157,6 +157,26 @@ const FieldText& constant_environment_text() {
     return text;
 }
 
+const Fields<Environment>& map_fields() {
+    static const Fields<Environment> fields{
+        {&Environment::source, {.key = "source", .label = "File", .writing = Writing::required}},
+        {&Environment::content_hash, {.key = "content_hash", .writing = Writing::unless_default}}};
+    return fields;
+}
+
+const Fields<Motion>& motion_fields(Motion::Kind kind) {
+    const auto loop = [] {
+        return Field<Motion>{&Motion::loop, {.key = "loop", .writing = Writing::unless_default}};
+    };
+    static const Fields<Motion> camera{{&Motion::camera, {.key = "camera"}}, loop()};
+    static const Fields<Motion> light{{&Motion::lights, {.key = "lights"}}, loop()};
+    static const Fields<Motion> part{{&Motion::scene, {.key = "scene"}},
+                                     {&Motion::part, {.key = "part", .range = {0, max_moved}}},
+                                     loop()};
+    static const std::array tables{&camera, &light, &part};
+    return *tables.at(static_cast<std::size_t>(kind));
+}
+
 const Fields<Motion::Key>& key_fields(Motion::Kind kind) {
     using Key = Motion::Key;
     static const Fields<Key> camera{
@@ -252,6 +272,14 @@ const Fields<Sweep>& sweep_fields() {
     static const Fields<Sweep> fields{
         {&Sweep::experiment,
          {.key = "experiment", .label = "Varies", .doc = "The experiment of which variations are made"}}};
+    return fields;
+}
+
+const Fields<Sweep::Axis>& axis_fields() {
+    using Axis = Sweep::Axis;
+    static const Fields<Axis> fields{
+        {&Axis::key, {.key = "key", .label = "Varies", .writing = Writing::required}},
+        {&Axis::values, {.key = "values", .label = "Values"}}};
     return fields;
 }
 

@@ -13,6 +13,10 @@ const Fields<Camera>& camera_fields();
 const Fields<LightSpec>& light_fields();
 const FieldText& quantity_text(LightSpec::Quantity quantity);
 const FieldText& constant_environment_text();
+/// Of an environment whose kind is map.
+const Fields<Environment>& map_fields();
+/// What a motion of this kind moves, but for a light's number or name; and how its time goes on.
+const Fields<Motion>& motion_fields(Motion::Kind kind);
 /// Of a motion's key: its time, and what things of this kind have.
 const Fields<Motion::Key>& key_fields(Motion::Kind kind);
 /// What an experiment has besides its method's parameters and the items that it names.
@@ -22,6 +26,7 @@ const Fields<Preset>& preset_fields();
 const Fields<ForeignImage>& image_fields();
 const Fields<Comparison>& comparison_fields();
 const Fields<Sweep>& sweep_fields();
+const Fields<Sweep::Axis>& axis_fields();
 const Fields<ErrorPlot>& plot_fields();
 
 }  // namespace ir::projects

@@ -124,8 +124,7 @@ Environment read_environment(ObjectReader& reader) {
     if (!json->is_object()) reader.fail("environment", "must be \"scene\", [r, g, b] or {\"source\": FILE}");
     ObjectReader inner(*json, reader.file(), reader.pointer_to_member("environment"));
     environment.kind = Environment::Kind::map;
-    environment.source = inner.required_text("source");
-    environment.content_hash = inner.text("content_hash");
+    read_fields(inner, environment, map_fields());
     environment.extra = inner.rest();
     return environment;
 }
@@ -161,8 +160,7 @@ Sweep read_sweep(ObjectReader& reader) {
     reader.each("axes", [&](const Json& json, const std::string& pointer) {
         ObjectReader inner(json, reader.file(), pointer);
         Sweep::Axis axis;
-        axis.key = inner.required_text("key");
-        inner.each("values", [&](const Json& value, const std::string&) { axis.values.push_back(value); });
+        read_fields(inner, axis, axis_fields());
         axis.extra = inner.rest();
         sweep.axes.push_back(std::move(axis));
     });

@@ -60,8 +60,8 @@ auto write_with(const Fields<Item>& fields) {
 Json write_environment(const Environment& environment) {
     if (environment.kind == Environment::Kind::scene) return "scene";
     if (environment.kind == Environment::Kind::constant) return array(environment.constant);
-    Json json = Json::object({{"source", environment.source}});
-    put_unless_empty(json, "content_hash", environment.content_hash);
+    Json json = Json::object();
+    write_fields(json, environment, map_fields());
     return with_extra(json, environment.extra);
 }
 
@@ -88,19 +88,9 @@ Json write_key(const Motion::Key& key, Motion::Kind kind) {
 
 Json write_motion(const Motion& motion) {
     Json json = Json::object({{"id", motion.id}, {"name", motion.name}, {"moves", to_string(motion.kind)}});
-    switch (motion.kind) {
-        case Motion::Kind::camera:
-            json["camera"] = motion.camera;
-            break;
-        case Motion::Kind::light:
-            json["lights"] = motion.lights;
-            json["light"] = motion.light_name.empty() ? Json(motion.light) : Json(motion.light_name);
-            break;
-        case Motion::Kind::part:
-            json["scene"] = motion.scene;
-            json["part"] = motion.part;
-    }
-    if (motion.loop) json["loop"] = true;
+    write_fields(json, motion, motion_fields(motion.kind));
+    if (motion.kind == Motion::Kind::light)
+        json["light"] = motion.light_name.empty() ? Json(motion.light) : Json(motion.light_name);
     json["keys"] = list(motion.keys, [&](const Motion::Key& key) { return write_key(key, motion.kind); });
     return with_extra(json, motion.extra);
 }
@@ -144,7 +134,9 @@ Json write_sweep(const Sweep& sweep) {
     Json json = Json::object({{"id", sweep.id}, {"name", sweep.name}});
     write_fields(json, sweep, sweep_fields());
     json["axes"] = list(sweep.axes, [](const Sweep::Axis& axis) {
-        return with_extra(Json::object({{"key", axis.key}, {"values", axis.values}}), axis.extra);
+        Json fields = Json::object();
+        write_fields(fields, axis, axis_fields());
+        return with_extra(fields, axis.extra);
     });
     return with_extra(json, sweep.extra);
 }

@@ -11,10 +11,6 @@
 namespace ir::projects::edits {
 namespace {
 
-const Experiment& experiment_of(const Project& project, const std::string& id) {
-    return item_of<Experiment>(project, id);
-}
-
 EditPtr changed(const Project& project, const Experiment& after, const std::string& label,
                 const std::string& what) {
     validate(after);

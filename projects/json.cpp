@@ -1,11 +1,11 @@
 #include "projects/json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <unordered_set>
 
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/value.h"
 
 namespace ir::projects {
 namespace {
@@ -79,8 +79,7 @@ std::string short_reason(const std::string& what) {
 }
 
 std::string number_text(double number) {
-    char text[40];
-    std::string result(text, std::to_chars(text, text + sizeof text, number).ptr);
+    auto result = shortest_text(number);
     if (result.find_first_of(".en") == std::string::npos) result += ".0";  // n: "inf" and "nan" stay visible
     return result;
 }

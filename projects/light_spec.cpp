@@ -11,6 +11,7 @@
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
+#include "renderers/core/value.h"
 
 namespace ir::projects {
 namespace {
@@ -124,12 +125,7 @@ void parse(std::string_view, const std::string& what, Other&) {
     throw std::logic_error(what + ": no light has such a field");
 }
 
-std::string shortest_text(double number) {
-    char text[40];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
-
-std::string shortest_text(const std::vector<double>& numbers) {
+std::string numbers_text(const std::vector<double>& numbers) {
     std::string text;
     for (const double number : numbers) text += (text.empty() ? "" : ",") + shortest_text(number);
     return text;
@@ -224,9 +220,9 @@ std::string to_string(const LightSpec& light) {
     for (const auto& field : light_fields()) {
         const auto numbers = numbers_of(field.slot(values));
         if (!field.counts_in(light) || numbers.empty()) continue;
-        const auto part = field.text.key + "=" + shortest_text(numbers) + ";";
+        const auto part = field.text.key + "=" + numbers_text(numbers) + ";";
         if (field.text.key == "color")
-            color = light.color == glm::dvec3(1) ? "" : ";color=" + shortest_text(numbers);
+            color = light.color == glm::dvec3(1) ? "" : ";color=" + numbers_text(numbers);
         else if (field.text.key != "inner" || light.inner != 0)
             text += part;
     }

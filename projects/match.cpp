@@ -22,11 +22,6 @@ constexpr int progressive_frames = 16;
 /// Seconds.
 constexpr double same_moment = 1e-9;
 
-const Experiment& experiment_of(const Project& project, const std::string& id) {
-    if (const auto* found = find_item(project.experiments, id)) return *found;
-    throw UsageError("there is no experiment '" + printable(id, 60) + "' in the project");
-}
-
 const MethodDescription& reference_method(const Registry& registry) {
     if (const auto* method = registry.reference()) return *method;
     throw UsageError("this build has no method that is the ground truth");

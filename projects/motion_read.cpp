@@ -16,23 +16,11 @@ Motion::Kind read_kind(ObjectReader& reader) {
     reader.fail("moves", "'" + printable(name, 60) + "' cannot move; give camera, light or part");
 }
 
-void read_target(ObjectReader& reader, Motion& motion) {
-    constexpr int most = 1'000'000;
-    switch (motion.kind) {
-        case Motion::Kind::camera:
-            motion.camera = reader.text("camera");
-            return;
-        case Motion::Kind::light:
-            motion.lights = reader.text("lights");
-            if (const auto* light = reader.take("light"); light && light->is_string())
-                motion.light_name = light->get<std::string>();
-            else
-                motion.light = static_cast<int>(reader.integer("light", 0, 0, most));
-            return;
-        case Motion::Kind::part:
-            motion.scene = reader.text("scene");
-            motion.part = static_cast<int>(reader.integer("part", 0, 0, most));
-    }
+void read_light(ObjectReader& reader, Motion& motion) {
+    if (const auto* light = reader.take("light"); light && light->is_string())
+        motion.light_name = light->get<std::string>();
+    else
+        motion.light = static_cast<int>(reader.integer("light", 0, 0, max_moved));
 }
 
 Motion::Key read_key(ObjectReader& reader, Motion::Kind kind) {
@@ -46,8 +34,8 @@ Motion::Key read_key(ObjectReader& reader, Motion::Kind kind) {
 
 void read_motion(ObjectReader& reader, Motion& motion) {
     motion.kind = read_kind(reader);
-    read_target(reader, motion);
-    motion.loop = reader.flag("loop", false);
+    read_fields(reader, motion, motion_fields(motion.kind));
+    if (motion.kind == Motion::Kind::light) read_light(reader, motion);
     reader.each("keys", [&](const Json& json, const std::string& pointer) {
         ObjectReader inner(json, reader.file(), pointer);
         auto key = read_key(inner, motion.kind);

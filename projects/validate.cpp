@@ -75,14 +75,15 @@ void validate(const LightSet& lights) {
     auto environment = lights.environment;
     const auto problem = problem_with(constant_environment_text(), &environment.constant);
     refuse_unless(problem.empty(), where + "the environment's radiance " + problem);
-    refuse_unless(environment.kind != Environment::Kind::map || !environment.source.empty(),
-                  where + "the environment map's file is missing; give one");
+    if (environment.kind == Environment::Kind::map)
+        validate_fields(environment, map_fields(), where + "the environment map's ");
 }
 
 void validate(const Motion& motion) {
     check_id(motion.id, "motion");
     const std::string where = "motion '" + motion.id + "': ";
-    refuse_unless(motion.light >= 0 && motion.part >= 0, where + "counts lights and parts from 0");
+    validate_fields(motion, motion_fields(motion.kind), where);
+    refuse_unless(motion.light >= 0 && motion.light <= max_moved, where + "counts lights from 0");
     for (std::size_t i = 0; i < motion.keys.size(); ++i) {
         const auto& key = motion.keys[i];
         validate_fields(key, key_fields(motion.kind), where + "key " + std::to_string(i + 1) + ": ");
@@ -123,8 +124,9 @@ void validate(const Comparison& comparison) {
 
 void validate(const Sweep& sweep) {
     check_id(sweep.id, "sweep");
-    for (const auto& axis : sweep.axes)
-        refuse_unless(!axis.key.empty(), "sweep '" + sweep.id + "': an axis has no key; give one");
+    const std::string where = "sweep '" + sweep.id + "': ";
+    validate_fields(sweep, sweep_fields(), where);
+    for (const auto& axis : sweep.axes) validate_fields(axis, axis_fields(), where + "an axis' ");
 }
 
 void validate(const ErrorPlot& plot) {

@@ -11,12 +11,6 @@ namespace {
 
 constexpr int thumbnail_width = 96;
 
-const ResourceReport* find(const FrameReport& report, const std::string& key) {
-    const auto found = std::find_if(report.resources.begin(), report.resources.end(),
-                                    [&](const auto& resource) { return resource.key == key; });
-    return found == report.resources.end() ? nullptr : &*found;
-}
-
 /// Whether a description says what stands beside the three channels of a colour: "A: …" or "a: …".
 bool tells_fourth(const std::string& doc) {
     for (const auto* mark : {"A: ", "a: "})
@@ -107,7 +101,7 @@ void read_back(LiveResult& result, const LiveRequest& request, const Execution& 
     const auto& graph = execution.graph();
     const auto main_key = engine::main_key(execution);
     for (const auto& part : request.parts) {
-        const auto* resource = find(result.report, part.key.empty() ? main_key : part.key);
+        const auto* resource = find_resource(result.report, part.key.empty() ? main_key : part.key);
         if (!resource || !resource->available || resource->width == 0) continue;
         if (auto image = read_atlas(graph, *resource, part)) {
             drop_unshown(*image, *resource, execution.method().variance);
@@ -115,7 +109,7 @@ void read_back(LiveResult& result, const LiveRequest& request, const Execution& 
         }
     }
     for (const auto& key : request.buffers)
-        if (const auto* resource = find(result.report, key))
+        if (const auto* resource = find_resource(result.report, key))
             if (auto contents = read_contents(graph, *resource)) result.buffers[key] = std::move(*contents);
     result.valid = graph.read_image("valid").value_or(Image());
     if (!request.thumbnails || !result.finished) return;
@@ -131,7 +125,7 @@ ProbeResult LiveSession::probe(const ProbeRequest& request) const {
     if (found == entries_.end() || !found->second.execution) return result;
     const auto& execution = found->second.execution;
     const auto& report = found->second.report;
-    const auto* main = find(report, engine::main_key(*execution));
+    const auto* main = find_resource(report, engine::main_key(*execution));
     if (!main || main->width < 1 || main->height < 1) return result;
     machine_.context().make_current();
     for (const auto& resource : report.resources)

@@ -44,7 +44,7 @@ class StudyThread {
             on_failure;
     };
     explicit StudyThread(Callbacks callbacks);
-    /// With another way to run a study, for tests.
+    /// With another way to run a study.
     StudyThread(StudyRunner runner, Callbacks callbacks);
     ~StudyThread();  ///< cancels and joins
 

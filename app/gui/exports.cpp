@@ -2,10 +2,10 @@
 
 #include <QBuffer>
 #include <QFileInfo>
-#include <charconv>
 #include <cmath>
 
 #include "renderers/core/error.h"
+#include "renderers/core/value.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/exr.h"
@@ -14,13 +14,7 @@ namespace ir::gui {
 namespace {
 
 void write_number(std::ostream& out, float value) {
-    if (std::isnan(value)) {
-        out << "nan";
-        return;
-    }
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    out.write(text, end - text);
+    out << shortest_text(value);
 }
 
 }  // namespace

@@ -92,12 +92,6 @@ QString asks_for_pixel(const ResourceReport& resource) {
 
 }  // namespace
 
-const ResourceReport* find_resource(const FrameReport& report, const std::string& key) {
-    const auto found = std::find_if(report.resources.begin(), report.resources.end(),
-                                    [&](const auto& resource) { return resource.key == key; });
-    return found == report.resources.end() ? nullptr : &*found;
-}
-
 const projects::ForeignImage* PictureSource::foreign(const std::string& owner) const {
     if (owner.rfind("image:", 0) != 0 || !session_.has_project()) return nullptr;
     return projects::find_item(session_.document().images, owner.substr(6));

@@ -90,6 +90,4 @@ class PictureSource {
     std::map<Key, Entry> cache_;
 };
 
-const ResourceReport* find_resource(const FrameReport& report, const std::string& key);
-
 }  // namespace ir::gui

@@ -26,7 +26,7 @@ class ResultsDock : public QWidget {
     bool is_keeping() const { return !keeping_.empty(); }
     /// A table that is not seen is not filled.
     void set_visible_to_user(bool seen);
-    /// Asks a person whether so many results shall be deleted; for tests.
+    /// Asks a person whether so many results shall be deleted; a dialog unless another way is given.
     void set_confirm(std::function<bool(int count)> confirm) { confirm_ = std::move(confirm); }
 
   signals:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/gui/json_fields.h"
+#include "projects/document_fields.h"
 #include "renderers/core/limits.h"
 
 namespace ir::gui {
@@ -150,10 +151,13 @@ std::optional<widgets::CameraPose> pose_from_json(const Json& json) {
     const auto up = vector_from_json(member_or_null(json, "up"));
     if (!eye || !target || !up || *eye == *target) return {};
     widgets::CameraPose pose{{*eye, *target, *up}};
-    pose.fov_y_degrees =
-        std::clamp(field_or(json, "fov_y_degrees", pose.fov_y_degrees), min_fov_degrees, max_fov_degrees);
+    const auto within = [&](const char* key, double standard) {
+        const auto& range = projects::field_of(projects::camera_fields(), key).text.range;
+        return std::clamp(field_or(json, key, standard), range.min, range.max);
+    };
+    pose.fov_y_degrees = within("fov_y_degrees", pose.fov_y_degrees);
     pose.orthographic = field_or(json, "orthographic", false);
-    pose.height = std::max(1e-6, field_or(json, "height", pose.height));
+    pose.height = within("height", pose.height);
     return pose;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -84,5 +85,12 @@ struct FrameReport {
     std::vector<UsedLight> lights;  ///< sources of the scene, with what the picture has of each
     std::vector<Message> messages;
 };
+
+/// The resource with a key, or null.
+inline const ResourceReport* find_resource(const FrameReport& report, const std::string& key) {
+    const auto found = std::find_if(report.resources.begin(), report.resources.end(),
+                                    [&](const auto& resource) { return resource.key == key; });
+    return found == report.resources.end() ? nullptr : &*found;
+}
 
 }  // namespace ir

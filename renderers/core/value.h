@@ -13,6 +13,10 @@ using Value = std::variant<bool, std::int64_t, double, std::string>;
 /// Values by parameter key; a method's complete configuration.
 using Settings = std::map<std::string, Value>;
 
+/// The shortest form that reads back bit for bit: "0.25", "1e-05", "inf", "nan".
+std::string shortest_text(double number);
+std::string shortest_text(float number);
+
 /// "true", "12", "0.25" or the choice's key; numbers in the shortest form that reads back bit for bit.
 std::string to_string(const Value& value);
 

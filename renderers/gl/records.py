@@ -4,7 +4,9 @@
 A struct or block whose comment has the line "C++: ir::some::Name" becomes a struct with IR_FIELDS in the header
 OUT/shaders/PATH.glsl.h of its file shaders/PATH.glsl; a record may hold records of the same file. A name that is a
 word of GLSL ends in "_" there, and not in C++. A record that std430 lays out with gaps is refused. A constant whose
-comment has "C++: ir::some::name" becomes an inline constexpr one; its value is a number. Usage:
+comment has "C++: ir::some::name" becomes an inline constexpr one; its value is a number. "C++: ir::some::*" takes all
+constants of a declaration under their own names in small letters (arrays of floats, too), and "C++: enum ir::some::Name" makes an enum class
+of them, without the word before their first "_". Usage:
 records.py ROOT OUT, or records.py --list ROOT for the files that have any.
 """
 import re
@@ -17,8 +19,9 @@ TYPES = {"float": ("float", 4, 4), "int": ("std::int32_t", 4, 4), "uint": ("std:
          "ivec2": ("glm::ivec2", 8, 8), "uvec2": ("glm::uvec2", 8, 8), "mat4": ("glm::mat4", 64, 16)}
 MARK = "// C++: "
 RECORD = re.compile(r"((?:^//[^\n]*\n)*)^(?:struct|layout\(std430\)[a-z ]* buffer) (\w+) \{\n(.*?)^\}", re.M | re.S)
-CONSTANT = re.compile(r"((?:^//[^\n]*\n)+)^const (float|int|uint) \w+ = ([^;\n]+);", re.M)
-NUMBERS = {"float": r"-?\d+(\.\d*(e-?\d+)?|e-?\d+)", "int": r"-?\d+", "uint": r"(0x[0-9a-f]+|\d+)u"}
+CONSTANT = re.compile(r"((?:^//[^\n]*\n)+)^const (float|int|uint) (\w+ = [^;]+);[ \t]*(//[^\n]*)?", re.M)
+ARRAY = re.compile(r"((?:^//[^\n]*\n)+)^const float (\w+)\[(\d+)\] = float\[\3\]\(([^)]*)\);", re.M)
+NUMBERS = {"float": r"-?\d+(\.\d*(e-?\d+)?|e-?\d+)", "int": r"-?\d+", "uint": r"(0x[0-9a-f]+|\d+)u|1u << \d+"}
 MEMBERS = re.compile(r"\s*(\w+) ([^;]+);\s*(?://\s?(.*))?$")
 
 
@@ -71,21 +74,55 @@ def marked_names(comment):
             yield line[len(MARK):].strip().rsplit("::", 1)
 
 
-def constant_of(comment, name, kind, value, path):
-    """The C++ constant."""
-    if not re.fullmatch(NUMBERS[kind], value):
-        sys.exit(f"{path}: the constant '{name}' is for C++, too, so its value is a number, not '{value}'")
-    suffix = "f" if kind == "float" else ""
-    return "\n".join(documented(comment) + [f"inline constexpr {TYPES[kind][0]} {name} = {value}{suffix};"])
+def constants_of(kind, values, last_note, path):
+    """(name, value, comment) of each constant of a declaration, as C++ has them but for the name."""
+    if "//" in values.splitlines()[-1]:
+        sys.exit(f"{path}: the comment '{values[values.rindex('//'):]};' has a semicolon; write another sign there")
+    values = re.sub(r"//([^\n]*)\n\s*(\w+ =)", r"//\1\n\2", values)  # a comment is of what stands before it
+    found = []
+    for item in re.finditer(r"(\w+) = ([^,]+?)\s*(?:,[ \t]*(?://[ \t]?([^\n]*))?|$)", values):
+        name, value, note = item.groups()
+        if not re.fullmatch(NUMBERS[kind], value):
+            sys.exit(f"{path}: the constant '{name}' is for C++, too, so its value is a number, not '{value}'")
+        found.append((name, value + ("f" if kind == "float" else ""), note))
+    name, value, note = found[-1]
+    found[-1] = name, value, note or (last_note or "").lstrip("/ ")
+    return found
+
+
+def declared_constants(comment, space, name, constants, kind):
+    """What one mark makes of a declaration: one constant, all, or an enum class."""
+    note = lambda text: f"  ///< {text}" if text else ""
+    type_ = TYPES[kind][0]
+    if space.startswith("enum "):
+        items = [f"    {constant.split('_', 1)[1].lower()} = {value},{note(text)}" for constant, value, text in constants]
+        return "\n".join(documented(comment) + [f"enum class {name} : {type_} {{"] + items + ["};"])
+    if name == "*":
+        items = [f"inline constexpr {type_} {constant.lower()} = {value};{note(text)}"
+                 for constant, value, text in constants]
+        return "\n".join(documented(comment) + items)
+    return "\n".join(documented(comment) + [f"inline constexpr {type_} {name} = {constants[0][1]};"])
 
 
 def header_of(path, text):
     """The header's text; None where nothing is marked."""
     records, types = [], dict(TYPES)
     within = "namespace {} {{\n\n{}\n\n}}  // namespace {}\n".format
-    for comment, kind, value in CONSTANT.findall(text):
+    for comment, kind, values, last_note in CONSTANT.findall(text):
         for space, name in marked_names(comment):
-            records.append(within(space, constant_of(comment, name, kind, value, path), space))
+            constants = constants_of(kind, values, last_note, path)
+            declared = declared_constants(comment, space, name, constants, kind)
+            space = space.removeprefix("enum ")
+            records.append(within(space, declared, space))
+    for comment, name, count, values in ARRAY.findall(text):
+        values = [value.strip() for value in values.split(",")]
+        if not all(re.fullmatch(NUMBERS["float"], value) for value in values):
+            sys.exit(f"{path}: the constant '{name}' is for C++, too, so it holds numbers, not '{', '.join(values)}'")
+        for space, own_name in marked_names(comment):
+            name = name.lower() if own_name == "*" else own_name
+            numbers = ", ".join(f"{value}f" for value in values)
+            constant = f"inline constexpr std::array<float, {count}> {name}{{{numbers}}};"
+            records.append(within(space, "\n".join(documented(comment) + [constant]), space))
     for comment, glsl_name, body in RECORD.findall(text):
         for space, name in marked_names(comment):
             record, types[glsl_name] = record_of(comment, name, body, types, path)

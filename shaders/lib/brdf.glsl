@@ -13,6 +13,10 @@ const float MIN_VIEW_COSINE = 1e-4;
 // C++: ir::passes::same_index
 const float SAME_INDEX = 1e-3;
 
+// Models of scattering, in the order of Transport::Materials.
+// C++: ir::passes::*
+const int SCATTERING_GLTF = 0, SCATTERING_METALNESS_BLEND = 1, SCATTERING_LAMBERT = 2;
+
 /// Microfacet distribution.  [Walter07 eq. 33]
 float ggx_distribution(float n_dot_h, float alpha) {
     float squared = alpha * alpha;

@@ -3,11 +3,9 @@
 //
 //   layout(std430) readonly buffer Lights { Light lights[]; };
 
-const int LIGHT_POINT = 0;
-const int LIGHT_SPOT = 1;
-const int LIGHT_DIRECTIONAL = 2;
-const int LIGHT_RECTANGLE = 3;
-const int LIGHT_DISK = 4;
+// The order of scene::LightType.
+// C++: ir::passes::*
+const int LIGHT_POINT = 0, LIGHT_SPOT = 1, LIGHT_DIRECTIONAL = 2, LIGHT_RECTANGLE = 3, LIGHT_DISK = 4;
 
 // C++: ir::passes::LightData
 struct Light {

@@ -12,9 +12,9 @@ struct TextureSlot {
     int uv_set;   // 0 or 1
 };
 
-const uint MATERIAL_UNLIT = 1u;
-const uint MATERIAL_DOUBLE_SIDED = 2u;
-const uint MATERIAL_MASKED = 4u;
+// Bits of Material::flags.
+// C++: ir::passes::*
+const uint MATERIAL_UNLIT = 1u, MATERIAL_DOUBLE_SIDED = 2u, MATERIAL_MASKED = 4u;
 
 /// What has a larger fraction of glass is mostly glass: drawn as what lies behind it, except where it shines.
 // C++: ir::passes::mostly_glass

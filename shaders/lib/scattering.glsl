@@ -6,15 +6,11 @@
 #include "lib/luminance.glsl"
 #include "lib/spaces.glsl"
 
-// Models, in the order of Transport::Materials.
-const int SCATTERING_GLTF = 0;
-const int SCATTERING_METALNESS_BLEND = 1;
-const int SCATTERING_LAMBERT = 2;
-
-// How the microfacet lobe chooses its directions.
-const int MICROFACETS_VISIBLE_NORMALS = 0;  // [Heitz18]
-const int MICROFACETS_GGX = 1;              // [Walter07 eq. 35]; weights may exceed 1
-const int MICROFACETS_GGX_PRINTED = 2;      // the directions of the second with the weights of the first: wrong
+// How the microfacet lobe chooses its directions, in the order of photon mapping's MicrofacetSampling.
+// C++: ir::passes::*
+const int MICROFACETS_VISIBLE_NORMALS = 0,  // [Heitz18]
+    MICROFACETS_GGX = 1,          // [Walter07 eq. 35], whose weights may exceed 1
+    MICROFACETS_GGX_PRINTED = 2;  // the directions of the second with the weights of the first: wrong
 
 struct Scatterer {
     vec3 n, geometric_n;

@@ -13,13 +13,6 @@ namespace {
 
 using projects::Comparison;
 
-std::vector<Option> pictures(const projects::Project& project) {
-    auto options = named_options(project.experiments);
-    for (const auto& image : project.images)
-        options.push_back({q(image.id), QObject::tr("%1 (image)").arg(q(image.name)), q(image.source)});
-    return options;
-}
-
 /// Outputs of the method of A; those of a foreign image are not known.
 std::vector<Option> outputs(const ShownProject& shown, const Comparison& comparison) {
     std::vector<Option> options{{QString(), QObject::tr("Main result"), {}}};
@@ -90,8 +83,8 @@ void ComparisonEditor::show_item(const ShownProject& shown, const ItemRef& item)
     const auto& comparison = *projects::find_item(shown.project.comparisons, id_);
     set_controls_usable(shown.read_only ? shown.why_read_only : QString());
     name_->show_text(q(comparison.name));
-    a_->show_options(pictures(shown.project), q(comparison.a));
-    b_->show_options(pictures(shown.project), q(comparison.b));
+    a_->show_options(picture_options(shown.project), q(comparison.a));
+    b_->show_options(picture_options(shown.project), q(comparison.b));
     output_->show_options(outputs(shown, comparison), q(comparison.output));
     mode_->show_options(modes_, q(comparison.mode));
     automatic_->setChecked(!comparison.range);

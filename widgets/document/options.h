@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QObject>
 #include <algorithm>
 #include <vector>
 
+#include "projects/document.h"
 #include "widgets/parameters/option.h"
 
 namespace ir::widgets {
@@ -14,6 +16,16 @@ std::vector<Option> named_options(const List& list) {
     for (const auto& item : list)
         options.push_back({QString::fromStdString(item.id), QString::fromStdString(item.name),
                            QString::fromStdString(item.id)});
+    return options;
+}
+
+/// What a metric can take: experiments, then images from files.
+inline std::vector<Option> picture_options(const projects::Project& project) {
+    auto options = named_options(project.experiments);
+    for (const auto& image : project.images)
+        options.push_back({QString::fromStdString(image.id),
+                           QObject::tr("%1 (image)").arg(QString::fromStdString(image.name)),
+                           QString::fromStdString(image.source)});
     return options;
 }
 

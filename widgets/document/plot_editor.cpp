@@ -17,13 +17,6 @@ namespace {
 
 using projects::ErrorPlot;
 
-std::vector<Option> pictures(const projects::Project& project) {
-    auto options = named_options(project.experiments);
-    for (const auto& image : project.images)
-        options.push_back({q(image.id), QObject::tr("%1 (image)").arg(q(image.name)), q(image.source)});
-    return options;
-}
-
 const projects::FieldText& text_of(const char* key) {
     return projects::field_of(projects::plot_fields(), key).text;
 }
@@ -139,7 +132,7 @@ void PlotEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     plot_ = *projects::find_item(shown.project.plots, id_);
     set_controls_usable(shown.read_only ? shown.why_read_only : QString());
     name_->show_text(q(plot_.name));
-    reference_->show_options(with_first({QString(), tr("None"), {}}, pictures(shown.project)),
+    reference_->show_options(with_first({QString(), tr("None"), {}}, picture_options(shown.project)),
                              q(plot_.reference));
     show_experiments(shown);
     over_->show_options(plot_key_options(shown.project, plot_, shown.registry), q(plot_.over));

@@ -1,23 +1,18 @@
 #include "widgets/document/pose_text.h"
 
-#include <charconv>
 #include <sstream>
 #include <vector>
 
 #include "projects/light_spec.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/value.h"
 
 namespace ir::widgets {
 namespace {
 
-std::string shortest(double number) {
-    char text[40];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
-
 std::string joined(const glm::dvec3& v) {
-    return shortest(v.x) + "," + shortest(v.y) + "," + shortest(v.z);
+    return shortest_text(v.x) + "," + shortest_text(v.y) + "," + shortest_text(v.z);
 }
 
 /// Words of the text; "x, y, z" counts as one, options of the command line do not count.
@@ -42,7 +37,7 @@ std::vector<std::string> words_of(std::string_view text) {
 
 std::string pose_text(const CameraPose& pose) {
     return joined(pose.eye) + " " + joined(pose.target) + " " + joined(pose.up) + " " +
-           (pose.orthographic ? shortest(pose.height) + "m" : shortest(pose.fov_y_degrees));
+           (pose.orthographic ? shortest_text(pose.height) + "m" : shortest_text(pose.fov_y_degrees));
 }
 
 CameraPose parse_pose(std::string_view text, const CameraPose& present) {

@@ -9,6 +9,7 @@
 #include <ostream>
 
 #include "renderers/core/error.h"
+#include "renderers/core/value.h"
 
 namespace ir::widgets {
 namespace {
@@ -95,19 +96,14 @@ double BufferReader::value(std::uint64_t element, std::size_t scalar) const {
 std::string BufferReader::text(std::uint64_t element, std::size_t scalar) const {
     if (scalar >= scalars_.size()) return std::to_string(element);
     const std::uint32_t value = bits(element, scalar);
-    char digits[48];
-    char* const end = digits + sizeof digits;
     switch (scalars_[scalar].type) {
         case FieldType::u32:
-            return {digits, std::to_chars(digits, end, value).ptr};
+            return std::to_string(value);
         case FieldType::i32:
-            return {digits, std::to_chars(digits, end, std::bit_cast<std::int32_t>(value)).ptr};
+            return std::to_string(std::bit_cast<std::int32_t>(value));
         default:
-            break;
+            return shortest_text(std::bit_cast<float>(value));
     }
-    const float number = std::bit_cast<float>(value);
-    if (std::isnan(number)) return "nan";
-    return {digits, std::to_chars(digits, end, number).ptr};
 }
 
 bool BufferFilter::accepts(double x) const {

@@ -3,9 +3,9 @@
 #include <QIcon>
 #include <QPainter>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "renderers/core/value.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/colour_map.h"
 #include "widgets/image/display.h"
@@ -30,10 +30,7 @@ QString number(float value, Semantic semantic) {
 
 /// The digits that read back as the same float.
 QString full(float value) {
-    if (!std::isfinite(value)) return short_number(value);
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    return QString::fromLatin1(digits, int(end - digits));
+    return std::isfinite(value) ? QString::fromStdString(shortest_text(value)) : short_number(value);
 }
 
 template <class Print>

@@ -3,13 +3,14 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <cmath>
+#include <numbers>
 
 namespace ir::widgets {
 namespace {
 
 /// A regular polygon or, with `inner` below 1, a star; the first corner at `start` turns from the top.
 QPolygonF polygon(int corners, double start, double inner, const QPointF& centre, double radius) {
-    constexpr double pi = 3.14159265358979323846;
+    constexpr double pi = std::numbers::pi;
     QPolygonF shape;
     const int count = inner < 1 ? 2 * corners : corners;
     for (int i = 0; i < count; ++i) {

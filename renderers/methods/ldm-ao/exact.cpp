@@ -9,6 +9,7 @@
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
+#include "shaders/methods/ldm-ao/exact.glsl.h"
 
 namespace ir::methods::ldm_ao {
 namespace {
@@ -16,7 +17,6 @@ namespace {
 constexpr int lanes = 16;
 /// A hit takes a byte: 0 is none, else its distance in steps of the reach.
 constexpr int hits_per_word = 4;
-constexpr float steps = 254;
 
 int words_per_pixel(const passes::ldm::Maps& maps) {
     return (maps.layout.batch_maps + hits_per_word - 1) / hits_per_word;
@@ -26,7 +26,8 @@ int words_per_pixel(const passes::ldm::Maps& maps) {
 std::uint32_t encoded(float distance, float reach) {
     if (distance == infinity || reach <= 0) return 0;
     if (reach == infinity) return 1;
-    return 1 + static_cast<std::uint32_t>(std::lround(std::clamp(distance / reach, 0.0f, 1.0f) * steps));
+    return 1 +
+           static_cast<std::uint32_t>(std::lround(std::clamp(distance / reach, 0.0f, 1.0f) * exact_steps));
 }
 
 struct Point {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What lib/spaces.glsl and records.glsl say, on the host.
+// What lib/spaces.glsl says, on the host.
 
 #include <cmath>
 #include <cstdint>
@@ -8,12 +8,9 @@
 #include <glm/gtc/packing.hpp>
 
 #include "renderers/passes/surface/octahedral.h"
+#include "shaders/methods/ldm-indirect/records.glsl.h"
 
 namespace ir::methods::ldm_indirect {
-
-/// As LEG_… of records.glsl.
-inline constexpr std::uint32_t leg_map = 0xffff, leg_along = 1u << 16, leg_direct = 1u << 17,
-                               leg_beyond_shift = 18, leg_beyond = 63, leg_light_shift = 24;
 
 using passes::packed_direction;
 using passes::unpacked_direction;

@@ -1,9 +1,11 @@
 #include "renderers/passes/ldm/points.h"
 
+#include <cstddef>
 #include <numeric>
 
 #include "renderers/core/record.h"
 #include "renderers/passes/ldm/rasterisers.h"
+#include "shaders/passes/ldm/point.glsl.h"
 
 namespace ir::passes::ldm {
 namespace {
@@ -19,6 +21,10 @@ struct Point {
     std::uint32_t layer, map;
     IR_FIELDS(position, normal, facing, depth, layer, map)
 };
+
+static_assert(sizeof(Point) == 4 * point_words && offsetof(Point, normal) == 4 * point_normal &&
+              offsetof(Point, facing) == 4 * point_facing && offsetof(Point, depth) == 4 * point_depth &&
+              offsetof(Point, layer) == 4 * point_layer && offsetof(Point, map) == 4 * point_map);
 
 /// Constants of points.comp.
 struct WritePoints {

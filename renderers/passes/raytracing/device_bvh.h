@@ -8,16 +8,13 @@
 #include "renderers/core/fields.h"
 #include "renderers/graph/builder.h"
 #include "renderers/scene/world.h"
+#include "shaders/passes/raytracing/bvh.glsl.h"
 
 namespace ir::passes {
 
-/// What a node's word says of a child: an inner node's index, or with `bvh_leaf` set a leaf's number of
-/// triangles (bits 28-30) and the index of the first one in the BVH's order (bits 0-27).
-constexpr std::uint32_t bvh_leaf = 0x80000000u, bvh_no_child = bvh_leaf;
+constexpr std::uint32_t bvh_no_child = bvh_leaf;
 constexpr std::uint32_t bvh_leaf_size = 4;
 constexpr std::uint64_t bvh_max_triangles = 1u << 28;
-/// Inner nodes on the longest way from the root. A traversal's stack needs no more room.
-constexpr int bvh_max_depth = 64;
 
 /// 64 bytes: both children with their bounds, so that a ray loads one line of a cache to choose.
 struct BvhNode {

@@ -5,11 +5,12 @@
 
 #include "renderers/core/error.h"
 #include "renderers/graph/pass_context.h"
+#include "shaders/passes/scan/tile.glsl.h"
 
 namespace ir::passes {
 namespace {
 
-constexpr std::int64_t tile_items = 2048, group_size = 256;  ///< shaders/passes/scan/tile.glsl
+constexpr std::int64_t tile_items = scan_tile, group_size = scan_group;
 /// So that every device takes the tiles in one dispatch.
 constexpr std::uint64_t most_items = 1 << 26;
 /// Tiles of the first slice of a pass, about 1 ms on two cores.
@@ -102,7 +103,8 @@ graph::BufferRef declare_bases(graph::GraphBuilder& builder, const std::string& 
     return declare(builder,
                    {.key = key + ".bases",
                     .label = "Sums before tiles",
-                    .doc = "For each tile of 2048 counts the sum of all counts before it, for " + key + "."},
+                    .doc = "For each tile of " + std::to_string(tile_items) +
+                           " counts the sum of all counts before it, for " + key + "."},
                    "sum", static_cast<std::uint64_t>(tiles_of(items)), counts);
 }
 

@@ -7,8 +7,6 @@
 namespace ir::passes {
 namespace {
 
-constexpr std::uint32_t unlit = 1, double_sided = 2, masked = 4;
-
 TextureSlotData slot_data(const scene::TextureSlot& slot) {
     return {slot.offset,  slot.scale, std::sin(slot.rotation), std::cos(slot.rotation),
             slot.texture, slot.uv_set};
@@ -26,8 +24,8 @@ MaterialData data_of(const scene::Material& m) {
     data.transmission = m.transmission;
     data.thickness = m.thickness;
     data.attenuation_distance = m.attenuation_distance;
-    data.flags = (m.unlit ? unlit : 0) | (m.double_sided ? double_sided : 0) |
-                 (m.alpha_mode == scene::AlphaMode::mask ? masked : 0);
+    data.flags = (m.unlit ? material_unlit : 0) | (m.double_sided ? material_double_sided : 0) |
+                 (m.alpha_mode == scene::AlphaMode::mask ? material_masked : 0);
     data.attenuation_colour = m.attenuation_colour;
     data.base_colour_slot = slot_data(m.base_colour_texture);
     data.metallic_roughness_slot = slot_data(m.metallic_roughness_texture);

@@ -21,6 +21,12 @@ using graph::PassContext;
 static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::mat4) == 64,
               "world arrays are uploaded as they lie in memory");
 
+static_assert(static_cast<int>(scene::LightType::point) == light_point &&
+              static_cast<int>(scene::LightType::spot) == light_spot &&
+              static_cast<int>(scene::LightType::directional) == light_directional &&
+              static_cast<int>(scene::LightType::rectangle) == light_rectangle &&
+              static_cast<int>(scene::LightType::disk) == light_disk);
+
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& data) {
     return std::as_bytes(std::span(data));

@@ -8,6 +8,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/image/colour_map.h"
+#include "shaders/passes/scene/texels.glsl.h"
 
 namespace ir::passes {
 namespace {
@@ -93,10 +94,14 @@ class BoxFilter {
     int side_;
 };
 
+static_assert(static_cast<std::uint32_t>(scene::Wrap::repeat) == texels_repeated &&
+              static_cast<std::uint32_t>(scene::Wrap::mirrored_repeat) == texels_mirrored &&
+              static_cast<std::uint32_t>(scene::Wrap::clamp_to_edge) == texels_clamped);
+
 std::uint32_t flags_of(const scene::Texture& texture) {
     const auto& sampler = texture.sampler;
     return static_cast<std::uint32_t>(sampler.wrap_s) | static_cast<std::uint32_t>(sampler.wrap_t) << 2 |
-           (sampler.mag == scene::Filter::linear ? 16u : 0u) | (texture.srgb ? 32u : 0u);
+           (sampler.mag == scene::Filter::linear ? texels_linear : 0u) | (texture.srgb ? texels_srgb : 0u);
 }
 
 }  // namespace

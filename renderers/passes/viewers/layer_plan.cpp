@@ -11,6 +11,9 @@
 namespace ir::passes::viewers {
 namespace {
 
+static_assert(static_cast<int>(FieldType::u32) == type_u32 && static_cast<int>(FieldType::i32) == type_i32 &&
+              static_cast<int>(FieldType::f32) == type_f32);
+
 /// A number of vertices that one draw takes on every device, at six for an element.
 constexpr std::uint64_t most_drawn = 200'000'000;
 /// Software drivers end loops silently after 65,535 iterations, and one texel may have to look at all.

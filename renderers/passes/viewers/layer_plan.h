@@ -9,11 +9,6 @@
 
 namespace ir::passes::viewers {
 
-enum class Primitive { points, lines, discs, parallelograms, ellipsoids, sphere };
-
-/// What colours an element: numbers of LayerBlock::colour_mode.
-enum class ColourMode : std::int32_t { single, field, facing };
-
 /// A layer made ready: where its numbers stand, or why it cannot be drawn.
 struct LayerPlan {
     Layer wanted;

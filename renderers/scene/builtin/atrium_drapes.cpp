@@ -3,15 +3,12 @@
 #include "renderers/core/constants.h"
 #include "renderers/scene/builtin/architecture.h"
 #include "renderers/scene/builtin/atrium.h"
+#include "renderers/scene/builtin/painting.h"
 
 namespace ir::scene::builtin::atrium_parts {
 namespace {
 
-/// 0 at edge0, 1 at edge1, level at both; the edges may fall.
-float smooth(float edge0, float edge1, float x) {
-    const float t = std::clamp((x - edge0) / (edge1 - edge0), 0.0f, 1.0f);
-    return t * t * (3 - 2 * t);
-}
+using painting::smooth;
 
 /// Width of a curtain that is gathered by a tie, v = 0 at the floor and 1 at the rod.
 float curtain_width(float v) {

@@ -47,17 +47,12 @@ void add_leaf(MeshBuilder& b, glm::vec3 foot, glm::vec3 way, glm::vec3 normal, f
     });
 }
 
-glm::vec3 random_direction(Random& random) {
-    const float z = random.between(-1, 1), angle = random.between(0, 2 * pi), r = std::sqrt(1 - z * z);
-    return {r * std::cos(angle), z, r * std::sin(angle)};
-}
-
 void add_bush(MeshBuilder& b, glm::vec3 centre, glm::vec3 radii, int leaves, Random& random) {
     for (int i = 0; i < leaves; ++i) {
-        const glm::vec3 out = random_direction(random);
+        const glm::vec3 out = random.direction();
         const glm::vec3 foot = centre + radii * out * std::cbrt(random.between(0.15f, 1));
-        add_leaf(b, foot, out + 0.8f * random_direction(random) + glm::vec3(0, 0.3f, 0),
-                 random_direction(random), random.between(0.1f, 0.2f));
+        add_leaf(b, foot, out + 0.8f * random.direction() + glm::vec3(0, 0.3f, 0), random.direction(),
+                 random.between(0.1f, 0.2f));
     }
 }
 

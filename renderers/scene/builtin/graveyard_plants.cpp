@@ -12,11 +12,6 @@
 namespace ir::scene::builtin::graveyard_parts {
 namespace {
 
-glm::vec3 direction(Random& random) {
-    const float z = random.between(-1, 1), angle = random.between(0, 2 * pi), r = std::sqrt(1 - z * z);
-    return {r * std::cos(angle), z, r * std::sin(angle)};
-}
-
 // --- The tree -------------------------------------------------------------------------------------------
 
 struct Tree {
@@ -33,7 +28,7 @@ void grow(const Tree& tree, Random random, glm::vec3 from, glm::vec3 way, float 
     std::vector<float> radii{level == 0 ? 1.5f * radius : radius};
     const bool is_twig = level == tree.levels;
     for (int i = 1; i <= pieces; ++i) {
-        way = glm::normalize(way + (level ? 0.26f : 0.16f) * direction(random) + glm::vec3(0, 0.05f, 0));
+        way = glm::normalize(way + (level ? 0.26f : 0.16f) * random.direction() + glm::vec3(0, 0.05f, 0));
         points.push_back(points.back() + way * (length / static_cast<float>(pieces)));
         const float t = static_cast<float>(i) / static_cast<float>(pieces);
         radii.push_back(radius * (is_twig ? 1 - 0.8f * t : 1 - 0.42f * t));
@@ -49,7 +44,7 @@ void grow(const Tree& tree, Random random, glm::vec3 from, glm::vec3 way, float 
                                : std::min(pieces, 1 + static_cast<int>(random.between(0.4f, 1) *
                                                                        static_cast<float>(pieces)));
         const glm::vec3 along = glm::normalize(points[at] - points[at - 1]);
-        const glm::vec3 aside = glm::normalize(glm::cross(along, direction(random)));
+        const glm::vec3 aside = glm::normalize(glm::cross(along, random.direction()));
         const float angle = glm::radians(is_fork ? random.between(18, 38) : random.between(38, 68));
         const float scale = is_fork ? random.between(0.68f, 0.82f) : random.between(0.5f, 0.7f);
         const glm::vec3 start = points[at] - 0.3f * radii[at] * along;

@@ -69,6 +69,7 @@ inline float cell_random(int x, int y, std::uint32_t seed) {
         .unit();
 }
 
+/// 0 at edge0, 1 at edge1, level at both; the edges may fall.
 inline float smooth(float edge0, float edge1, float x) {
     const float t = std::clamp((x - edge0) / (edge1 - edge0), 0.0f, 1.0f);
     return t * t * (3 - 2 * t);

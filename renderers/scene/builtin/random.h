@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <glm/glm.hpp>
+
+#include "renderers/core/constants.h"
 
 namespace ir::scene::builtin {
 
@@ -17,6 +21,11 @@ class Random {
     /// In [0, 1).
     float unit() { return static_cast<float>(bits() >> 8) * 0x1p-24f; }
     float between(float low, float high) { return low + (high - low) * unit(); }
+    /// Anywhere on the unit sphere.
+    glm::vec3 direction() {
+        const float z = between(-1, 1), angle = between(0, 2 * pi), r = std::sqrt(1 - z * z);
+        return {r * std::cos(angle), z, r * std::sin(angle)};
+    }
 
   private:
     std::uint32_t state_;

@@ -7,6 +7,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/hash.h"
+#include "renderers/core/value.h"
 #include "renderers/core/words.h"
 
 namespace ir::scene {
@@ -49,11 +50,6 @@ void check_version(const Request& request, const Description& scene) {
                      "'; known is " + known);
 }
 
-std::string number_text(double value) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
 const Option& find_option(const Request& request, const Description& scene, std::string_view key) {
     for (const auto& each : scene.options)
         if (each.key == key) return each;
@@ -67,8 +63,8 @@ double checked_value(const Request& request, const Option& option, std::string_v
     const bool is_number = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
     if (!is_number || !std::isfinite(value) || value < option.min || value > option.max)
         throw UsageError(request.text + ": option '" + option.key + "' is '" + std::string(text) +
-                         "'; give a number from " + number_text(option.min) + " to " +
-                         number_text(option.max) + (option.unit.empty() ? "" : " " + option.unit));
+                         "'; give a number from " + shortest_text(option.min) + " to " +
+                         shortest_text(option.max) + (option.unit.empty() ? "" : " " + option.unit));
     return value == 0 ? 0 : value;  // -0 is 0
 }
 
@@ -101,7 +97,7 @@ std::string canonical_name(const Description& scene, const Values& values) {
     for (const auto& [key, value] : values)
         for (const auto& option : scene.options)
             if (option.key == key && option.value != value) {
-                text += separator + key + "=" + number_text(value);
+                text += separator + key + "=" + shortest_text(value);
                 separator = '&';
             }
     return text;

@@ -13,9 +13,12 @@ float exact_reach(MapFrame frame) {
     return params.max_distance > 0.0 ? min(reach, params.max_distance) : reach;
 }
 
+// C++: ir::methods::ldm_ao::exact_steps
+const float EXACT_STEPS = 254.0;
+
 /// In metres; negative: no hit. Without a reach the distance of a hit does not matter.
 float exact_distance(uint pixel, uint map, float reach) {
     uint hit = exact_hits[pixel * exact_words + map / 4u] >> (8u * (map % 4u)) & 255u;
     if (hit == 0u) return -1.0;
-    return isinf(reach) ? 0.0 : reach * float(hit - 1u) / 254.0;
+    return isinf(reach) ? 0.0 : reach * float(hit - 1u) / EXACT_STEPS;
 }

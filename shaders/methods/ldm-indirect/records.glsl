@@ -1,7 +1,8 @@
 // The leg on which a photon came: map, whether along its direction or against it, or whether directly from the
-// light; and the light.
+// light; what of its kernel lies beyond its surface; and the light.
+// C++: ir::methods::ldm_indirect::*
 const uint LEG_MAP = 0xffffu, LEG_ALONG = 1u << 16, LEG_DIRECT = 1u << 17, LEG_BEYOND_SHIFT = 18u,
-           LEG_LIGHT_SHIFT = 24u;
+           LEG_BEYOND = 63u, LEG_LIGHT_SHIFT = 24u;
 /// What of a kernel may count as lost beyond its surface, in 1/64: what is left is at most so much brighter.
 // C++: ir::methods::ldm_indirect::most_beyond
 const uint MOST_BEYOND = 48u;
@@ -22,4 +23,4 @@ struct Photon {
 };
 
 /// Of the kernel.
-float part_on_surface(Photon photon) { return 1.0 - float(bitfieldExtract(photon.leg, int(LEG_BEYOND_SHIFT), 6)) / 64.0; }
+float part_on_surface(Photon photon) { return 1.0 - float(photon.leg >> LEG_BEYOND_SHIFT & LEG_BEYOND) / 64.0; }

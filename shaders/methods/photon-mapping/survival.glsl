@@ -1,11 +1,6 @@
 // Russian roulette at a surface: how likely a photon goes on, and what it is expected to keep.
 #include "lib/brdf.glsl"
 
-/// Choices of the transport's `materials`, in the order of Transport::Materials.
-const int SURVIVAL_GLTF = 0;
-const int SURVIVAL_METALNESS_BLEND = 1;
-const int SURVIVAL_LAMBERT = 2;
-
 /// A photon that meets this reflectance goes on with this probability; one power for all channels, which is
 /// multiplied by reflectance / probability.  [Smal19 eq. 4.9]
 float survival_probability(vec3 reflectance) {
@@ -17,8 +12,8 @@ float survival_probability(vec3 reflectance) {
 /// Only a probability comes from it, so that its error is variance and no bias.
 /// The index of refraction is 1.5: sample points carry no other.
 vec3 first_reflectance(vec3 base_colour, float metallic, float roughness, int model) {
-    if (model == SURVIVAL_LAMBERT) return base_colour;
-    if (model == SURVIVAL_METALNESS_BLEND) return base_colour;  // (1 - metallic) c + metallic F, F >= c
+    if (model == SCATTERING_LAMBERT) return base_colour;
+    if (model == SCATTERING_METALNESS_BLEND) return base_colour;  // (1 - metallic) c + metallic F, F >= c
     vec3 f0 = mix(vec3(0.04), base_colour, metallic);
     return (1.0 - f0) * (1.0 - metallic) * base_colour + f0;
 }
@@ -26,7 +21,7 @@ vec3 first_reflectance(vec3 base_colour, float metallic, float roughness, int mo
 /// Whether photons that arrive from a light leave along its ray, to be scattered where that meets the surface again:
 /// by mirrors and glass, which need more of the surface than a sample point holds.
 bool is_met_again(float opaque, float metallic, float roughness, int model, bool follows_mirrors) {
-    if (model == SURVIVAL_LAMBERT || !follows_mirrors) return false;
-    bool has_interface = model == SURVIVAL_GLTF || metallic > 0.0;
+    if (model == SCATTERING_LAMBERT || !follows_mirrors) return false;
+    bool has_interface = model == SCATTERING_GLTF || metallic > 0.0;
     return opaque < 1.0 || (has_interface && roughness * roughness < MIRROR_ALPHA);
 }

@@ -43,12 +43,12 @@ uniform int pixel_stride, first_row;
 uniform float detail_clip, sigma_value;
 
 #ifdef B3_SPLINE
-const float KERNEL[3] = float[3](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
+const float KERNEL[3] = B3_SPLINE_KERNEL;
 #else
-const float KERNEL[3] = float[3](1.0 / 2.0, 1.0 / 4.0, 1.0 / 8.0);  // [Smal19 §7.3]; sums to 5/4
+const float KERNEL[3] = PRINTED_KERNEL;
 #endif
 
-const int GROUP = 16, RADIUS = 2, SIDE = GROUP + 2 * RADIUS;
+const int GROUP = 16, SIDE = GROUP + 2 * KERNEL_RADIUS;
 shared vec4 tile_value[SIDE * SIDE];
 #ifndef GUIDED
 shared vec2 tile_direction[SIDE * SIDE];
@@ -64,7 +64,7 @@ ivec2 group_corner() {
 void load_tile(ivec2 corner) {
     ivec2 size = textureSize(surfaces, 0);
     for (int i = int(gl_LocalInvocationIndex); i < SIDE * SIDE; i += GROUP * GROUP) {
-        ivec2 at = corner + (ivec2(i % SIDE, i / SIDE) - RADIUS) * pixel_stride;
+        ivec2 at = corner + (ivec2(i % SIDE, i / SIDE) - KERNEL_RADIUS) * pixel_stride;
         tile_surface[i] = vec4(0, 0, 0, NO_SURFACE);
         if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
         FilterSurface s = unpacked_surface(texelFetch(surfaces, at, 0).xy);
@@ -107,8 +107,8 @@ vec4 guided(int centre, vec2 position_px) {
     float own = luminance(value.rgb), total = KERNEL[0] * KERNEL[0];
     float tolerance = sigma_value * sqrt(max(smooth_variance(centre), 0.0)) + 1e-6 * own + 1e-20;
     vec4 sum = vec4(total * value.rgb, total * total * value.a);
-    for (int y = -RADIUS; y <= RADIUS; ++y)
-        for (int x = -RADIUS; x <= RADIUS; ++x) {
+    for (int y = -KERNEL_RADIUS; y <= KERNEL_RADIUS; ++y)
+        for (int x = -KERNEL_RADIUS; x <= KERNEL_RADIUS; ++x) {
             int i = centre + y * SIDE + x;
             vec4 q = tile_surface[i];
             if (i == centre || q.w == NO_SURFACE) continue;
@@ -135,8 +135,8 @@ Level filtered(int centre, vec2 position_px) {
     float total = KERNEL[0] * KERNEL[0];
     vec4 m1 = vec4(0), m2 = vec4(0);
     vec2 direction_m1 = vec2(0), direction_m2 = vec2(0);
-    for (int y = -RADIUS; y <= RADIUS; ++y)
-        for (int x = -RADIUS; x <= RADIUS; ++x) {
+    for (int y = -KERNEL_RADIUS; y <= KERNEL_RADIUS; ++y)
+        for (int x = -KERNEL_RADIUS; x <= KERNEL_RADIUS; ++x) {
             int i = centre + y * SIDE + x;
             vec4 q = tile_surface[i];
             if (i == centre || q.w == NO_SURFACE) continue;
@@ -233,7 +233,7 @@ void main() {
     barrier();
     ivec2 pixel = corner + local * pixel_stride;
     if (any(greaterThanEqual(pixel, textureSize(surfaces, 0)))) return;
-    int centre = (local.y + RADIUS) * SIDE + local.x + RADIUS;
+    int centre = (local.y + KERNEL_RADIUS) * SIDE + local.x + KERNEL_RADIUS;
     if (tile_surface[centre].w == NO_SURFACE)
         store_nothing(pixel);
     else

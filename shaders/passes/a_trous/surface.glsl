@@ -22,6 +22,16 @@ const float DEPTH_EPSILON = 1e-3;
 // C++: ir::passes::a_trous::steepest
 const float STEEPEST = 0.5;
 
+/// The weights of a pixel and of its neighbours one and two steps away. The printed ones sum to 5/4 along a side.
+/// [Smal19 §7.3]
+// C++: ir::passes::a_trous::*
+const float PRINTED_KERNEL[3] = float[3](0.5, 0.25, 0.125);
+/// [Dammertz10]
+// C++: ir::passes::a_trous::*
+const float B3_SPLINE_KERNEL[3] = float[3](0.375, 0.25, 0.0625);
+// C++: ir::passes::a_trous::*
+const int KERNEL_RADIUS = 2;
+
 bool is_surface(FilterSurface s) { return s.depth < NO_SURFACE; }
 
 uvec2 packed_surface(FilterSurface s) { return uvec2(packed_direction(s.normal), floatBitsToUint(s.depth)); }

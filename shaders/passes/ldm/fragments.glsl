@@ -31,7 +31,11 @@ void put_fragment(uint place, uint texel, uint depth) {
 #endif
 #endif
 
+/// Depths are kept between these, in quanta.
+// C++: ir::passes::ldm::*
+const float LDM_FIRST_DEPTH = 1.0, LDM_LAST_DEPTH = 65534.0;
+
 /// Depths are rounded here and nowhere else, so that all storages hold the same numbers.
 uint quantised(float depth) {
-    return uint(clamp(floor(depth + 0.5), 1.0, 65534.0));
+    return uint(clamp(floor(depth + 0.5), LDM_FIRST_DEPTH, LDM_LAST_DEPTH));
 }

@@ -7,6 +7,8 @@
 struct LdmNeighbours {
     int before, behind;
 };
+/// Beyond all depths, which have 16 bits.
+// C++: ir::passes::ldm::*
 const int LDM_NONE_BEFORE = -1000000, LDM_NONE_BEHIND = 1000000;
 
 /// A place in a texel's sequence:

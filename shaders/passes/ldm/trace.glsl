@@ -52,8 +52,12 @@ bool ldm_is_outside(ivec2 texel, int resolution) {
     return any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(resolution)));
 }
 
+/// All depths lie well within; beyond it stand LDM_NONE_….
+// C++: ir::passes::ldm::*
+const float LDM_MAX_KEY = 500000.0;
+
 int ldm_quantum(float depth) {
-    return int(clamp(depth, -500000.0, 500000.0));
+    return int(clamp(depth, -LDM_MAX_KEY, LDM_MAX_KEY));
 }
 
 /// One texel's answer; `plane` is the depth of the tangent plane at its centre, `start` the depth beyond which

@@ -8,8 +8,15 @@ layout(std430) readonly buffer BvhNodes { uvec4 bvh_nodes[]; };
 layout(std430) readonly buffer BvhTriangles { uvec4 bvh_triangles[]; };
 layout(std430) readonly buffer BvhMasks { uvec4 bvh_masks[]; };
 
-const uint BVH_LEAF = 0x80000000u, BVH_NO_CHILD = BVH_LEAF;
-const int BVH_STACK = 64;  // bvh_max_depth: a node pushes at most one child
+/// What a node's word says of a child: an inner node's index, or with this set a leaf's number of triangles
+/// (bits 28-30) and the index of the first one in the BVH's order (bits 0-27).
+// C++: ir::passes::bvh_leaf
+const uint BVH_LEAF = 0x80000000u;
+const uint BVH_NO_CHILD = BVH_LEAF;
+/// Inner nodes on the longest way from the root. A traversal's stack needs no more room: a node pushes at most one
+/// child.
+// C++: ir::passes::bvh_max_depth
+const int BVH_MAX_DEPTH = 64;
 /// Nodes and triangles that a ray may ask for; with the loops around them below the 65,535 iterations after
 /// which llvmpipe ends loops.
 const uint BVH_MOST_STEPS = 30000u;
@@ -59,7 +66,7 @@ void ask_triangle(uint place, Ray ray, inout RayHit hit) {
 bool find_first_hit(Ray ray, out RayHit result) {
     vec3 inverse = safe_inverse(ray.direction_ws);
     RayHit hit = RayHit(ray.far, 0xffffffffu, 0.0, 0.0);
-    uint stack[BVH_STACK + 1], steps = 0u, next = 0u;
+    uint stack[BVH_MAX_DEPTH + 1], steps = 0u, next = 0u;
     stack[0] = BVH_NO_CHILD;
     int top = 1;
     while (next != BVH_NO_CHILD && steps < BVH_MOST_STEPS) {

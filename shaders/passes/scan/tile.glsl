@@ -1,6 +1,8 @@
 // Sums within a tile of 2048 words by a work group of 256 invocations.
 
-const uint SCAN_GROUP = 256u, SCAN_SHARE = 8u, SCAN_TILE = SCAN_GROUP * SCAN_SHARE;
+// C++: ir::passes::*
+const uint SCAN_GROUP = 256u, SCAN_TILE = 2048u;
+const uint SCAN_SHARE = SCAN_TILE / SCAN_GROUP;
 
 shared uint tile_words[SCAN_TILE + SCAN_TILE / 32u];  // a word of padding per 32: no bank conflicts
 shared uint tile_sums[SCAN_GROUP];

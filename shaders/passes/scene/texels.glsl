@@ -4,7 +4,9 @@
 
 layout(std430) readonly buffer Texels { uint texel_words[]; };
 
-const uint TEXELS_MIRRORED = 1u, TEXELS_CLAMPED = 2u;
+// How a coordinate outside [0, 1] is taken, in the order of scene::Wrap; and the flags above two of those.
+// C++: ir::passes::*
+const uint TEXELS_REPEATED = 0u, TEXELS_MIRRORED = 1u, TEXELS_CLAMPED = 2u, TEXELS_LINEAR = 16u, TEXELS_SRGB = 32u;
 
 struct TexelTable {
     uint first;
@@ -17,7 +19,7 @@ TexelTable texel_table(int texture) {
     uint head = 256u + 4u * uint(texture);
     uint size = texel_words[head + 1u], flags = texel_words[head + 2u];
     return TexelTable(texel_words[head], ivec2(size & 0xffffu, size >> 16u),
-                      uvec2(flags & 3u, flags >> 2u & 3u), (flags & 16u) != 0u, (flags & 32u) != 0u);
+                      uvec2(flags & 3u, flags >> 2u & 3u), (flags & TEXELS_LINEAR) != 0u, (flags & TEXELS_SRGB) != 0u);
 }
 
 /// Into [0, 1]; from 2^23 on floats are whole numbers, which repeat as 0.
@@ -32,7 +34,7 @@ float folded_coordinate(float coordinate, uint wrap) {
 
 /// Texels -1 and `size` beside a folded coordinate.
 int wrapped_texel(int texel, int size, uint wrap) {
-    if (wrap != 0u) return clamp(texel, 0, size - 1);
+    if (wrap != TEXELS_REPEATED) return clamp(texel, 0, size - 1);
     return texel < 0 ? size - 1 : texel >= size ? 0 : texel;
 }
 

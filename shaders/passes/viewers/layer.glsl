@@ -28,9 +28,14 @@ layout(std430) readonly buffer LayerBlock {
     FilterBlock filters[8];
 } layer;
 
+// C++: enum ir::passes::viewers::Primitive
 const int PRIMITIVE_POINTS = 0, PRIMITIVE_LINES = 1, PRIMITIVE_DISCS = 2, PRIMITIVE_PARALLELOGRAMS = 3,
           PRIMITIVE_ELLIPSOIDS = 4, PRIMITIVE_SPHERE = 5;
+// The order of FieldType.
+// C++: ir::passes::viewers::*
 const int TYPE_U32 = 0, TYPE_I32 = 1, TYPE_F32 = 2;
+// What colours an element: LayerBlock::colour_mode.
+// C++: enum ir::passes::viewers::ColourMode
 const int COLOUR_SINGLE = 0, COLOUR_FIELD = 1, COLOUR_FACING = 2;
 
 uniform vec3 eye_ws, view_axis_ws;

@@ -2,8 +2,8 @@
 """Checks the Markdown files: columns, tables, relative links with their anchors, and that README.md has each
 method's page.
 
-Lines have at most 100 columns outside tables and code blocks. Cells of tables hold numbers and names: at most 12
-words, and no sentence. Usage: check_docs.py ROOT
+Lines have at most 100 columns outside tables and code blocks, ARCHITECTURE.md has at most 150. Cells of tables hold
+numbers and names: at most 12 words, and no sentence. Usage: check_docs.py ROOT
 """
 import re
 import sys
@@ -11,6 +11,7 @@ from pathlib import Path
 
 COLUMNS = 100
 WORDS = 12  # of a cell
+ARCHITECTURE_LINES = 150
 SENTENCES = re.compile(r"\w\.$|[a-z]\w\. [A-Z]")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 
@@ -73,6 +74,8 @@ def main():
     readme = (root / "README.md").read_text(encoding="utf-8")
     problems += [f"{page.relative_to(root)}: README.md links to every method's page, and not to this one"
                  for page in sorted(root.glob("docs/methods/*.md")) if f"docs/methods/{page.name}" not in readme]
+    if (lines := (root / "ARCHITECTURE.md").read_text(encoding="utf-8").count("\n")) > ARCHITECTURE_LINES:
+        problems.append(f"ARCHITECTURE.md: {lines} lines, {ARCHITECTURE_LINES} are allowed")
     sys.exit("\n".join(problems) or None)
 
 

@@ -59,7 +59,37 @@ class Records(unittest.TestCase):
         self.assertNotIn("OTHER", header)
         status, messages, _ = self.run_on("// C++: ir::here::a\nconst float A = 2.0 * PI;\n")
         self.assertEqual(status, 1)
-        self.assertIn("the constant 'a' is for C++, too, so its value is a number, not '2.0 * PI'", messages)
+        self.assertIn("the constant 'A' is for C++, too, so its value is a number, not '2.0 * PI'", messages)
+
+    def test_all_constants_of_a_declaration_keep_their_names(self):
+        status, messages, header = self.run_on(
+            "// Bits.\n// C++: ir::here::*\nconst uint LEG_MAP = 0xffffu, LEG_ALONG = 1u << 16,  // with it\n"
+            "           LEG_SHIFT = 18u;  // of the rest\n")
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn("/// Bits.\ninline constexpr std::uint32_t leg_map = 0xffffu;\n"
+                      "inline constexpr std::uint32_t leg_along = 1u << 16;  ///< with it\n"
+                      "inline constexpr std::uint32_t leg_shift = 18u;  ///< of the rest\n", header)
+        status, messages, _ = self.run_on("// C++: ir::here::*\nconst int A_B = 1, A_C = A_B + 1;\n")
+        self.assertEqual(status, 1)
+        self.assertIn("the constant 'A_C' is for C++, too", messages)
+
+    def test_a_semicolon_in_a_comment_cuts_no_list(self):
+        status, messages, _ = self.run_on("// C++: ir::here::*\nconst int A_B = 1,  // this; that\n    A_C = 2;\n")
+        self.assertEqual(status, 1)
+        self.assertIn("shaders/a.glsl: the comment '// this;' has a semicolon", messages)
+
+    def test_arrays_of_floats_are_constants_too(self):
+        header = self.run_on("// C++: ir::here::*\nconst float FEW[2] = float[2](0.5, 0.25);\n")[2]
+        self.assertIn("inline constexpr std::array<float, 2> few{0.5f, 0.25f};\n", header)
+        status, messages, _ = self.run_on("// C++: ir::here::*\nconst float FEW[1] = float[1](1.0 / 3.0);\n")
+        self.assertEqual(status, 1)
+        self.assertIn("so it holds numbers, not '1.0 / 3.0'", messages)
+
+    def test_constants_become_an_enum(self):
+        status, messages, header = self.run_on(
+            "// C++: enum ir::here::Cause\nconst int CAUSE_LEFT = 0, CAUSE_NOT_SEEN = 3;\n")
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn("enum class Cause : std::int32_t {\n    left = 0,\n    not_seen = 3,\n};", header)
 
     def test_what_cannot_be_read_is_named(self):
         status, messages, _ = self.run_on("// C++: ir::A\nstruct T {\n    double x;\n};\n")

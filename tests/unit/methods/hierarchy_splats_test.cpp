@@ -35,9 +35,22 @@ std::vector<Disc> random_surfels(int n, glm::vec3 centre, float spread, unsigned
     return surfels;
 }
 
+/// A program that adds what a fragment shader says of splats to a target.
+const gl::Program& adding(const graph::PassContext& p, const dss::Splats& splats,
+                          const dss::SplatLayer& layer, const graph::PassContext::Attachment& target,
+                          const std::string& fragments) {
+    p.bind_framebuffer({target});
+    const auto& program = p.use({{"methods/deep-screen-space/splatting/splat.vert", fragments}});
+    program.set(dss::splat_constants(splats, layer));
+    p.api().Enable(GL_BLEND);
+    p.api().BlendEquation(GL_FUNC_ADD);
+    p.api().BlendFunc(GL_ONE, GL_ONE);
+    return program;
+}
+
 class SplatsTest : public DeepScreenSpaceTest {
   protected:
-    /// "splats.cover" with 1 + index for the weight of surfels.
+    /// As count_cover() does, into "cover", with 1 + index for the weight of surfels.
     FrameReport cover(const Shot& shot, const Cover& c) {
         auto inputs = shot.inputs();
         inputs.seed = c.seed;
@@ -46,7 +59,20 @@ class SplatsTest : public DeepScreenSpaceTest {
             const auto hierarchy = dss::shuffle(builder, gbuffer, c.parameters);
             const auto surfels = upload(builder, c.surfels, c.capacity, c.uncounted);
             const auto splats = dss::declare_splats(builder, hierarchy, surfels, c.parameters, c.samples);
-            dss::count_cover(builder, splats, "float(surfel_index + 1u)");
+            const int layers = c.samples * hierarchy.levels;
+            const auto image =
+                builder.image({.text = {"cover", "Cover"},
+                               .format = gl::Format::rg32f,
+                               .extent = graph::Extent::fixed(hierarchy.width, hierarchy.height),
+                               .layers = layers});
+            dss::draw_splats(
+                builder.pass("weigh").writes(image), splats,
+                [=](const graph::PassContext& p, const dss::SplatLayer& layer) -> const gl::Program& {
+                    const int index = layer.sample * hierarchy.levels + layer.level;
+                    if (layer.is_first && index == 0) p.clear(image);
+                    return adding(p, splats, layer, {image, index},
+                                  SOURCE_ROOT "/tests/data/shaders/weighted_cover.frag");
+                });
         });
     }
 
@@ -66,13 +92,8 @@ class SplatsTest : public DeepScreenSpaceTest {
                 builder.pass("draw").writes(drawn), splats,
                 [=](const graph::PassContext& p, const dss::SplatLayer& layer) -> const gl::Program& {
                     if (layer.is_first && layer.level == 0) p.clear(drawn);
-                    p.bind_framebuffer({{drawn}});
-                    const auto& program = p.use({{"methods/deep-screen-space/splatting/splat.vert",
-                                                  "methods/deep-screen-space/splatting/cover.frag"}});
-                    program.set(dss::splat_constants(splats, layer));
-                    p.api().Enable(GL_BLEND);
-                    p.api().BlendFunc(GL_ONE, GL_ONE);
-                    return program;
+                    return adding(p, splats, layer, {drawn},
+                                  "methods/deep-screen-space/splatting/cover.frag");
                 });
         });
     }
@@ -83,7 +104,7 @@ class SplatsTest : public DeepScreenSpaceTest {
         return sum;
     }
 
-    /// What "splats.cover" has to be, green.
+    /// What "cover" has to be, green.
     std::vector<float> expected_reached(const Cover& c, int level, int sample, float shell_radius) const {
         const auto positions = read("hierarchy.positions", level);
         const glm::ivec2 size(positions.width >> level, positions.height >> level);
@@ -129,7 +150,7 @@ TEST_F(SplatsTest, AllPixelsWithinReachAreCoveredOnceAndNothingBesideTheSubImage
                 cover(shot, c);
                 for (int sample = 0; sample < 2; ++sample)
                     for (int level = 0; level < 4; ++level) {
-                        const auto image = read("splats.cover", sample * 4 + level);
+                        const auto image = read("cover", sample * 4 + level);
                         const auto expected = expected_reached(c, level, sample, max_distance / 8);
                         for (std::size_t i = 0; i < expected.size(); ++i)
                             ASSERT_EQ(image.pixels[2 * i + 1], expected[i])
@@ -175,12 +196,12 @@ TEST_F(SplatsTest, EachSurfelGoesToOneSubImageThatItsPlaceInTheBufferDoesNotDeci
     c.parameters.transport.max_distance = 8;
     cover(shot, c);
     std::vector<Image> alone;
-    for (int level = 0; level < 4; ++level) alone.push_back(read("splats.cover", level));
+    for (int level = 0; level < 4; ++level) alone.push_back(read("cover", level));
     // A surfel without reach before it: the other one is now the second, and counts 2.
     c.surfels.insert(c.surfels.begin(), disc({1e4f, 0, 0}, {0, 1, 0}, 0.05f, 9));
     cover(shot, c);
     for (int level = 0; level < 4; ++level) {
-        const auto second = read("splats.cover", level);
+        const auto second = read("cover", level);
         for (std::size_t i = 1; i < second.pixels.size(); i += 2)
             ASSERT_EQ(second.pixels[i], 2 * alone[static_cast<std::size_t>(level)].pixels[i]);
     }
@@ -208,14 +229,14 @@ TEST_F(SplatsTest, OnlyStoredSurfelsAreRead) {
     c.parameters.transport.max_distance = 1;
     c.capacity = 1000;
     cover(shot, c);
-    const auto image = read("splats.cover", 1);
+    const auto image = read("cover", 1);
     const auto expected = expected_reached(c, 1, 0, 0.5f);
     for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_EQ(image.pixels[2 * i + 1], expected[i]);
     c.capacity = 10;
     c.uncounted = 5000;
     cover(shot, c);
     c.surfels.resize(10);
-    const auto part = read("splats.cover", 1);
+    const auto part = read("cover", 1);
     const auto expected_part = expected_reached(c, 1, 0, 0.5f);
     for (std::size_t i = 0; i < expected_part.size(); ++i)
         ASSERT_EQ(part.pixels[2 * i + 1], expected_part[i]);

@@ -38,7 +38,7 @@ TEST_F(IndirectTracingTest, EnergyBalancesWithShadingNormalsAndRange) {
     light.range = 1.6f;
     trace(Shot(box({light}), camera({0, 1.4f, 1.9f}, {0, 1.2f, 0}), 48, 48), quick());
     expect_balanced("a light with a range");
-    EXPECT_GT(flux(energy()[li::beyond_range]).r, 0);
+    EXPECT_GT(flux(energy()[li::row_range]).r, 0);
 }
 
 TEST_F(IndirectTracingTest, SplitsIntoAsManyPhotonsAsMaps) {
@@ -52,7 +52,7 @@ TEST_F(IndirectTracingTest, SplitsIntoAsManyPhotonsAsMaps) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         std::uint32_t number = 0;
         double part = 0;
-        for (int cause = 0; cause < li::causes; ++cause) {
+        for (std::size_t cause = 0; cause < li::causes; ++cause) {
             number += split[i].photons[cause];
             part += split[i].part[cause];
         }
@@ -176,11 +176,11 @@ TEST_F(IndirectTracingTest, NothingThatIsSeenCountsAsHidden) {
     trace(shot, settings);
     const auto rows = energy();
     const auto row = [&](int index) { return flux(rows[static_cast<std::size_t>(index)]).r; };
-    const double arrived =
-        row(li::indirect + 2) + row(li::indirect + 3) + row(li::indirect + 4) + row(li::indirect + 6);
-    EXPECT_GT(row(li::indirect + 6), 0.5 * arrived);
-    EXPECT_LT(row(li::indirect + 3), 0.01 * arrived);
-    EXPECT_LT(row(li::indirect + 4), 0.01 * arrived);
+    const double arrived = row(li::row_indirect + 2) + row(li::row_indirect + 3) + row(li::row_indirect + 4) +
+                           row(li::row_indirect + 6);
+    EXPECT_GT(row(li::row_indirect + 6), 0.5 * arrived);
+    EXPECT_LT(row(li::row_indirect + 3), 0.01 * arrived);
+    EXPECT_LT(row(li::row_indirect + 4), 0.01 * arrived);
 }
 
 TEST_F(IndirectTracingTest, OrderAndBitsDoNotDependOnMemory) {
@@ -238,8 +238,8 @@ TEST_F(IndirectTracingTest, StoresHiddenPhotonsWhenRequested) {
     trace(shot, settings);
     const auto all = energy();
     expect_balanced("hidden photons kept");
-    constexpr int outside = li::indirect + 2, hidden = li::indirect + 3, stored = li::indirect + 6,
-                  stored_hidden = li::indirect + 7;
+    constexpr int outside = li::row_indirect + 2, hidden = li::row_indirect + 3,
+                  stored = li::row_indirect + 6, stored_hidden = li::row_indirect + 7;
     EXPECT_GT(flux(without[hidden]).r, 0);
     EXPECT_EQ(all[hidden].photons, 0u);
     EXPECT_GE(all[stored].photons, without[stored].photons);
@@ -293,10 +293,10 @@ TEST_F(IndirectTracingTest, BlackSurfacesSplitNothing) {
     expect_balanced("black floor");
     const auto black = energy();
     EXPECT_EQ(photons().size(), 0u);
-    for (int row = li::indirect; row < li::direct; ++row)
+    for (std::uint32_t row = li::row_indirect; row < li::row_direct; ++row)
         EXPECT_EQ(black[static_cast<std::size_t>(row)].photons, 0u) << row;
-    EXPECT_EQ(black[li::absorbed].photons, grey[li::absorbed].photons);
-    EXPECT_NEAR(flux(black[li::absorbed]).r, 2 * flux(grey[li::absorbed]).r, 1e-4);
+    EXPECT_EQ(black[li::row_absorbed].photons, grey[li::row_absorbed].photons);
+    EXPECT_NEAR(flux(black[li::row_absorbed]).r, 2 * flux(grey[li::row_absorbed]).r, 1e-4);
 }
 
 TEST_F(IndirectTracingTest, RefusesMorePhotonsThanAreCounted) {

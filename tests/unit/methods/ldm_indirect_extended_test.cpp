@@ -54,14 +54,14 @@ class PhotonsOfLampsTest : public IndirectTracingTest {
         return sum / (double(n) * n * n * n);
     }
     static scene::Camera inside() { return camera({0, 1.4f, 1.9f}, {0, 1.2f, 0}); }
-    double emitted() { return flux(energy()[li::emitted]).r; }
+    double emitted() { return flux(energy()[li::row_emitted]).r; }
 };
 
 TEST_F(PhotonsOfLampsTest, SourcesEmitTheirFluxAndNoneIsLost) {
     trace(Shot(box({lamp_of(scene::LightType::rectangle, {0.8f, 0.5f})}), inside(), 48, 48), quick());
     expect_balanced("rectangle");
     EXPECT_NEAR(emitted() / (pi * 0.4 * 2), 1, 1e-4);
-    EXPECT_EQ(energy()[li::nothing_seen].photons, 0u);
+    EXPECT_EQ(energy()[li::row_nothing].photons, 0u);
     trace(Shot(box({lamp_of(scene::LightType::disk, {0.8f, 0.5f})}), inside(), 48, 48), quick());
     expect_balanced("disk");
     EXPECT_NEAR(emitted() / (pi * pi * 0.1 * 2), 1, 1e-4);
@@ -72,7 +72,7 @@ TEST_F(PhotonsOfLampsTest, SourcesEmitTheirFluxAndNoneIsLost) {
     outdoors.environment.constant = {1, 2, 3};
     trace(Shot(outdoors, camera({0, 1, 3.9f}, {0, 0, 0}), 48, 48), quick());
     expect_balanced("environment");
-    EXPECT_GT(energy()[li::nothing_seen].photons, 0u);
+    EXPECT_GT(energy()[li::row_nothing].photons, 0u);
     // ρ L π A on the outer side of both planes, and what passes between them.
     double outer = 0;
     for (const auto& photon : primaries())

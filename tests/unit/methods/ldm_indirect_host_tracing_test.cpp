@@ -74,7 +74,7 @@ class IndirectTracingOnHost : public IndirectTracingTest {
         EXPECT_LT(double(alone) / count, 0.01);
         EXPECT_LT(double(moved) / count, 0.01);
         EXPECT_NEAR(double(host.photons.size()) / count, 1, 0.005);
-        const auto emitted = flux(device.energy[li::emitted]);
+        const auto emitted = flux(device.energy[li::row_emitted]);
         for (std::size_t row = 0; row < device.energy.size(); ++row) {
             EXPECT_EQ(host.energy[row].cause, device.energy[row].cause);
             for (int i = 0; i < 3; ++i)

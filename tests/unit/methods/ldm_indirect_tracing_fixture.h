@@ -157,25 +157,25 @@ class IndirectTracingTest : public PassTest {
     void expect_balanced(const std::string& name) {
         SCOPED_TRACE(name);
         const auto rows = energy();
-        ASSERT_EQ(rows.size(), static_cast<std::size_t>(li::energy_rows));
+        ASSERT_EQ(rows.size(), li::energy_rows);
         glm::dvec3 found(0), direct(0);
-        for (int row = 1; row < li::direct; ++row) found += flux(rows[static_cast<std::size_t>(row)]);
-        for (int row = li::direct; row < li::energy_rows; ++row)
+        for (std::uint32_t row = 1; row < li::row_direct; ++row)
+            found += flux(rows[static_cast<std::size_t>(row)]);
+        for (std::uint32_t row = li::row_direct; row < li::energy_rows; ++row)
             direct += flux(rows[static_cast<std::size_t>(row)]);
-        const auto emitted = flux(rows[li::emitted]);
+        const auto emitted = flux(rows[li::row_emitted]);
         glm::dvec3 indirect(0), stored_directly(0);
         for (const auto& photon : photons())
             (photon.leg >> 17 & 1 ? stored_directly : indirect) += glm::dvec3(photon.flux);
         const auto row = [&](int index) { return flux(rows[static_cast<std::size_t>(index)]); };
-        const auto stored = row(li::indirect + 6) + row(li::indirect + 7);
+        const auto stored = row(li::row_indirect + 6) + row(li::row_indirect + 7);
         for (int i = 0; i < 3; ++i) {
             EXPECT_GT(emitted[i], 0);
             EXPECT_NEAR(found[i] / emitted[i], 1, 1e-4);
             EXPECT_NEAR(indirect[i] / emitted[i], stored[i] / emitted[i], 1e-4);
             EXPECT_NEAR(stored_directly[i] / emitted[i], (row(20)[i] + row(21)[i]) / emitted[i], 1e-4);
             if (direct[i] == 0) continue;
-            EXPECT_NEAR(direct[i] / (emitted[i] - row(li::nothing_seen)[i] - row(li::beyond_range)[i]), 1,
-                        1e-4);
+            EXPECT_NEAR(direct[i] / (emitted[i] - row(li::row_nothing)[i] - row(li::row_range)[i]), 1, 1e-4);
         }
     }
 

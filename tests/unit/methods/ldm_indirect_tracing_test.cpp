@@ -43,7 +43,7 @@ TEST_F(IndirectTracingTest, SpotsAndSunsEmitTheirFlux) {
     trace(lit_by_spot, settings);
     // ∫ ((c − o)/(1 − o))² 2π dc from the outer cone's cosine o to 1
     const double expected = 3 * 2 * std::numbers::pi * (1 - std::cos(glm::radians(double(outer)))) / 3;
-    EXPECT_NEAR(flux(energy()[li::emitted]).r / expected, 1, 1e-3);
+    EXPECT_NEAR(flux(energy()[li::row_emitted]).r / expected, 1, 1e-3);
 
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 2);
@@ -52,7 +52,7 @@ TEST_F(IndirectTracingTest, SpotsAndSunsEmitTheirFlux) {
     trace(lit_by_sun, settings);
     const auto rows = energy();
     // irradiance × area: what arrives, and is absorbed or reflected
-    const double arrived = flux(rows[li::emitted]).r - flux(rows[li::nothing_seen]).r;
+    const double arrived = flux(rows[li::row_emitted]).r - flux(rows[li::row_nothing]).r;
     EXPECT_NEAR(arrived / (2 * 16), 1, 0.04);  // whole texels
 }
 

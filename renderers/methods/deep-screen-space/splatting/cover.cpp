@@ -4,14 +4,13 @@
 
 namespace ir::methods::deep_screen_space {
 
-graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats, const std::string& weight) {
+graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats) {
     const auto cover = builder.output(
         "splats.cover", {.format = gl::Format::rg32f,
                          .extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height),
                          .layers = splats.samples * splats.hierarchy.levels});
-    gl::ProgramSource source{
+    const gl::ProgramSource source{
         {"methods/deep-screen-space/splatting/splat.vert", "methods/deep-screen-space/splatting/cover.frag"}};
-    if (!weight.empty()) source.defines["WEIGHT"] = weight;
     auto uncounted = splats;
     uncounted.drawn = uncounted.culled = {};
     auto pass = builder.pass("count splats of places").writes(cover);

@@ -57,9 +57,8 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
 
 /// Declares "splats.cover", rg32f stack of the hierarchy's size, a layer for each sample and level: how many
 /// splats cover each place, and how many of them have its surface within reach. It is drawn only for those
-/// who look at it. `weight` is what a splat counts, as GLSL; empty: 1.
-graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats,
-                            const std::string& weight = {});
+/// who look at it.
+graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats);
 
 /// Constants of influence.glsl. Estimated, d is a surfel's r / √ε where that is more than the
 /// constant one. DEVIATION [Nalbach15 §4.2]: "d_max is a constant": where that is only a few radii, enlarged

@@ -5,11 +5,12 @@
 
 #include "renderers/gl/program.h"
 #include "renderers/graph/pass_context.h"
+#include "shaders/methods/deep-screen-space/surfels/parts.glsl.h"
 
 namespace ir::methods::deep_screen_space {
 
 /// Passes over items whose number only the device knows are divided into so many parts (parts.glsl).
-constexpr std::int64_t packing_parts = 256;
+inline constexpr std::int64_t packing_parts = parts;
 
 /// Runs a compute program in use, with groups of 64 that include parts.glsl, for a slice of the parts of a
 /// list with this capacity. Gives the constants of parts.glsl.

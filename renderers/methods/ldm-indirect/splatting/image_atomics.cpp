@@ -2,11 +2,12 @@
 
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
+#include "shaders/methods/ldm-indirect/splatting/atomic_splat.comp.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
 
-constexpr std::int64_t lanes = 32;  ///< of atomic_splat.comp
+constexpr std::int64_t lanes = splat_lanes;
 constexpr std::int64_t groups_at_once = 32768;
 constexpr std::int64_t pixels_at_once = 60000 * lanes;  ///< llvmpipe ends loops after 65,535 turns
 

@@ -2,11 +2,12 @@
 
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 #include "renderers/passes/scan/scan.h"
+#include "shaders/methods/ldm-indirect/splatting/gather_bins.comp.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
 
-constexpr int tile = 16;                    ///< of gather_bins.comp
+constexpr int tile = gathered_tile;
 constexpr int rows = 8;                     ///< pixels of an invocation; divides tile
 constexpr unsigned columns = 1024;          ///< parts of the photons that are binned side by side
 constexpr int max_bins = 4096;              ///< so that counts take 16 MiB at most

@@ -11,8 +11,6 @@
 
 namespace ir::methods::ldm_indirect {
 
-/// What stands in place of a light's number, as LIGHT_… of primary.glsl.
-inline constexpr std::uint32_t light_mesh = 254, light_environment = 255;
 /// Lights that a photon's record can name.
 inline constexpr int max_lights = light_mesh;
 /// Layers that every device has in an image.
@@ -30,8 +28,6 @@ LightViews views_of_lights(const scene::World& world, int resolution);
 /// What each point, spot and directional light sees, `emission`² pixels per image; notes what emits nothing.
 passes::Rsm draw_light_images(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                               const Parameters& parameters);
-
-inline constexpr int causes = 8;  ///< of primary.glsl
 
 /// Photons of sources with an extent, where there are such.
 struct ExtendedPhotons {

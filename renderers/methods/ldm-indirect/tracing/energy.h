@@ -9,20 +9,6 @@
 
 namespace ir::methods::ldm_indirect {
 
-/// Row numbers. Behind the first surface, and of photons that are stored there, the causes of primary.glsl
-/// follow.
-enum EnergyCause {
-    emitted,
-    nothing_seen,
-    beyond_range,
-    degenerate,
-    absorbed,
-    not_split,
-    indirect,
-    direct = 14
-};
-inline constexpr int energy_rows = 22;
-
 /// Primary photons that are summed in one invocation, before one more adds up the sums: both loops stay below
 /// the 65,535 turns after which software drivers leave a loop.
 constexpr std::uint64_t photons_of_energy_block(std::uint64_t primary_photons) {

@@ -10,6 +10,7 @@
 #include "renderers/methods/photon-mapping/parameters.h"
 #include "renderers/passes/lights/emission_sampler.h"
 #include "renderers/passes/shadow/shadow_maps.h"
+#include "shaders/methods/photon-mapping/emission/budget.comp.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 
 namespace ir::methods::photon_mapping {
@@ -18,9 +19,6 @@ namespace ir::methods::photon_mapping {
 inline Condition from_rsm() {
     return {"first_hit", {std::string("rsm")}};
 }
-
-/// Layers that a sample point's record can name (6 bits).
-inline constexpr int max_layers = 64;
 
 /// How photons name, in six bits, the light that they come from: its number, or one of these.
 inline constexpr std::uint32_t light_beyond = 61,  ///< a light that comes later

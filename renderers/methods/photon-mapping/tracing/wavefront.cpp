@@ -6,8 +6,10 @@
 #include "renderers/core/record.h"
 #include "renderers/methods/photon-mapping/specular.h"
 #include "renderers/passes/scan/scan.h"
+#include "shaders/lib/scattering.glsl.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 #include "shaders/methods/photon-mapping/tracing/path.glsl.h"
+#include "shaders/methods/photon-mapping/tracing/tally.glsl.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -17,9 +19,12 @@ using graph::FieldType;
 using graph::GraphBuilder;
 using graph::PassContext;
 
+static_assert(static_cast<int>(MicrofacetSampling::visible_normals) == passes::microfacets_visible_normals &&
+              static_cast<int>(MicrofacetSampling::ggx) == passes::microfacets_ggx &&
+              static_cast<int>(MicrofacetSampling::ggx_printed) == passes::microfacets_ggx_printed);
+
 constexpr int max_bounces = 15;  ///< what a photon has bits for
 constexpr std::int64_t first_slice = 4096;
-constexpr std::uint64_t sums_words = 12 * 16;  ///< tally.glsl
 
 void note_limits(GraphBuilder& builder, const Transport& transport) {
     if (transport.max_bounces > max_bounces)
@@ -132,8 +137,8 @@ Wavefront::Wavefront(GraphBuilder& builder, const passes::SceneBuffers& scene, c
         declare(builder, "stored", "Whether photons are stored", {{"stored", FieldType::u32}}, samples.paths);
     bases_ = declare(builder, "bases", "Photons stored before each surface", {{"count", FieldType::u32}},
                      static_cast<std::uint64_t>(surfaces()) + 1);
-    sums_ =
-        declare(builder, "sums", "Counts and power by bounce", {{"word", FieldType::u32}}, sums_words, true);
+    sums_ = declare(builder, "sums", "Counts and power by bounce", {{"word", FieldType::u32}},
+                    tally_words * tally_rows, true);
 }
 
 void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {

@@ -12,6 +12,7 @@
 #include "renderers/core/threads.h"
 #include "renderers/passes/a_trous/host/filter_planes.h"
 #include "renderers/passes/surface/octahedral.h"
+#include "shaders/passes/a_trous/surface.glsl.h"
 
 namespace ir::passes::a_trous {
 namespace {
@@ -27,7 +28,7 @@ class HostStep {
 
     void begin(const graph::PassContext& p) {
         const auto& view = p.inputs().view;
-        const auto kernel = kernel_weights(options_.kernel);
+        const auto& kernel = options_.kernel == Kernel::b3_spline ? b3_spline_kernel : printed_kernel;
         rules_ = {.edges = edges(p.inputs(), options_),
                   .kernel = {kernel[0], kernel[1], kernel[2]},
                   .detail_clip = options_.detail_clip,
@@ -138,11 +139,6 @@ FilteredRow::FilteredRow(int width) {
     for (auto* channels : {&next, &clipped})
         for (auto& channel : *channels)
             channel.resize(static_cast<std::size_t>(width + FilterPlanes::vector));
-}
-
-std::array<float, 3> kernel_weights(Kernel kernel) {
-    if (kernel == Kernel::b3_spline) return {3.0f / 8, 1.0f / 4, 1.0f / 16};
-    return {1.0f / 2, 1.0f / 4, 1.0f / 8};  // [Smal19 §7.3]; sums to 5/4
 }
 
 void filter_on_host(graph::GraphBuilder& builder, const Step& step, const Options& options,

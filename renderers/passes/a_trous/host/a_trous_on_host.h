@@ -5,7 +5,6 @@
 namespace ir::passes::a_trous {
 
 /// Of the pixel in the kernel's middle, and one and two steps away.
-std::array<float, 3> kernel_weights(Kernel kernel);
 
 /// Declares a step's pass on the host's threads: what a_trous.comp writes, but for rounding.
 void filter_on_host(graph::GraphBuilder& builder, const Step& step, const Options& options,

@@ -1,6 +1,7 @@
 // One level of the edge-avoiding à-trous transform, many pixels at a time:
 // shaders/passes/a_trous/a_trous.comp and surface.glsl, whose names are used here. [Smal19 §7.3; Schied17
 // §4.3]
+#include "renderers/image/luminance.h"
 #include "renderers/passes/a_trous/host/filter_planes.h"
 #include "renderers/passes/vectors/targets.h"
 #include "shaders/passes/a_trous/surface.glsl.h"
@@ -20,7 +21,6 @@ namespace {
 using namespace vectors::HWY_NAMESPACE;
 
 static_assert(lanes <= FilterPlanes::vector);
-constexpr int radius = 2;
 
 Floats load(const std::vector<float>& plane, std::size_t at) {
     return hn::LoadU(f, plane.data() + at);
@@ -89,10 +89,10 @@ HWY_INLINE Floats exponential(Floats value) {
 template <class Visit>
 HWY_INLINE void for_neighbours(const FilterPlanes& planes, const FilterRules& rules, const Surfaces& p, int x,
                                int y, Visit visit) {
-    for (int dy = -radius; dy <= radius; ++dy) {
+    for (int dy = -kernel_radius; dy <= kernel_radius; ++dy) {
         const int row = y + dy * rules.stride;
         if (row < 0 || row >= planes.height) continue;
-        for (int dx = -radius; dx <= radius; ++dx) {
+        for (int dx = -kernel_radius; dx <= kernel_radius; ++dx) {
             if (dx == 0 && dy == 0) continue;
             const auto at = planes.place(x + dx * rules.stride, row);
             const float kernel = rules.kernel[std::abs(dx)] * rules.kernel[std::abs(dy)];
@@ -141,9 +141,12 @@ void unguided(const FilterPlanes& planes, const FilterRules& rules, int y, Filte
 }
 
 HWY_INLINE Floats luminance(const FilterPlanes& planes, std::size_t at) {
-    return hn::MulAdd(load(planes.value[2], at), set(0.0722f),
-                      hn::MulAdd(load(planes.value[1], at), set(0.7152f),
-                                 hn::Mul(load(planes.value[0], at), set(0.2126f))));
+    const auto weight = [](int channel) {
+        return set(static_cast<float>(luminance_weights[static_cast<std::size_t>(channel)]));
+    };
+    return hn::MulAdd(
+        load(planes.value[2], at), weight(2),
+        hn::MulAdd(load(planes.value[1], at), weight(1), hn::Mul(load(planes.value[0], at), weight(0))));
 }
 
 /// smooth_variance: of neighbours a step away.

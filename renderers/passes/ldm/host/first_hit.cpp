@@ -3,37 +3,35 @@
 #include <cmath>
 
 #include "shaders/passes/ldm/entry_plane.glsl.h"
+#include "shaders/passes/ldm/storage.glsl.h"
 #include "shaders/passes/ldm/trace.glsl.h"
 
 namespace ir::passes::ldm {
 namespace {
 
-/// Beyond all depths, which have 16 bits.
-constexpr int none_before = -1000000, none_behind = 1000000;
-
 float projected(const glm::vec3& position_ws, const glm::vec4& row) {
     return glm::dot(position_ws, glm::vec3(row)) + row.w;
 }
 
-/// Rounded down, for keys: all depths lie well within.
+/// Rounded down, for keys.
 int quantum(float depth) {
-    return static_cast<int>(std::floor(std::clamp(depth, -500000.0f, 500000.0f)));
+    return static_cast<int>(std::floor(std::clamp(depth, -ldm_max_key, ldm_max_key)));
 }
 
-/// The nearest entry beyond `key` along ω; none_behind or none_before where there is none.
+/// The nearest entry beyond `key` along ω; ldm_none_behind or ldm_none_before where there is none.
 int next_beyond(std::span<const std::uint16_t> list, int key, bool forward) {
     if (forward) {
-        int found = none_behind;
+        int found = ldm_none_behind;
         for (const int depth : list) found = depth > key ? std::min(found, depth) : found;
         return found;
     }
-    int found = none_before;
+    int found = ldm_none_before;
     for (const int depth : list) found = depth < key ? std::max(found, depth) : found;
     return found;
 }
 
 bool is_entry(int depth) {
-    return depth != none_before && depth != none_behind;
+    return depth != ldm_none_before && depth != ldm_none_behind;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "renderers/passes/ldm/host/lanes.inl"
 #include "renderers/passes/ldm/host/streamed_map.h"
+#include "shaders/passes/ldm/fragments.glsl.h"
 #include "shaders/passes/ldm/trace.glsl.h"
 
 #if defined(IR_LDM_HOST_QUESTION) == defined(HWY_TARGET_TOGGLE)
@@ -23,8 +24,6 @@ constexpr int pixels = PixelTiles::pixels;
 
 /// As in trace.glsl.
 constexpr float near_plane = 1.5f;
-/// Beyond all entries, which are less.
-constexpr int last_key = 65534;
 
 struct Vector3 {
     Floats x, y, z;
@@ -203,7 +202,7 @@ void add(std::uint32_t* sums, Ints part, Mask which) {
 
 /// floor(depth), as a key: entries beyond it are hits.
 Ints key_of(Floats depth) {
-    return hn::ConvertTo(n, hn::Floor(hn::Min(hn::Max(depth, hn::Zero(f)), hn::Set(f, last_key))));
+    return hn::ConvertTo(n, hn::Floor(hn::Min(hn::Max(depth, hn::Zero(f)), hn::Set(f, ldm_last_depth))));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "renderers/passes/ldm/host/culling.inl"
 #include "renderers/passes/ldm/host/spans.inl"
 #include "renderers/passes/raytracing/alpha_masks.h"
+#include "shaders/passes/ldm/fragments.glsl.h"
 
 #if defined(IR_LDM_HOST_RASTERISE) == defined(HWY_TARGET_TOGGLE)
 #ifdef IR_LDM_HOST_RASTERISE
@@ -17,8 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ir::passes::ldm::HWY_NAMESPACE {
 namespace {
 
-/// Depths are kept within the range that `quantised` of fragments.glsl gives.
-constexpr int least_depth = 1, most_depth = 65534;
+constexpr int first_depth = static_cast<int>(ldm_first_depth), last_depth = static_cast<int>(ldm_last_depth);
 /// Boxes of so many texels a side have edge functions below 2^30, and below 2^24, which float holds exactly.
 constexpr int medium_side = 64, float_side = 8;
 /// Boxes of so many are asked at each of their texels for many triangles at once.
@@ -109,7 +109,7 @@ class Rasteriser {
                                            static_cast<float>(third)))
                         continue;
                     const double depth = std::clamp(plane.at(x, y), least, most);
-                    const auto quanta = std::clamp(static_cast<int>(depth + 0.5), least_depth, most_depth);
+                    const auto quanta = std::clamp(static_cast<int>(depth + 0.5), first_depth, last_depth);
                     scratch_.fragments[scratch_.fragment_count++] =
                         static_cast<std::uint32_t>((row + column) << 16 | quanta);
                 }
@@ -448,8 +448,8 @@ class Rasteriser {
 
     void put_span(int texel, int count, float depth, float per_column, float least, float most) {
         if (!keeps_outermost_) reserve(static_cast<std::size_t>(count));
-        const auto low = hn::Set(f, std::max(least, float{least_depth})),
-                   high = hn::Set(f, std::min(most, float{most_depth}));
+        const auto low = hn::Set(f, std::max(least, ldm_first_depth)),
+                   high = hn::Set(f, std::min(most, ldm_last_depth));
         const auto quanta_at = [&](int x) {
             const auto z =
                 hn::MulAdd(hn::Iota(f, static_cast<float>(x)), hn::Set(f, per_column), hn::Set(f, depth));

@@ -1,10 +1,6 @@
 // How many splats cover a place, and how many of them have its surface within reach.
 #include "methods/deep-screen-space/splatting/splat_common.glsl"
 
-#ifndef WEIGHT
-#define WEIGHT 1.0  // tests tell surfels apart
-#endif
-
 layout(location = 0) out vec2 out_cover;
 
 void main() {
@@ -12,5 +8,5 @@ void main() {
     Surfel surfel = surfels[surfel_index];
     bool is_reached = position.w > 0.0 && distance(position.xyz, surfel.centre_ws) <=
                                               shell_of(surfel, level).outer;
-    out_cover = WEIGHT * vec2(1, is_reached ? 1 : 0);
+    out_cover = vec2(1, is_reached ? 1 : 0);
 }

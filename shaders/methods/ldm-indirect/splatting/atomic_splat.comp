@@ -1,7 +1,10 @@
 // A work group for each stored photon.
 #include "methods/ldm-indirect/splatting/atomic_add.glsl"
 
-layout(local_size_x = 32) in;
+// C++: ir::methods::ldm_indirect::splat_lanes
+const uint SPLAT_LANES = 32u;
+
+layout(local_size_x = SPLAT_LANES) in;
 layout(std430) readonly buffer Photons { Photon photons[]; };
 
 uniform uint first_item, end_item;
@@ -10,5 +13,5 @@ uniform uint first_pixel, end_pixel;  // of a rectangle, so that no loop is too 
 void main() {
     uint i = first_item + gl_WorkGroupID.x;
     if (i < min(end_item, stored))
-        splat_atomically(footprint_of(photons[i]), first_pixel + gl_LocalInvocationID.x, 32u, end_pixel);
+        splat_atomically(footprint_of(photons[i]), first_pixel + gl_LocalInvocationID.x, SPLAT_LANES, end_pixel);
 }

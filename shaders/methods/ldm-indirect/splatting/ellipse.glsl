@@ -16,7 +16,11 @@ struct Ellipse {
 };
 
 /// Narrower ellipses are taken for lines.
-const float min_ratio = 1e-6;
+// C++: ir::methods::ldm_indirect::min_axis_ratio
+const float MIN_AXIS_RATIO = 1e-6;
+/// Squares of longer half-axes, in metres, would not be finite; divisors of shorter ones neither.
+// C++: ir::methods::ldm_indirect::*
+const float MAX_HALF_AXIS = 1e9, MIN_HALF_AXIS = 1e-9;
 
 const uint MENDED_SHORT = 1u, MENDED_LONG = 2u, MENDED_DEGENERATE = 4u, NOT_FINITE = 8u;
 
@@ -40,18 +44,17 @@ Ellipse ellipse_of(vec3 centre_ws, vec3 n_ws, vec3 axis_u, vec3 axis_v) {
     e.mended = 0u;
     mat3 frame = frame_around(n_ws);
     bool broken = any(isnan(axis_u)) || any(isnan(axis_v));
-    // squares of larger numbers would not be finite
-    vec3 u = broken ? vec3(0) : clamp(splat_size * axis_u, vec3(-1e9), vec3(1e9));
-    vec3 v = broken ? vec3(0) : clamp(splat_size * axis_v, vec3(-1e9), vec3(1e9));
+    vec3 u = broken ? vec3(0) : clamp(splat_size * axis_u, vec3(-MAX_HALF_AXIS), vec3(MAX_HALF_AXIS));
+    vec3 v = broken ? vec3(0) : clamp(splat_size * axis_v, vec3(-MAX_HALF_AXIS), vec3(MAX_HALF_AXIS));
     vec2 direction;
     float longer, shorter;
     principal_axes((u * frame).xy, (v * frame).xy, direction, longer, shorter);
     float least = min_axis_pixels * pixel_at(centre_ws), most = max(longest_axis, least);
     if (shorter < least) e.mended |= MENDED_SHORT;
     if (longer > most) e.mended |= MENDED_LONG;
-    if (!(shorter > min_ratio * longer)) e.mended |= MENDED_DEGENERATE;
-    longer = clamp(longer, max(least, 1e-9), most);
-    shorter = clamp(shorter, max(least, min_ratio * longer), longer);
+    if (!(shorter > MIN_AXIS_RATIO * longer)) e.mended |= MENDED_DEGENERATE;
+    longer = clamp(longer, max(least, MIN_HALF_AXIS), most);
+    shorter = clamp(shorter, max(least, MIN_AXIS_RATIO * longer), longer);
     e.p_ws = longer * (direction.x * frame[0] + direction.y * frame[1]);
     e.q_ws = shorter * (direction.x * frame[1] - direction.y * frame[0]);
     e.area_part = longer * shorter;

@@ -63,10 +63,14 @@ Footprint footprint_of(Photon photon) {
     return f;
 }
 
+/// Photons that come steeper are taken as if they came along the normal; those that come flatter, as if at the least.
+// C++: ir::methods::ldm_indirect::*
+const float MAX_TURNED_COSINE = 0.9999, MIN_TURNED_COSINE = 1e-3;
+
 /// 0: as printed. So it is across the ray, too, where a photon's surface is not known.
 float per_cosine(Footprint f) {
     float cosine = dot(f.n_ws, f.to_source_ws);
-    return turns_receivers && cosine < 0.9999 ? 1.0 / max(cosine, 1e-3) : 0.0;
+    return turns_receivers && cosine < MAX_TURNED_COSINE ? 1.0 / max(cosine, MIN_TURNED_COSINE) : 0.0;
 }
 
 /// Most that a surface may get more than the photon's plane because it faces the light more.

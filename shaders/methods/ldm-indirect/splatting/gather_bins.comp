@@ -2,7 +2,11 @@
 // kernel serves all of them, which is most of the time where buffers are read lane by lane.
 #include "methods/ldm-indirect/splatting/packed_kernel.glsl"
 
-layout(local_size_x = 16, local_size_y = 16 / ROWS) in;
+// Pixels along a side.
+// C++: ir::methods::ldm_indirect::gathered_tile
+const uint GATHERED_TILE = 16u;
+
+layout(local_size_x = GATHERED_TILE, local_size_y = GATHERED_TILE / ROWS) in;
 layout(std430) readonly buffer Kernels { PackedKernel kernels[]; };
 layout(std430) readonly buffer Places { uint places[]; };
 layout(std430) readonly buffer Lists { uint lists[]; };
@@ -16,7 +20,7 @@ uniform uint round_first, round_size;  // entries of each list
 
 void main() {
     uint tile = first_tile + gl_WorkGroupID.x;
-    uvec2 at = uvec2(tile % tiles_across, tile / tiles_across) * 16u;
+    uvec2 at = uvec2(tile % tiles_across, tile / tiles_across) * GATHERED_TILE;
     uint bin = at.y / BIN * bins_across + at.x / BIN;
     uint begin = bin == 0u ? 0u : places[bin * COLUMNS - 1u];
     uint end = min(places[bin * COLUMNS + COLUMNS - 1u], uint(lists.length()));

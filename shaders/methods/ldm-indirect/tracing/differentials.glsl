@@ -2,6 +2,7 @@
 
 /// Below this |d·n| a transferred differential is called degenerate. The normals that records hold are wrong by up to
 /// 9e-5, a tenth of it.
+// C++: ir::methods::ldm_indirect::min_facing
 const float MIN_FACING = 1e-3;
 
 /// Derivative of d = v / |v| where v changes by `change`. [Igehy99 eq. 8]

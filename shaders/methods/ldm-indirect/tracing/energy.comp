@@ -49,7 +49,7 @@ Entry entry_of(uint index, uint row) {
 void main() {
     uint item = first_item + gl_GlobalInvocationID.x;
     if (item >= end_item) return;
-    uint block = item / ROWS, row = item % ROWS;
+    uint block = item / ENERGY_ROWS, row = item % ENERGY_ROWS;
     Entry sum = Entry(vec3(0), 0u);
     for (uint i = block * block_size; i < min((block + 1u) * block_size, primary_count); ++i) {
         Entry one = entry_of(i, row);

@@ -1,7 +1,9 @@
 // Rows of the table of energy: what was emitted and where it went.
+// C++: ir::methods::ldm_indirect::*
 const uint ROW_EMITTED = 0u, ROW_NOTHING = 1u, ROW_RANGE = 2u, ROW_DEGENERATE = 3u, ROW_ABSORBED = 4u,
-           ROW_UNSPLIT = 5u, ROW_INDIRECT = 6u,  // and the causes
-           ROW_DIRECT = 14u, ROWS = 22u;
+           ROW_UNSPLIT = 5u, ROW_INDIRECT = 6u,  // and the causes behind the first surface
+           ROW_DIRECT = 14u,                     // and the causes of photons that are stored there
+           ENERGY_ROWS = 22u;
 
 /// A row of "indirect.energy".
 // C++: ir::methods::ldm_indirect::EnergyRow

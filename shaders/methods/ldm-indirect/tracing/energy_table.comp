@@ -17,11 +17,11 @@ uniform uint block_count;
 
 void main() {
     uint row = gl_GlobalInvocationID.x;
-    if (row >= ROWS) return;
+    if (row >= ENERGY_ROWS) return;
     precise vec3 sum = vec3(0), lost = vec3(0);  // compensated summation
     uint photons = 0u;
     for (uint block = 0u; block < block_count; ++block) {
-        Row one = blocks[block * ROWS + row];
+        Row one = blocks[block * ENERGY_ROWS + row];
         precise vec3 next = vec3(one.flux[0], one.flux[1], one.flux[2]) - lost;
         precise vec3 total = sum + next;
         lost = (total - sum) - next;

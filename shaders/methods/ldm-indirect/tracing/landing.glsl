@@ -18,6 +18,10 @@ struct Landing {
     vec3 normal_ws;  // of the receiver, on the viewer's side
 };
 
+/// A surface of the map whose normal has a smaller cosine to the seen one's is taken for the seen surface's other side.
+// C++: ir::methods::ldm_indirect::opposite_surfaces
+const float OPPOSITE_SURFACES = -0.5;
+
 /// The pixel that shows a point, or the one nearest to it; false behind and beside the view.
 bool shown_at(vec3 position_ws, out ivec2 pixel) {
     vec4 clip = clip_from_world * vec4(position_ws, 1);
@@ -86,7 +90,7 @@ Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 s
         if (!is_inside && facing > -MIN_FACING) break;
         if (is_near && facing > -MIN_FACING) {
             // The ray runs along what is seen, or comes from behind it, and meets something else beside it?
-            if (has_surface && !bool(params.reject_hidden) && dot(map_normal, normal) > -0.5) break;
+            if (has_surface && !bool(params.reject_hidden) && dot(map_normal, normal) > OPPOSITE_SURFACES) break;
             return Landing(facing > MIN_FACING ? CAUSE_BACK : CAUSE_DEGENERATE, distance, vec3(0));
         }
         if (abs(facing) <= MIN_FACING) break;

@@ -25,9 +25,12 @@ struct Primary {
     float unused2;
 };
 
+// What stands in place of a light's number.
+// C++: ir::methods::ldm_indirect::*
 const uint LIGHT_MESH = 254u, LIGHT_ENVIRONMENT = 255u;
 
-const uint PRIMARY_NOTHING = 0u,  // the pixel sees no surface, or no light shines into it; the ray leaves the scene
+// C++: ir::methods::ldm_indirect::*
+const uint PRIMARY_NOTHING = 0u,  // the pixel sees no surface, no light shines into it, or the ray leaves the scene
     PRIMARY_SPLITS = 1u,
     PRIMARY_DEGENERATE = 2u;      // its footprint has no size that a float holds
 
@@ -35,8 +38,11 @@ vec3 arrived_flux(Primary p) { return p.emitted * p.reached; }
 vec3 reflected_flux(Primary p) { return arrived_flux(p) * p.reflectance; }
 
 /// What becomes of a photon behind x1, and of one that is stored at x1 itself.
+// C++: enum ir::methods::ldm_indirect::Cause
 const uint CAUSE_BELOW = 0u, CAUSE_LEFT = 1u, CAUSE_OUTSIDE = 2u, CAUSE_HIDDEN = 3u, CAUSE_BACK = 4u,
-           CAUSE_DEGENERATE = 5u, CAUSE_STORED = 6u, CAUSE_STORED_HIDDEN = 7u, CAUSES = 8u;
+           CAUSE_DEGENERATE = 5u, CAUSE_STORED = 6u, CAUSE_STORED_HIDDEN = 7u;
+// C++: ir::methods::ldm_indirect::causes
+const uint CAUSES = 8u;
 
 /// Parts of a primary photon's reflected flux, and numbers of photons, by cause.
 // C++: ir::methods::ldm_indirect::Shares

@@ -17,7 +17,9 @@ uniform int levels;
 
 uniform uint points, source_count;
 
-const uint MAX_SOURCES = 64u;
+/// Layers that a sample point's record can name (6 bits).
+// C++: ir::methods::photon_mapping::max_layers
+const int MAX_LAYERS = 64;
 
 float weight_of(uint source) {
     float weight = max(sources[source].flux, 0.0);
@@ -28,7 +30,7 @@ float weight_of(uint source) {
 }
 
 void main() {
-    float weights[MAX_SOURCES], remainders[MAX_SOURCES];
+    float weights[MAX_LAYERS], remainders[MAX_LAYERS];
     float sum = 0.0;
     for (uint i = 0u; i < source_count; ++i) {
         weights[i] = weight_of(i);

@@ -6,12 +6,11 @@
 
 #include "renderers/methods/ldm-indirect/host_math.h"
 #include "renderers/scene/frame.h"
+#include "shaders/methods/ldm-indirect/splatting/ellipse.glsl.h"
+#include "shaders/methods/ldm-indirect/splatting/footprint.glsl.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
-
-/// Narrower ellipses are taken for lines.
-constexpr float min_ratio = 1e-6f;
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -36,10 +35,9 @@ float EllipseMaker::pixel_at(glm::vec3 position_ws) const {
 HostEllipse EllipseMaker::make(const Photon& photon, MendedFootprints& mended) const {
     const auto frame = scene::frame_around(unpacked_direction(photon.normal));
     const bool broken = is_nan(photon.axis_u) || is_nan(photon.axis_v);
-    // Squares of larger numbers would not be finite.
-    const glm::vec3 most_axis(1e9f);
-    const auto u = broken ? glm::vec3(0) : glm::clamp(c_.splat_size * photon.axis_u, -most_axis, most_axis);
-    const auto v = broken ? glm::vec3(0) : glm::clamp(c_.splat_size * photon.axis_v, -most_axis, most_axis);
+    const glm::vec3 longest(max_half_axis);
+    const auto u = broken ? glm::vec3(0) : glm::clamp(c_.splat_size * photon.axis_u, -longest, longest);
+    const auto v = broken ? glm::vec3(0) : glm::clamp(c_.splat_size * photon.axis_v, -longest, longest);
     const float ux = glm::dot(u, frame[0]), uy = glm::dot(u, frame[1]);
     const float vx = glm::dot(v, frame[0]), vy = glm::dot(v, frame[1]);
     const float xx = ux * ux + vx * vx, xy = ux * uy + vx * vy, yy = uy * uy + vy * vy;
@@ -51,9 +49,9 @@ HostEllipse EllipseMaker::make(const Photon& photon, MendedFootprints& mended) c
     const float most = std::max(c_.longest_axis, least);
     mended.axes_short += shorter < least;
     mended.axes_long += longer > most;
-    mended.degenerate += !(shorter > min_ratio * longer);
-    longer = std::clamp(longer, std::max(least, 1e-9f), most);
-    shorter = std::clamp(shorter, std::max(least, min_ratio * longer), longer);
+    mended.degenerate += !(shorter > min_axis_ratio * longer);
+    longer = std::clamp(longer, std::max(least, min_half_axis), most);
+    shorter = std::clamp(shorter, std::max(least, min_axis_ratio * longer), longer);
     HostEllipse e;
     e.p = direction.x * frame[0] + direction.y * frame[1];
     e.q = direction.x * frame[1] - direction.y * frame[0];
@@ -92,7 +90,8 @@ HostKernel KernelMaker::make(const Photon& photon, MendedFootprints& mended) con
         photon.flux * (3 * std::numbers::inv_pi_v<float> / (e.longer * e.shorter * part_on_surface(photon)));
     k.to_source_ws = to_source(photon);
     const float cosine = glm::dot(e.n, k.to_source_ws);
-    if (c_.turns_receivers && cosine < 0.9999f) k.per_cosine = 1 / std::max(cosine, 1e-3f);
+    if (c_.turns_receivers && cosine < max_turned_cosine)
+        k.per_cosine = 1 / std::max(cosine, min_turned_cosine);
     k.directed = (k.peak.x + k.peak.y + k.peak.z) * k.to_source_ws;
     k.counts = true;
     return k;

@@ -8,9 +8,6 @@
 
 namespace ir::methods::ldm_indirect {
 
-/// As PRIMARY_… of primary.glsl.
-inline constexpr std::uint32_t primary_nothing = 0, primary_splits = 1, primary_degenerate = 2;
-
 inline glm::vec3 reflected_flux(const Primary& p) {
     return p.emitted * p.reached * p.reflectance;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/methods/ldm-indirect/tracing/landing.glsl.h"
+
 namespace ir::methods::ldm_indirect {
 
 float entry_error(const glm::vec3& normal, const glm::vec3& direction, const glm::vec3& step_u,
@@ -75,7 +77,7 @@ Landing LandingView::land(const Arrival& a) const {
         const bool is_near = std::abs(gap) <= tolerance_ * seen.w;
         if (!is_inside && facing > -min_facing) break;
         if (is_near && facing > -min_facing) {
-            if (a.has_surface && !reject_hidden_ && glm::dot(a.map_normal, normal) > -0.5f) break;
+            if (a.has_surface && !reject_hidden_ && glm::dot(a.map_normal, normal) > opposite_surfaces) break;
             return {facing > min_facing ? Cause::back : Cause::degenerate, a.distance, {}};
         }
         if (std::abs(facing) <= min_facing) break;

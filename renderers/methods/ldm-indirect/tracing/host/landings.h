@@ -4,14 +4,10 @@
 #include <span>
 
 #include "renderers/methods/ldm-indirect/tracing/landing.h"
+#include "shaders/methods/ldm-indirect/tracing/differentials.glsl.h"
+#include "shaders/methods/ldm-indirect/tracing/primary.glsl.h"
 
 namespace ir::methods::ldm_indirect {
-
-/// As CAUSE_… of primary.glsl.
-enum class Cause { below, left, outside, hidden, back, degenerate, stored, stored_hidden };
-
-/// Below this |d·n| a transferred differential is called degenerate, as in differentials.glsl.
-inline constexpr float min_facing = 1e-3f;
 
 /// As the structs of landing.glsl.
 struct Spread {
