@@ -38,8 +38,8 @@ class Bits(InFolder):
         again, theirs = ir.read(saved), ir.read(file)
         self.assertEqual(again.keys(), theirs.keys())
         for key in theirs:
-            if key == "ldm.unsorted":
-                continue  # in the order in which threads came
+            if key in ours and ours[key].dtype.fields:
+                continue  # buffers may have the order in which threads came
             self.assertTrue(numpy.array_equal(again[key], theirs[key], equal_nan=True), key)
 
     def test_of_a_buffer(self):
