@@ -84,7 +84,9 @@ std::vector<std::string> unknown_keys(const Project& project, const Registry& re
             found.extra(pointer_to(pointer + "/axes", i), sweep.axes[i].extra);
     });
     found.list("plots", project.plots, nothing);
-    found.extra("", project.extra);
+    auto extra = project.extra;
+    extra.erase("$schema");  // for editors: where the JSON Schema is
+    found.extra("", extra);
     return found.keys;
 }
 

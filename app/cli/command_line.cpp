@@ -21,7 +21,7 @@ int fail(const std::string& line, int status) {
 
 /// Commands that write nothing have nothing to put away: signals end them as if they were not watched.
 bool writes(const CLI::App& app) {
-    for (const char* name : {"info", "list", "describe", "scene", "diff", "completion", "manual"})
+    for (const char* name : {"info", "list", "describe", "scene", "diff", "schema", "completion", "manual"})
         if (app.got_subcommand(name)) return false;
     if (!app.got_subcommand("project")) return true;
     const auto& project = *app.get_subcommand("project");
@@ -66,6 +66,7 @@ int run_command_line(int argc, char** argv) {
     add_plot(app, run);
     add_sweep(app, run);
     add_bench(app, run);
+    add_schema(app, run);
     add_shell(app, run);
     try {
         app.parse(argc, argv);

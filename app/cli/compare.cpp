@@ -6,8 +6,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/compare_difference.h"
-#include "app/cli/compare_sides.h"
 #include "app/cli/output_files.h"
+#include "app/engine/compared_sides.h"
 #include "app/engine/interruption.h"
 #include "app/engine/number_text.h"
 #include "projects/light_spec.h"
@@ -21,6 +21,7 @@ namespace ir::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using engine::load_mask, engine::load_side, engine::Mismatch, engine::mismatch_kinds;
 
 struct CompareFlags {
     std::string image, reference, layer, metrics = "mean,reference-mean,bias,relbias,rmse,mae,psnr",
@@ -128,7 +129,8 @@ bool exceeds(const std::string& name, double value, double limit) {
 
 Json as_json(const CompareFlags& flags, const std::vector<std::string>& names, const MetricResult& result,
              const std::vector<Mismatch>& found) {
-    Json json{{"image", flags.image},
+    Json json{{"schema_version", 1},  // projects/schemas/compare.schema.json
+              {"image", flags.image},
               {"reference", flags.reference},
               {"pixels", result.pixels},
               {"skipped", result.skipped}};

@@ -3,11 +3,13 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/compare_sides.h"
+#include "app/engine/compared_sides.h"
 #include "renderers/image/difference.h"
 
 /// Difference pictures of `compare`.
 namespace ir::cli {
+
+using engine::Side;
 
 /// Names as on the command line: "signed", "absolute", …
 const std::vector<std::string>& difference_kind_names();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/engine/execution.h"
+#include "app/engine/from_project.h"
 #include "projects/document_fields.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
@@ -52,26 +53,19 @@ CameraPose pose_of(const ExperimentFlags& flags) {
     return pose;
 }
 
-/// The project's own camera of that id, else the scene's of that name.
 void set_camera(const ExperimentFlags& flags, projects::Project& project, projects::Experiment& experiment) {
     const bool is_posed = !flags.eye.empty() || !flags.target.empty();
     if (!is_posed && (flags.fov_y || !flags.up.empty()))
         throw UsageError(std::string(flags.fov_y ? "--fov-y" : "--up") +
                          " cannot be used without --eye and --target");
-    if (!is_posed && flags.camera.empty()) return;
-    if (!is_posed && find_item(project.cameras, flags.camera)) {
-        experiment.camera = flags.camera;
-        return;
-    }
-    projects::Camera camera;
-    camera.name = is_posed ? "camera" : flags.camera;
-    if (is_posed)
+    if (is_posed) {
+        projects::Camera camera;
+        camera.name = "camera";
         camera.set_pose(pose_of(flags));
-    else
-        camera.scene_camera = flags.camera;
-    camera.id = free_id_in(project.cameras, camera.name);
-    experiment.camera = camera.id;
-    project.cameras.push_back(std::move(camera));
+        engine::add_camera(project, experiment, std::move(camera));
+    } else if (!flags.camera.empty()) {
+        engine::choose_camera(project, experiment, flags.camera);
+    }
 }
 
 }  // namespace

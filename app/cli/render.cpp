@@ -15,6 +15,7 @@
 #include "app/cli/shard.h"
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
+#include "app/engine/pictures.h"
 #include "projects/light_help.h"
 #include "projects/light_spec.h"
 #include "projects/match.h"
@@ -62,16 +63,8 @@ void refuse_given(const CLI::App& command, const std::vector<std::string>& optio
 
 /// The project that --scene and --method stand for: one experiment of one scene.
 projects::Project to_project(const RenderFlags& flags) {
-    const auto& method = engine::registry().at(flags.method);
-    projects::Project project;
-    projects::Experiment experiment;
-    project.scenes = {{"scene", "scene", {{flags.scene, {}, {}}}}};
-    experiment.id = experiment.name = method.id;
-    experiment.scene = "scene";
-    experiment.method = method.id;
-    experiment.method_version = method.version;
-    experiment.size = {800, 600};
-    experiment.seed = 0;
+    auto project = engine::project_of(flags.scene, flags.method);
+    auto& experiment = project.experiments.front();
     if (!flags.lights.empty() || !flags.environment.empty()) {
         projects::LightSet lights;
         lights.id = lights.name = experiment.lights = "light";
@@ -87,21 +80,11 @@ projects::Project to_project(const RenderFlags& flags) {
             experiment = projects::with_sample_count(experiment, static_cast<std::uint64_t>(flags.samples),
                                                      engine::registry());
     }
-    project.experiments = {experiment};
     return project;
 }
 
-engine::Experiment to_experiment(const RenderFlags& flags) {
-    const auto project = to_project(flags);
-    auto experiment = engine::from_project(project, project.experiments.front(), {});
-    // Under the name that it was given.
-    experiment.scene = flags.scene;
-    experiment.parts.clear();
-    return experiment;
-}
-
 int render_scene(const RenderFlags& flags) {
-    const auto experiment = to_experiment(flags);
+    const auto experiment = engine::from_single(to_project(flags));
     const auto inspection = parse_inspection(flags.inspection, experiment);
     require_picture(flags.out, flags.dumps);
     OutputFiles files;
@@ -124,7 +107,7 @@ int render_scene(const RenderFlags& flags) {
              "method '" + experiment.method + "' does not use the environment that --env gives"});
     for (auto& warning : inspection_warnings(inspection, experiment))
         report.messages.push_back(std::move(warning));
-    warn_of_unmatched(flags.dumps, report);
+    engine::require_matches("--dump", flags.dumps, report);
     if (!flags.quiet) note_lists(flags.dumps, report);
     write_picture(flags.out, execution, flags.dumps);
     print_messages(execution, report);

@@ -12,6 +12,7 @@
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
+#include "app/engine/pictures.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
@@ -72,7 +73,7 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     auto& report = run.report;
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
-    warn_of_unmatched(job.dumps, report);
+    engine::require_matches("--dump", job.dumps, report);
     write_picture(with(".exr"), execution, job.dumps);
     write_picture(with(".png"), execution, {});
     const auto statistics = engine::statistics_json(execution, report);

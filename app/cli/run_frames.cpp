@@ -5,7 +5,6 @@
 
 #include "app/engine/interruption.h"
 #include "renderers/core/error.h"
-#include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::cli {
@@ -24,17 +23,6 @@ void print_messages(const engine::Execution& execution, const FrameReport& repor
     for (const auto& warning : execution.scene().warnings) std::cerr << "warning: " << warning.text << "\n";
     for (const auto& message : report.messages)
         std::cerr << (message.severity == Severity::note ? "note: " : "warning: ") << message.text << "\n";
-}
-
-void warn_of_unmatched(const std::vector<std::string>& patterns, const FrameReport& report) {
-    for (const auto& pattern : patterns) {
-        const bool matched =
-            std::any_of(report.resources.begin(), report.resources.end(),
-                        [&](const auto& resource) { return graph::matches(pattern, resource.key); });
-        if (matched) continue;
-        throw UsageError("--dump '" + pattern + "' matches no buffer" +
-                         known_are(pattern, words_of(report.resources, &ResourceReport::key)));
-    }
 }
 
 void note_lists(const std::vector<std::string>& patterns, const FrameReport& report) {

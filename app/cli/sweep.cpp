@@ -12,6 +12,7 @@
 #include "app/cli/render_project.h"
 #include "app/cli/run_frames.h"
 #include "app/cli/shard.h"
+#include "app/engine/pictures.h"
 #include "app/engine/sweep_run.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
@@ -209,7 +210,7 @@ class SweepCommand {
             variations.render(
                 point, row,
                 [&](const engine::Execution& execution, const FrameReport& report) {
-                    warn_of_unmatched(flags_.dumps, report);
+                    engine::require_matches("--dump", flags_.dumps, report);
                     line_->clear();
                     print_messages(execution, report);
                     return flags_.has_pictures() ? written(execution, report, point.experiment.id) : "";

@@ -192,4 +192,42 @@ Experiment from_project(const projects::Project& project, const projects::Experi
     return result;
 }
 
+projects::Project project_of(const std::string& scene, const std::string& method) {
+    const auto& description = registry().at(method);
+    projects::Project project;
+    projects::Experiment experiment;
+    project.scenes = {{"scene", "scene", {{scene, {}, {}}}}};
+    experiment.id = experiment.name = description.id;
+    experiment.scene = "scene";
+    experiment.method = description.id;
+    experiment.method_version = description.version;
+    experiment.size = {800, 600};
+    experiment.seed = 0;
+    project.experiments = {experiment};
+    return project;
+}
+
+Experiment from_single(const projects::Project& project) {
+    auto experiment = from_project(project, project.experiments.front(), {});
+    experiment.scene = project.scenes.front().parts.front().source;
+    experiment.parts.clear();
+    return experiment;
+}
+
+void choose_camera(projects::Project& project, projects::Experiment& experiment, const std::string& name) {
+    if (find_item(project.cameras, name)) {
+        experiment.camera = name;
+        return;
+    }
+    projects::Camera camera;
+    camera.name = camera.scene_camera = name;
+    add_camera(project, experiment, std::move(camera));
+}
+
+void add_camera(projects::Project& project, projects::Experiment& experiment, projects::Camera camera) {
+    camera.id = free_id_in(project.cameras, camera.name);
+    experiment.camera = camera.id;
+    project.cameras.push_back(std::move(camera));
+}
+
 }  // namespace ir::engine

@@ -5,7 +5,9 @@
 
 #include "app/engine/lighting_digest.h"
 #include "app/engine/version.h"
+#include "renderers/core/error.h"
 #include "renderers/core/light_use.h"
+#include "renderers/core/words.h"
 #include "renderers/image/channels.h"
 
 namespace ir::engine {
@@ -100,6 +102,18 @@ std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std
             }
     }
     return result;
+}
+
+void require_matches(const std::string& option, const std::vector<std::string>& patterns,
+                     const FrameReport& report) {
+    for (const auto& pattern : patterns) {
+        const bool matched =
+            std::any_of(report.resources.begin(), report.resources.end(),
+                        [&](const auto& resource) { return graph::matches(pattern, resource.key); });
+        if (matched) continue;
+        throw UsageError(option + " '" + pattern + "' matches no buffer" +
+                         known_are(pattern, words_of(report.resources, &ResourceReport::key)));
+    }
 }
 
 ImageAttributes attributes(const Execution& execution) {

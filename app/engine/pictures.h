@@ -14,6 +14,9 @@ Image main_result(const Execution& execution);
 /// images as they are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel per
 /// field, at most 4096 wide.
 std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std::string>& patterns);
+/// Throws UsageError for the first pattern that matches no resource; `option` is what gave it.
+void require_matches(const std::string& option, const std::vector<std::string>& patterns,
+                     const FrameReport& report);
 /// How the names of all attributes begin.
 inline const std::string attribute_prefix = "interreflect.";
 /// Holds Experiment::recipe, by which the picture can be rendered again.

@@ -46,6 +46,7 @@ Json picture_json(const Execution& execution) {
 
 std::string statistics_json(const Execution& execution, const FrameReport& report) {
     Json json;
+    json["schema_version"] = 1;  // projects/schemas/statistics.schema.json
     json["picture"] = picture_json(execution);
     json["version"] = version();
     json["commit"] = commit();

@@ -176,7 +176,8 @@ std::string sweep_plan(const std::vector<SweepRow>& rows) {
 }
 
 std::string table_json(const SweepTable& table) {
-    Json json{{"sweep", table.sweep},
+    Json json{{"schema_version", 1},  // projects/schemas/sweep.schema.json
+              {"sweep", table.sweep},
               {"experiment", table.experiment},
               {"plan", table.plan},
               {"shard", table.shard.index},

@@ -1,5 +1,8 @@
 #include "renderers/core/resources_path.h"
 
+#include <dlfcn.h>
+#include <link.h>
+
 #include <cstdlib>
 
 #include "renderers/core/error.h"
@@ -7,10 +10,25 @@
 namespace ir {
 namespace {
 
-/// The folder that holds bin/ with the binary.
-std::filesystem::path prefix() {
+namespace fs = std::filesystem;
+
+/// What this code is in: the program, or a library that another program has loaded.
+fs::path own_file() {
+    Dl_info info;
+    link_map* library = nullptr;
+    const auto found = dladdr1(reinterpret_cast<const void*>(&data_directory), &info,
+                               reinterpret_cast<void**>(&library), RTLD_DL_LINKMAP);
     std::error_code ignored;
-    return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+    if (found == 0 || library->l_name[0] == '\0') return fs::read_symlink("/proc/self/exe", ignored);
+    return fs::canonical(library->l_name, ignored);
+}
+
+/// The folder that holds bin/ with the program, or lib/ with the library somewhere below.
+fs::path prefix() {
+    const auto file = own_file();
+    for (auto folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+        if (folder.filename() == "bin" || folder.filename() == "lib") return folder.parent_path();
+    return file.parent_path().parent_path();
 }
 
 }  // namespace

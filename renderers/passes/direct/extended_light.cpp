@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
+#include <vector>
 
 #include "renderers/core/half_float.h"
 #include "renderers/core/parallel_for.h"
@@ -137,21 +139,27 @@ class LightSampling {
                    inputs.frame;
     }
 
+    struct Scratch {
+        std::vector<PathSampler> samplers;
+        std::vector<glm::vec3> radiances;
+    };
+
     void fill_tile(int index) const {
         const int across = tiles_across(view_.width);
         const int left = index % across * light_tile, top = index / across * light_tile;
+        Scratch scratch;
         for (int y = top; y < std::min(top + light_tile, view_.height); ++y)
-            for (int x = left; x < std::min(left + light_tile, view_.width); ++x) fill(x, y);
+            for (int x = left; x < std::min(left + light_tile, view_.width); ++x) fill(x, y, scratch);
     }
 
-    void fill(int x, int y) const {
+    void fill(int x, int y, Scratch& scratch) const {
         const auto i = static_cast<std::size_t>(y) * view_.width + x;
         auto sums = sums_before_.empty() ? glm::vec4(0) : sums_before_[i];
         auto reflectance = glm::vec3(0);
         if (!surfaces_.is_background(i)) {
             const auto surface = surfaces_.at(i);
             reflectance = estimate_.reflectance(surface);
-            add_samples(surface, x, y, sums);
+            add_samples(surface, x, y, scratch, sums);
         }
         sums_[i] = sums;
         const SampledMean mean(sums, groups_before_ + static_cast<std::uint32_t>(groups_));
@@ -163,22 +171,28 @@ class LightSampling {
         reflectance_[i] = pack_halves(glm::vec4(divisor, 0));
     }
 
+    int samples_of(int group) const { return (samples_ - group + groups_ - 1) / groups_; }
+
     /// Each frame and group has numbers of its own; within a group samples are stratified.
-    void add_samples(const Surface& surface, int x, int y, glm::vec4& sums) const {
+    void add_samples(const Surface& surface, int x, int y, Scratch& scratch, glm::vec4& sums) const {
         const auto& inputs = context_.inputs();
         const auto wo = viewer_.view_axis_ws == glm::vec3(0)
                             ? glm::normalize(viewer_.eye_ws - surface.position_ws)
                             : -viewer_.view_axis_ws;
         const auto key = pixel_key(mixed(inputs.seed) + static_cast<std::uint64_t>(inputs.frame), x, y);
+        scratch.samplers.clear();
+        for (int group = 0; group < groups_; ++group)
+            for (int i = 0; i < samples_of(group); ++i)
+                scratch.samplers.emplace_back(key + static_cast<std::uint64_t>(group), i);
+        scratch.radiances.resize(scratch.samplers.size());
+        estimate_.sample(surface, wo, scratch.samplers, scratch.radiances);
+        auto next = scratch.radiances.begin();
         for (int group = 0; group < groups_; ++group) {
-            glm::vec3 sum(0);
-            int count = 0;
-            for (int i = group; i < samples_; i += groups_)
-                sum += estimate_.sample(surface, wo,
-                                        PathSampler(key + static_cast<std::uint64_t>(group), count++));
-            const auto mean = sum / static_cast<float>(count);
+            const int count = samples_of(group);
+            const auto mean = std::accumulate(next, next + count, glm::vec3(0)) / static_cast<float>(count);
             const float l = luminance(mean);
             sums += glm::vec4(mean, l * l);
+            next += count;
         }
     }
 

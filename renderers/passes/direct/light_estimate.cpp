@@ -1,5 +1,7 @@
 #include "renderers/passes/direct/light_estimate.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,56 +17,12 @@ enum LightDimension : std::uint32_t { of_choices, of_source, of_direction };
 /// Shadow rays end this fraction before the point on the light, so that they do not meet it.
 constexpr float shadow_ray_end = 1 - 1e-4f;
 constexpr float no_limit = std::numeric_limits<float>::infinity();
+/// Rays of a pixel start at one point, but go anywhere.
+constexpr bool coherent = false;
 
 bool has_finite_parts(glm::vec3 v) {
     return std::isfinite(v.r) && std::isfinite(v.g) && std::isfinite(v.b);
 }
-
-/// A direction that was drawn, and whether the sources were sampled beside it.
-struct DrawnRay {
-    glm::vec3 origin, normal, direction;
-    float pdf = 0;  ///< 0: of a mirror
-};
-
-/// Sources that a ray meets, each weighted against having been chosen.
-class MetSources {
-  public:
-    MetSources(const Panes& panes, const SurfaceLookup& surfaces, const LightSampler& lights,
-               float (*combine)(float, float), const DrawnRay& ray)
-        : panes_(panes), surfaces_(surfaces), lights_(lights), combine_(combine), ray_(ray) {}
-
-    glm::vec3 radiance() const {
-        const auto sight = panes_.look(ray_.origin, ray_.direction, no_limit);
-        const auto& hit = sight.end;
-        const auto passed = sight.passed(no_limit);  // from behind all panes
-        glm::vec3 sum(0);
-        lights_.visit_lights(ray_.origin, ray_.direction, hit.distance, [&](const LightHit& light) {
-            sum += weighted(sight.passed(light.distance) * light.radiance,
-                            lights_.pdf_of_light(ray_.origin, ray_.normal, ray_.direction, light));
-        });
-        if (!hit.is_hit()) {
-            if (!lights_.has_environment()) return sum;
-            return sum + weighted(passed * lights_.environment(ray_.direction),
-                                  lights_.pdf_of_environment(ray_.origin, ray_.normal, ray_.direction));
-        }
-        if (!lights_.has_emissive_meshes()) return sum;
-        const auto emission = surfaces_.emission(hit.triangle, hit.u, hit.v);
-        if (emission == glm::vec3(0)) return sum;
-        return sum + weighted(passed * emission,
-                              lights_.pdf_of_triangle(ray_.origin, ray_.normal, ray_.direction, hit));
-    }
-
-  private:
-    glm::vec3 weighted(glm::vec3 radiance, float pdf) const {
-        return ray_.pdf > 0 ? radiance * combine_(ray_.pdf, pdf) : radiance;
-    }
-
-    const Panes& panes_;
-    const SurfaceLookup& surfaces_;
-    const LightSampler& lights_;
-    float (*combine_)(float, float);
-    const DrawnRay& ray_;
-};
 
 }  // namespace
 
@@ -76,14 +34,56 @@ LightEstimate::LightEstimate(const Bvh& bvh, const SurfaceLookup& surfaces, cons
       options_(options),
       panes_(bvh, surfaces, options.between) {}
 
-glm::vec3 LightEstimate::sample(const Surface& surface, glm::vec3 wo, const PathSampler& sampler) const {
-    if (surface.is_unlit) return glm::vec3(0);
-    const Bsdf bsdf(surface, material(surface.material), options_.materials);
-    const auto choice = sampler.pair(of_choices);
-    glm::vec3 sum(0);
-    if (bsdf.has_smooth_part()) sum = towards_source(surface, bsdf, wo, choice.x, sampler.pair(of_source));
-    sum += by_direction(surface, bsdf, wo, choice.y, sampler.pair(of_direction));
-    return has_finite_parts(sum) ? sum : glm::vec3(0);
+/// A surface of which samples are taken.
+struct LightEstimate::Receiver {
+    Bsdf bsdf;
+    glm::vec3 wo, normal, origin;
+    LightReceiver lights;
+
+    Receiver(const Surface& surface, const scene::Material& material, Transport::Materials model,
+             glm::vec3 to)
+        : bsdf(surface, material, model),
+          wo(to),
+          normal(surface.geometric_normal_ws),
+          origin(offset_origin(surface.position_ws, normal)),
+          lights(origin, normal) {}
+};
+
+/// Rays of samples that wait for their answer, all from one origin.
+struct LightEstimate::Pending {
+    Bvh::Packet16 rays;
+    std::array<std::size_t, 16> samples;
+    std::array<glm::vec3, 16> weights;
+    std::array<float, 16> pdfs;
+    std::size_t count = 0;
+
+    Pending() { std::ranges::fill(rays.active, 0); }
+    glm::vec3 direction(std::size_t i) const { return {rays.dx[i], rays.dy[i], rays.dz[i]}; }
+    void add(std::size_t sample, glm::vec3 weight, float pdf, glm::vec3 origin, glm::vec3 direction,
+             float far) {
+        const auto i = count++;
+        rays.ox[i] = origin.x, rays.oy[i] = origin.y, rays.oz[i] = origin.z;
+        rays.dx[i] = direction.x, rays.dy[i] = direction.y, rays.dz[i] = direction.z;
+        rays.near[i] = 0, rays.far[i] = far, rays.active[i] = -1;
+        samples[i] = sample, weights[i] = weight, pdfs[i] = pdf;
+    }
+};
+
+void LightEstimate::sample(const Surface& surface, glm::vec3 wo, std::span<const PathSampler> samplers,
+                           std::span<glm::vec3> radiances) const {
+    std::ranges::fill(radiances, glm::vec3(0));
+    if (surface.is_unlit) return;
+    Receiver receiver(surface, material(surface.material), options_.materials, wo);
+    constexpr std::size_t most = 16;
+    for (std::size_t begin = 0; begin < samplers.size(); begin += most) {
+        const auto count = std::min(most, samplers.size() - begin);
+        const auto some = samplers.subspan(begin, count);
+        const auto of_some = radiances.subspan(begin, count);
+        if (receiver.bsdf.has_smooth_part()) towards_sources(receiver, some, of_some);
+        by_directions(receiver, some, of_some);
+    }
+    for (auto& radiance : radiances)
+        if (!has_finite_parts(radiance)) radiance = glm::vec3(0);
 }
 
 glm::vec3 LightEstimate::reflectance(const Surface& surface) const {
@@ -91,34 +91,82 @@ glm::vec3 LightEstimate::reflectance(const Surface& surface) const {
     return Bsdf(surface, material(surface.material), options_.materials).albedo();
 }
 
-glm::vec3 LightEstimate::towards_source(const Surface& surface, const Bsdf& bsdf, glm::vec3 wo, float choice,
-                                        glm::vec2 u) const {
-    const auto normal = surface.geometric_normal_ws;
-    const auto origin = offset_origin(surface.position_ws, normal);
-    const auto light = lights_.sample(origin, normal, choice, u);
-    if (!light || !(light->pdf > 0)) return glm::vec3(0);
-    if (glm::dot(normal, light->direction_ws) <= 0) return glm::vec3(0);  // rough glass lets nothing through
-    const auto scattered = bsdf.evaluate_with_pdf(wo, light->direction_ws);
-    const auto radiance =
-        scattered.value * light->radiance * (options_.combine(light->pdf, scattered.pdf) / light->pdf);
-    if (radiance == glm::vec3(0)) return radiance;
-    const float far = light->distance * shadow_ray_end;
-    if (!panes_.any()) return bvh_.occluded(origin, light->direction_ws, 0, far) ? glm::vec3(0) : radiance;
-    const auto sight = panes_.look(origin, light->direction_ws, far);
-    return sight.end.is_hit() ? glm::vec3(0) : radiance * sight.passed(far);
+void LightEstimate::towards_sources(Receiver& receiver, std::span<const PathSampler> samplers,
+                                    std::span<glm::vec3> radiances) const {
+    Pending pending;
+    for (std::size_t i = 0; i < samplers.size(); ++i) {
+        const float choice = samplers[i].pair(of_choices).x;
+        const auto light = lights_.sample(receiver.lights, choice, samplers[i].pair(of_source));
+        if (!light || !(light->pdf > 0)) continue;
+        if (glm::dot(receiver.normal, light->direction_ws) <= 0)
+            continue;  // rough glass lets nothing through
+        const auto scattered = receiver.bsdf.evaluate_with_pdf(receiver.wo, light->direction_ws);
+        const auto radiance =
+            scattered.value * light->radiance * (options_.combine(light->pdf, scattered.pdf) / light->pdf);
+        if (radiance == glm::vec3(0)) continue;
+        pending.add(i, radiance, 0, receiver.origin, light->direction_ws, light->distance * shadow_ray_end);
+    }
+    if (pending.count == 0) return;
+    if (!panes_.any()) {
+        const auto occluded = bvh_.occluded16(pending.rays, coherent);
+        for (std::size_t k = 0; k < pending.count; ++k)
+            if ((occluded >> k & 1) == 0) radiances[pending.samples[k]] += pending.weights[k];
+        return;
+    }
+    for (std::size_t k = 0; k < pending.count; ++k) {
+        const float far = pending.rays.far[k];
+        const auto sight = panes_.look(receiver.origin, pending.direction(k), far);
+        if (!sight.end.is_hit()) radiances[pending.samples[k]] += pending.weights[k] * sight.passed(far);
+    }
 }
 
-glm::vec3 LightEstimate::by_direction(const Surface& surface, const Bsdf& bsdf, glm::vec3 wo, float lobe,
-                                      glm::vec2 u) const {
-    const auto chosen = bsdf.choose(wo, lobe, u);
-    if (!chosen || chosen->is_transmitted || (chosen->is_specular && !options_.mirrors)) return glm::vec3(0);
-    const auto normal = surface.geometric_normal_ws, origin = offset_origin(surface.position_ws, normal);
-    // Most directions meet no source, and need neither weight nor ray.
-    if (!lights_.may_meet(origin, chosen->wi)) return glm::vec3(0);
-    const auto sample = bsdf.weighted(wo, *chosen);
-    if (!sample) return glm::vec3(0);
-    const DrawnRay ray{origin, normal, sample->wi, sample->pdf};
-    return sample->weight * MetSources(panes_, surfaces_, lights_, options_.combine, ray).radiance();
+void LightEstimate::by_directions(Receiver& receiver, std::span<const PathSampler> samplers,
+                                  std::span<glm::vec3> radiances) const {
+    Pending pending;
+    for (std::size_t i = 0; i < samplers.size(); ++i) {
+        const float lobe = samplers[i].pair(of_choices).y;
+        const auto chosen = receiver.bsdf.choose(receiver.wo, lobe, samplers[i].pair(of_direction));
+        if (!chosen || chosen->is_transmitted || (chosen->is_specular && !options_.mirrors)) continue;
+        // Most directions meet no source, and need neither weight nor ray.
+        if (!lights_.may_meet(receiver.origin, chosen->wi)) continue;
+        const auto sample = receiver.bsdf.weighted(receiver.wo, *chosen);
+        if (!sample) continue;
+        pending.add(i, sample->weight, sample->pdf, receiver.origin, sample->wi, no_limit);
+    }
+    if (pending.count == 0) return;
+    const bool is_clear = !panes_.any();
+    Hit hits[16];
+    if (is_clear) bvh_.closest_hits16(pending.rays, coherent, hits);
+    for (std::size_t k = 0; k < pending.count; ++k) {
+        const auto sight =
+            is_clear ? Panes::Sight(hits[k]) : panes_.look(receiver.origin, pending.direction(k), no_limit);
+        radiances[pending.samples[k]] +=
+            pending.weights[k] * met_sources(receiver, pending.direction(k), pending.pdfs[k], sight);
+    }
+}
+
+/// Sources that a ray meets, each weighted against having been chosen. `pdf` is 0 of a mirror.
+glm::vec3 LightEstimate::met_sources(Receiver& receiver, glm::vec3 direction, float pdf,
+                                     const Panes::Sight& sight) const {
+    const auto weighted = [&](glm::vec3 radiance, float other) {
+        return pdf > 0 ? radiance * options_.combine(pdf, other) : radiance;
+    };
+    const auto& hit = sight.end;
+    glm::vec3 sum(0);
+    lights_.visit_lights(receiver.origin, direction, hit.distance, [&](const LightHit& light) {
+        sum += weighted(sight.passed(light.distance) * light.radiance,
+                        lights_.pdf_of_light(receiver.lights, direction, light));
+    });
+    const auto passed = sight.passed(no_limit);  // from behind all panes
+    if (!hit.is_hit()) {
+        if (!lights_.has_environment()) return sum;
+        return sum + weighted(passed * lights_.environment(direction),
+                              lights_.pdf_of_environment(receiver.normal, direction));
+    }
+    if (!lights_.has_emissive_meshes()) return sum;
+    const auto emission = surfaces_.emission(hit.triangle, hit.u, hit.v);
+    if (emission == glm::vec3(0)) return sum;
+    return sum + weighted(passed * emission, lights_.pdf_of_triangle(receiver.lights, hit));
 }
 
 }  // namespace ir::passes

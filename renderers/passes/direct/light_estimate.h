@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 
 #include "renderers/core/transport.h"
 #include "renderers/passes/direct/panes.h"
@@ -38,18 +39,29 @@ class LightEstimate {
                   const Options& options);
 
     /// Radiance towards unit direction `wo`, W/(m² sr), unbiased over the keys of the sampler.
-    glm::vec3 sample(const Surface& surface, glm::vec3 wo, const PathSampler& sampler) const;
+    glm::vec3 sample(const Surface& surface, glm::vec3 wo, const PathSampler& sampler) const {
+        glm::vec3 radiance;
+        sample(surface, wo, {&sampler, 1}, {&radiance, 1});
+        return radiance;
+    }
+    /// The same of as many samplers, at a lower price each. What one gives does not depend on the others.
+    void sample(const Surface& surface, glm::vec3 wo, std::span<const PathSampler> samplers,
+                std::span<glm::vec3> radiances) const;
     /// Reflectance of the surface, by which noise is measured; 0 where it is unlit.
     glm::vec3 reflectance(const Surface& surface) const;
 
   private:
+    struct Receiver;
+    struct Pending;
     const scene::Material& material(int index) const {
         return surfaces_.scene().materials[static_cast<std::size_t>(index)];
     }
-    glm::vec3 towards_source(const Surface& surface, const class Bsdf& bsdf, glm::vec3 wo, float choice,
-                             glm::vec2 u) const;
-    glm::vec3 by_direction(const Surface& surface, const class Bsdf& bsdf, glm::vec3 wo, float lobe,
-                           glm::vec2 u) const;
+    void towards_sources(Receiver& receiver, std::span<const PathSampler> samplers,
+                         std::span<glm::vec3> radiances) const;
+    void by_directions(Receiver& receiver, std::span<const PathSampler> samplers,
+                       std::span<glm::vec3> radiances) const;
+    glm::vec3 met_sources(Receiver& receiver, glm::vec3 direction, float pdf,
+                          const Panes::Sight& sight) const;
 
     const Bvh& bvh_;
     const SurfaceLookup& surfaces_;

@@ -22,6 +22,9 @@ class Panes {
     /// A ray as far as it goes. Of more than eight panes the ninth ends it.
     class Sight {
       public:
+        Sight() = default;
+        /// Past no pane.
+        explicit Sight(const Hit& hit) : end(hit) {}
         Hit end;  ///< what it ends at, with the distance from the origin
         /// Fraction of the light from this distance that comes to the origin.
         glm::vec3 passed(float distance) const;

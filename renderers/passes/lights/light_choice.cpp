@@ -113,19 +113,18 @@ float LightChoice::total(glm::vec3 normal_ws) const {
     return sum;
 }
 
-std::optional<LightChoice::Chosen> LightChoice::choose(glm::vec3 position_ws, glm::vec3 normal_ws,
-                                                       double u) const {
-    const float sum = total(normal_ws);
+std::optional<LightChoice::Chosen> LightChoice::choose(LightReceiver& receiver, double u) const {
+    const float sum = total(receiver.normal_ws);
     if (!(sum > 0)) return std::nullopt;
     double left = u * sum;
     if (left < tree_weight_) {
-        const auto choice = tree_.choose(position_ws, normal_ws, left / tree_weight_);
+        const auto choice = tree_.choose(receiver, left / tree_weight_);
         if (!choice) return std::nullopt;
         return Chosen{static_cast<int>(choice->light), choice->probability * (tree_weight_ / sum)};
     }
     left -= tree_weight_;
     for (const auto& sun : suns_) {
-        const float weight = weight_of(sun, normal_ws);
+        const float weight = weight_of(sun, receiver.normal_ws);
         if (left < weight) return Chosen{sun.light, weight / sum};
         left -= weight;
     }
@@ -133,11 +132,10 @@ std::optional<LightChoice::Chosen> LightChoice::choose(glm::vec3 position_ws, gl
     return Chosen{environment, environment_weight_ / sum};
 }
 
-float LightChoice::probability(glm::vec3 position_ws, glm::vec3 normal_ws, int emitter) const {
-    const float sum = total(normal_ws);
+float LightChoice::probability(LightReceiver& receiver, int emitter) const {
+    const float sum = total(receiver.normal_ws);
     if (!(sum > 0) || emitter < 0) return 0;
-    return tree_.probability(position_ws, normal_ws, static_cast<std::uint32_t>(emitter)) *
-           (tree_weight_ / sum);
+    return tree_.probability(receiver, static_cast<std::uint32_t>(emitter)) * (tree_weight_ / sum);
 }
 
 float LightChoice::environment_probability(glm::vec3 normal_ws) const {

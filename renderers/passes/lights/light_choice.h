@@ -26,9 +26,9 @@ class LightChoice {
                 float environment_luminance, float scene_radius);
 
     bool empty() const;
-    /// `normal_ws` is unit length, or 0 where there is no plane: lights wholly below it are left out.
-    std::optional<Chosen> choose(glm::vec3 position_ws, glm::vec3 normal_ws, double u) const;
-    float probability(glm::vec3 position_ws, glm::vec3 normal_ws, int emitter) const;
+    /// Lights wholly below the receiver's plane are left out.
+    std::optional<Chosen> choose(LightReceiver& receiver, double u) const;
+    float probability(LightReceiver& receiver, int emitter) const;
     float environment_probability(glm::vec3 normal_ws) const;
     /// LightTree::may_meet() of what has a place.
     bool may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {

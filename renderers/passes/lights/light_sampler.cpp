@@ -115,37 +115,34 @@ bool LightSampler::empty() const {
     return impl_->choice->empty();
 }
 
-std::optional<LightSample> LightSampler::sample(glm::vec3 position_ws, glm::vec3 normal_ws, float choice,
-                                                glm::vec2 u) const {
-    const auto chosen = impl_->choice->choose(position_ws, normal_ws, lengthened(choice, u));
+std::optional<LightSample> LightSampler::sample(LightReceiver& receiver, float choice, glm::vec2 u) const {
+    const auto chosen = impl_->choice->choose(receiver, lengthened(choice, u));
     if (!chosen) return std::nullopt;
     if (chosen->emitter == LightChoice::environment)
-        return impl_->sample_environment(chosen->probability, normal_ws, u);
+        return impl_->sample_environment(chosen->probability, receiver.normal_ws, u);
     const auto emitter = static_cast<std::size_t>(chosen->emitter), lights = impl_->lights.size();
-    return emitter < lights ? impl_->sample_light(emitter, chosen->probability, position_ws, u)
-                            : impl_->sample_triangle(emitter - lights, chosen->probability, position_ws, u);
+    return emitter < lights
+               ? impl_->sample_light(emitter, chosen->probability, receiver.position_ws, u)
+               : impl_->sample_triangle(emitter - lights, chosen->probability, receiver.position_ws, u);
 }
 
-float LightSampler::pdf_of_triangle(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3,
-                                    const Hit& hit) const {
+float LightSampler::pdf_of_triangle(LightReceiver& receiver, const Hit& hit) const {
     if (!impl_->triangles) return 0;
     const int number = impl_->triangles->find(hit.triangle);
     if (number < 0) return 0;
     const int emitter = static_cast<int>(impl_->lights.size()) + number;
-    return impl_->choice->probability(position_ws, normal_ws, emitter) *
-           impl_->triangles->pdf(static_cast<std::size_t>(number), position_ws, hit.u, hit.v);
+    return impl_->choice->probability(receiver, emitter) *
+           impl_->triangles->pdf(static_cast<std::size_t>(number), receiver.position_ws, hit.u, hit.v);
 }
 
-float LightSampler::pdf_of_light(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 direction_ws,
-                                 const LightHit& hit) const {
+float LightSampler::pdf_of_light(LightReceiver& receiver, glm::vec3 direction_ws, const LightHit& hit) const {
     const auto light = static_cast<std::size_t>(hit.light);
     if (hit.light < 0 || light >= impl_->lights.size() || impl_->flat_of[light] < 0) return 0;
     const auto& shape = impl_->flat[static_cast<std::size_t>(impl_->flat_of[light])].light;
-    return impl_->choice->probability(position_ws, normal_ws, hit.light) *
-           shape.pdf(position_ws, direction_ws);
+    return impl_->choice->probability(receiver, hit.light) * shape.pdf(receiver.position_ws, direction_ws);
 }
 
-float LightSampler::pdf_of_environment(glm::vec3, glm::vec3 normal_ws, glm::vec3 direction_ws) const {
+float LightSampler::pdf_of_environment(glm::vec3 normal_ws, glm::vec3 direction_ws) const {
     if (!has_environment()) return 0;
     return impl_->choice->environment_probability(normal_ws) *
            impl_->environment->pdf(normal_ws, direction_ws);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderers/passes/lights/light_tree.h"
 #include "renderers/passes/surface/surface.h"
 
 namespace ir::passes {
@@ -44,18 +45,33 @@ class LightSampler {
 
     bool empty() const;  ///< nothing emits
 
-    /// For a point with this unit geometric normal; `choice` and `u` uniform in [0, 1). Nothing where the
-    /// light chosen sends none there.
+    /// `choice` and `u` uniform in [0, 1). Nothing where the light chosen sends none there.
+    std::optional<LightSample> sample(LightReceiver& receiver, float choice, glm::vec2 u) const;
+    /// The same of a single sample, for a point with this unit geometric normal.
     std::optional<LightSample> sample(glm::vec3 position_ws, glm::vec3 normal_ws, float choice,
-                                      glm::vec2 u) const;
+                                      glm::vec2 u) const {
+        LightReceiver receiver(position_ws, normal_ws);
+        return sample(receiver, choice, u);
+    }
 
-    /// Densities with which sample() at that point would have chosen what a ray from there met: for multiple
+    /// Densities with which sample() there would have chosen what a ray from there met: for multiple
     /// importance sampling. Per solid angle, choice included.
-    float pdf_of_triangle(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 direction_ws,
-                          const Hit& hit) const;
+    float pdf_of_triangle(LightReceiver& receiver, const Hit& hit) const;
+    float pdf_of_light(LightReceiver& receiver, glm::vec3 direction_ws, const LightHit& hit) const;
+    float pdf_of_environment(glm::vec3 normal_ws, glm::vec3 direction_ws) const;
+    /// The same of a single ray.
+    float pdf_of_triangle(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3, const Hit& hit) const {
+        LightReceiver receiver(position_ws, normal_ws);
+        return pdf_of_triangle(receiver, hit);
+    }
     float pdf_of_light(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 direction_ws,
-                       const LightHit& hit) const;
-    float pdf_of_environment(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 direction_ws) const;
+                       const LightHit& hit) const {
+        LightReceiver receiver(position_ws, normal_ws);
+        return pdf_of_light(receiver, direction_ws, hit);
+    }
+    float pdf_of_environment(glm::vec3, glm::vec3 normal_ws, glm::vec3 direction_ws) const {
+        return pdf_of_environment(normal_ws, direction_ws);
+    }
 
     /// Radiance from infinity, 0 where the options leave it out.
     glm::vec3 environment(glm::vec3 direction_ws) const;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-
-#include "renderers/passes/raytracing/ray_offset.h"
 
 namespace ir::passes {
 namespace {
@@ -13,61 +12,99 @@ glm::vec3 centre_of(const LightBounds& bounds) {
     return 0.5f * (bounds.min + bounds.max);
 }
 
-/// cos and sin of max(0, a - b) for angles from 0 to π, given by their own.
-struct Angle {
-    float cosine, sine;
-};
-Angle reduced(Angle a, Angle b) {
-    if (a.cosine >= b.cosine) return {1, 0};
-    return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
-}
-
-Angle with_cosine(float cosine) {
-    return {cosine, std::sqrt(std::max(1 - cosine * cosine, 0.0f))};
-}
-
 }  // namespace
 
+/// First a tree of pairs, by where cutting is cheapest; then groups of what is near in it.
 struct LightTree::Builder {
     using Items = std::vector<std::uint32_t>;
     using Iterator = Items::iterator;
     static constexpr int buckets = 12;
 
+    struct Pair {
+        LightBounds bounds;
+        std::uint32_t left = none, right = none;
+        std::uint32_t light = none;  ///< of leaves
+    };
+
     const std::vector<LightBounds>& lights;
     LightTree& tree;
+    std::vector<Pair> pairs{};
 
-    std::uint32_t build(Iterator begin, Iterator end, std::uint32_t parent) {
-        LightBounds all;
-        for (auto i = begin; i != end; ++i) all = merged(all, lights[*i]);
-        const auto index = static_cast<std::uint32_t>(tree.nodes_.size());
-        tree.nodes_.push_back(node_of(all, parent));
+    std::uint32_t build(Iterator begin, Iterator end) {
+        const auto index = static_cast<std::uint32_t>(pairs.size());
+        pairs.emplace_back();
+        for (auto i = begin; i != end; ++i) pairs[index].bounds = merged(pairs[index].bounds, lights[*i]);
         if (end - begin == 1) {
-            tree.nodes_[index].light = *begin;
-            tree.leaves_[*begin] = index;
+            pairs[index].light = *begin;
             return index;
         }
-        const auto middle = split(begin, end, all);
-        build(begin, middle, index);
-        const auto right = build(middle, end, index);
-        tree.nodes_[index].right = right;
+        const auto middle = split(begin, end);
+        const auto left = build(begin, middle), right = build(middle, end);
+        pairs[index].left = left;
+        pairs[index].right = right;
         return index;
     }
 
-    static Node node_of(const LightBounds& bounds, std::uint32_t parent) {
-        Node node;
-        node.centre = centre_of(bounds);
+    /// How much is said by opening it: nothing of leaves.
+    static float extent(const Pair& pair) {
+        const float radius = pair.bounds.half_diagonal();
+        return pair.light == none ? pair.bounds.intensity * (radius * radius) : -1;
+    }
+
+    /// As many of a subtree as one group holds, the greatest opened first.
+    Items members_of(std::uint32_t root) const {
+        Items members{root};
+        while (members.size() < LightGroup::capacity) {
+            const auto greatest = std::ranges::max_element(
+                members, {}, [&](std::uint32_t member) { return extent(pairs[member]); });
+            const auto& opened = pairs[*greatest];
+            if (opened.light != none) break;
+            *greatest = opened.left;
+            members.push_back(opened.right);
+        }
+        return members;
+    }
+
+    void group_pairs() {
+        tree.groups_.emplace_back();
+        for (Items roots{0}; tree.groups_.size() > done; ++done) {
+            const auto members = members_of(roots[done]);
+            for (const auto member : members) add(member, roots);
+        }
+    }
+    std::uint32_t done = 0;
+
+    void add(std::uint32_t index, Items& roots) {
+        const auto& pair = pairs[index];
+        auto& group = tree.groups_[done];
+        const Place place{done, group.count++};
+        const auto at = static_cast<std::size_t>(place.member);
+        put(pair.bounds, at, group);
+        group.lights[at] = pair.light;
+        group.children[at] = none;
+        if (pair.light != none) {
+            tree.leaves_[pair.light] = place;
+            return;
+        }
+        group.children[at] = static_cast<std::uint32_t>(roots.size());
+        roots.push_back(index);
+        tree.groups_.emplace_back().parent = place;
+    }
+
+    static void put(const LightBounds& bounds, std::size_t at, LightGroup& group) {
         // A little more than the box, so that rounding leaves nothing out.
         const float radius = 1.0001f * bounds.half_diagonal();
-        node.squared_radius = radius * radius;
-        node.axis = bounds.axis;
-        node.intensity = bounds.intensity;
-        const auto cone = with_cosine(bounds.cos_normals);
-        node.cos_normals = cone.cosine;
-        node.sin_normals = cone.sine;
-        node.cos_emission = bounds.cos_emission;
-        node.two_sided = bounds.two_sided;
-        node.parent = parent;
-        return node;
+        const auto centre = centre_of(bounds);
+        for (int c = 0; c < 3; ++c) {
+            group.centre[static_cast<std::size_t>(c)][at] = centre[c];
+            group.axis[static_cast<std::size_t>(c)][at] = bounds.axis[c];
+        }
+        group.squared_radius[at] = radius * radius;
+        group.intensity[at] = bounds.intensity;
+        group.cos_normals[at] = bounds.cos_normals;
+        group.sin_normals[at] = std::sqrt(std::max(1 - bounds.cos_normals * bounds.cos_normals, 0.0f));
+        group.cos_emission[at] = bounds.cos_emission;
+        group.two_sided[at] = bounds.two_sided ? 1 : 0;
     }
 
     struct Split {
@@ -103,7 +140,7 @@ struct LightTree::Builder {
         return best;
     }
 
-    Iterator split(Iterator begin, Iterator end, const LightBounds&) const {
+    Iterator split(Iterator begin, Iterator end) const {
         glm::vec3 low(HUGE_VALF), high(-HUGE_VALF);
         for (auto i = begin; i != end; ++i) {
             low = glm::min(low, centre_of(lights[*i]));
@@ -123,98 +160,72 @@ struct LightTree::Builder {
     }
 };
 
-LightTree::LightTree(const std::vector<LightBounds>& lights) : leaves_(lights.size(), none) {
+LightTree::LightTree(const std::vector<LightBounds>& lights) : leaves_(lights.size()) {
     Builder::Items items;
     for (std::uint32_t i = 0; i < lights.size(); ++i)
         if (lights[i].intensity > 0) items.push_back(i);
     if (items.empty()) return;
-    nodes_.reserve(2 * items.size());
-    Builder{lights, *this}.build(items.begin(), items.end(), none);
+    Builder builder{lights, *this};
+    builder.pairs.reserve(2 * items.size());
+    builder.build(items.begin(), items.end());
+    builder.group_pairs();
 }
 
-/// Bound of the irradiance from the group: intensity * cos θ' * cos θi' / distance², the angles the least
-/// that any of its lights may have.  [Conty18 §5]
-float LightTree::importance(const Node& node, glm::vec3 position_ws, glm::vec3 normal_ws) const {
-    constexpr float min_squared_distance = 1e-16f;  // keeps the quotient finite
-    const auto offset = position_ws - node.centre;
-    const float squared = glm::dot(offset, offset);
-    if (squared <= node.squared_radius)
-        return node.intensity / std::max(node.squared_radius, min_squared_distance);
-    const auto direction = offset / std::sqrt(squared);
-    const float sine_squared = node.squared_radius / squared;
-    const Angle box{std::sqrt(1 - sine_squared), std::sqrt(sine_squared)};
-    float cosine = glm::dot(node.axis, direction);
-    if (node.two_sided != 0) cosine = std::abs(cosine);
-    const auto beyond_normals = reduced(with_cosine(cosine), {node.cos_normals, node.sin_normals});
-    const float cos_emitted = reduced(beyond_normals, box).cosine;
-    if (cos_emitted <= node.cos_emission) return 0;
-    float result = node.intensity * cos_emitted / std::max(squared, min_squared_distance);
-    if (normal_ws != glm::vec3(0))
-        result *= std::max(reduced(with_cosine(-glm::dot(direction, normal_ws)), box).cosine, 0.0f);
-    return result;
+const LightWeights& LightTree::weights(LightReceiver& receiver, std::uint32_t group) const {
+    const bool is_remembered = group < LightReceiver::remembered;
+    auto& weights = is_remembered ? receiver.weights_[group] : receiver.others_;
+    if (is_remembered && (receiver.known_ >> group & 1) != 0) return weights;
+    weigh(groups_[group], receiver.position_ws, receiver.normal_ws, weights);
+    if (is_remembered) receiver.known_ |= 1u << group;
+    return weights;
 }
 
-std::optional<LightTree::Choice> LightTree::choose(glm::vec3 position_ws, glm::vec3 normal_ws,
-                                                   double u) const {
-    if (nodes_.empty()) return std::nullopt;
-    if (nodes_[0].right == none && !(importance(nodes_[0], position_ws, normal_ws) > 0)) return std::nullopt;
-    std::uint32_t at = 0;
+std::optional<LightTree::Choice> LightTree::choose(LightReceiver& receiver, double u) const {
+    constexpr double below_one = 1 - 0x1p-53;
     float probability = 1;
-    while (nodes_[at].right != none) {
-        const auto right = nodes_[at].right;
-        const float a = importance(nodes_[at + 1], position_ws, normal_ws);
-        const float b = importance(nodes_[right], position_ws, normal_ws);
-        if (!(a + b > 0)) return std::nullopt;
-        const float part = a / (a + b);
-        if (u < part) {
-            u /= part;
-            probability *= part;
-            at = at + 1;
-        } else {
-            u = (u - part) / (1 - part);
-            probability *= b / (a + b);
-            at = right;
+    for (std::uint32_t at = empty() ? none : 0; at != none;) {
+        const auto& group = groups_[at];
+        const auto& weights = this->weights(receiver, at);
+        if (!(weights.sum > 0)) return std::nullopt;
+        double left = u * weights.sum, part = 0;
+        std::size_t chosen = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(group.count); ++i) {
+            if (!(weights.of[i] > 0)) continue;
+            left -= part;
+            part = weights.of[i];
+            chosen = i;
+            if (left < part) break;
         }
+        u = std::min(left / part, below_one);
+        probability *= static_cast<float>(part) / weights.sum;
+        if (group.lights[chosen] != none) return Choice{group.lights[chosen], probability};
+        at = group.children[chosen];
     }
-    if (!(probability > 0)) return std::nullopt;
-    return Choice{nodes_[at].light, probability};
+    return std::nullopt;
 }
 
-float LightTree::probability(glm::vec3 position_ws, glm::vec3 normal_ws, std::uint32_t light) const {
-    auto at = light < leaves_.size() ? leaves_[light] : none;
-    if (at == none) return 0;
-    if (nodes_[at].parent == none && !(importance(nodes_[at], position_ws, normal_ws) > 0)) return 0;
+float LightTree::probability(LightReceiver& receiver, std::uint32_t light) const {
+    auto place = light < leaves_.size() ? leaves_[light] : Place{};
+    if (place.group == none) return 0;
     float probability = 1;
-    while (nodes_[at].parent != none) {
-        const auto parent = nodes_[at].parent;
-        const auto sibling = at == parent + 1 ? nodes_[parent].right : parent + 1;
-        const float own = importance(nodes_[at], position_ws, normal_ws);
+    for (; place.group != none; place = groups_[place.group].parent) {
+        const auto& weights = this->weights(receiver, place.group);
+        const float own = weights.of[static_cast<std::size_t>(place.member)];
         if (!(own > 0)) return 0;
-        probability *= own / (own + importance(nodes_[sibling], position_ws, normal_ws));
-        at = parent;
+        probability *= own / weights.sum;
     }
     return probability;
 }
 
-std::uint32_t LightTree::after(std::uint32_t node) const {
-    for (auto at = node; nodes_[at].parent != none; at = nodes_[at].parent)
-        if (const auto right = nodes_[nodes_[at].parent].right; right != at) return right;
-    return none;
+bool LightTree::may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
+    return !empty() && meets(0, origin_ws, direction_ws);
 }
 
-bool LightTree::may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
-    // More than eight offsets of rays, as panes move them, and rounding.
-    constexpr float least = 8 * min_ray_offset_m, room = 1e-4f;
-    for (std::uint32_t at = nodes_.empty() ? none : 0; at != none;) {
-        const auto& node = nodes_[at];
-        const auto offset = node.centre - origin_ws;
-        const float reach =
-            std::sqrt(node.squared_radius) + least + room * (glm::length(offset) + glm::length(node.centre));
-        // where the ray comes closest to the centre
-        const auto closest = offset - std::max(glm::dot(offset, direction_ws), 0.0f) * direction_ws;
-        const bool is_met = glm::dot(closest, closest) <= reach * reach;
-        if (is_met && node.right == none) return true;
-        at = is_met ? at + 1 : after(at);
+bool LightTree::meets(std::uint32_t at, glm::vec3 origin_ws, glm::vec3 direction_ws) const {
+    const auto& group = groups_[at];
+    for (auto met = passes::may_meet(group, origin_ws, direction_ws); met != 0; met &= met - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(met));
+        if (group.lights[i] != none || meets(group.children[i], origin_ws, direction_ws)) return true;
     }
     return false;
 }

@@ -1,16 +1,33 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
 #include "renderers/passes/lights/light_bounds.h"
+#include "renderers/passes/lights/light_group.h"
 
 namespace ir::passes {
 
-/// Chooses among many lights by what they may send to a point: a binary tree of groups, descended with
-/// probabilities in proportion to each side's importance.  [Conty18]
+/// A point for which lights are chosen, of a plane with this unit normal (or 0), and what a light tree has
+/// found out about it: of many samples at one point the first pays for the weights of groups near the root.
+struct LightReceiver {
+    glm::vec3 position_ws, normal_ws;
+
+    LightReceiver(glm::vec3 position, glm::vec3 normal) : position_ws(position), normal_ws(normal) {}
+
+  private:
+    friend class LightTree;
+    static constexpr std::uint32_t remembered = 1 + LightGroup::capacity;
+    std::uint32_t known_ = 0;  ///< bit i: `weights_[i]` are those of the tree's group i
+    std::array<LightWeights, remembered> weights_;
+    LightWeights others_;
+};
+
+/// Chooses among many lights by what they may send to a point: a tree of groups, descended with probabilities
+/// in proportion to each one's importance.  [Conty18], with up to 16 groups in place of two
 /// Left out is only what cannot send light to the point, or, where there is a plane, not to its upper side.
 class LightTree {
   public:
@@ -22,13 +39,12 @@ class LightTree {
     /// One leaf a light, except for those of intensity 0.
     explicit LightTree(const std::vector<LightBounds>& lights);
 
-    bool empty() const { return nodes_.empty(); }
+    bool empty() const { return groups_.empty(); }
 
-    /// `u` uniform in [0, 1), with bits to spare: each level uses up some. `normal_ws` is the plane's unit
-    /// normal or 0. Nothing where no light reaches.
-    std::optional<Choice> choose(glm::vec3 position_ws, glm::vec3 normal_ws, double u) const;
+    /// `u` uniform in [0, 1), with bits to spare: each level uses up some. Nothing where no light reaches.
+    std::optional<Choice> choose(LightReceiver& receiver, double u) const;
     /// With which choose() chooses a light (by its index at construction).
-    float probability(glm::vec3 position_ws, glm::vec3 normal_ws, std::uint32_t light) const;
+    float probability(LightReceiver& receiver, std::uint32_t light) const;
 
     /// False only where a ray along a unit direction meets none of the lights, nor does one that is moved
     /// aside as far as rays are that start anew at panes.
@@ -36,25 +52,21 @@ class LightTree {
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
-    struct Node {
-        glm::vec3 centre{0};
-        float squared_radius = 0;
-        glm::vec3 axis{0};
-        float intensity = 0;
-        float cos_normals = 0, sin_normals = 0, cos_emission = 0;
-        std::uint32_t two_sided = 0;
-        std::uint32_t parent = none;
-        std::uint32_t right = none;  ///< the left child is the next node; none: a leaf
-        std::uint32_t light = none;
+    struct Place {
+        std::uint32_t group = none;
+        int member = 0;
+    };
+    struct Group : LightGroup {
+        Place parent;                                              ///< of the root: none
+        std::array<std::uint32_t, capacity> children{}, lights{};  ///< of each member one of them, else none
     };
     struct Builder;
 
-    float importance(const Node& node, glm::vec3 position_ws, glm::vec3 normal_ws) const;
-    /// The first node after a node's subtree, or none.
-    std::uint32_t after(std::uint32_t node) const;
+    const LightWeights& weights(LightReceiver& receiver, std::uint32_t group) const;
+    bool meets(std::uint32_t group, glm::vec3 origin_ws, glm::vec3 direction_ws) const;
 
-    std::vector<Node> nodes_;            ///< the root first
-    std::vector<std::uint32_t> leaves_;  ///< per light: its node or none
+    std::vector<Group> groups_;  ///< level by level from the root on
+    std::vector<Place> leaves_;  ///< per light
 };
 
 }  // namespace ir::passes

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "renderers/core/constants.h"
+#include "renderers/core/parallel_for.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/scene/builtin/random.h"
 #include "renderers/scene/scene.h"
@@ -26,17 +27,25 @@ inline Texture blank(const std::string& name, int size, bool srgb) {
     return texture;
 }
 
+/// Calls `paint` with column, row and texel of each, in many threads.
+template <class Paint>
+void fill(Texture& texture, const Paint& paint) {
+    parallel_for(0, 0, texture.height, [&](std::int64_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < texture.width; ++x)
+            paint(x, y, &texture.rgba[4 * (static_cast<std::size_t>(y) * texture.width + x)]);
+    });
+}
+
 /// `colour` gives linear RGB and alpha at texture coordinates in [0,1).
 template <class Colour>
 Texture painted(const std::string& name, int size, Colour colour) {
     Texture texture = blank(name, size, true);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const glm::vec4 c = colour((x + 0.5f) / size, (y + 0.5f) / size);
-            std::uint8_t* texel = &texture.rgba[4 * (static_cast<std::size_t>(y) * size + x)];
-            for (int k = 0; k < 3; ++k) texel[k] = byte(srgb_from_linear(c[k]));
-            texel[3] = byte(c.a);
-        }
+    fill(texture, [&](int x, int y, std::uint8_t* texel) {
+        const glm::vec4 c = colour((x + 0.5f) / size, (y + 0.5f) / size);
+        for (int k = 0; k < 3; ++k) texel[k] = byte(srgb_from_linear(c[k]));
+        texel[3] = byte(c.a);
+    });
     return texture;
 }
 
@@ -46,16 +55,14 @@ template <class Height>
 Texture normals_of(const std::string& name, int size, Height height) {
     Texture texture = blank(name, size, false);
     const float step = 1.0f / size;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const float u = (x + 0.5f) * step, v = (y + 0.5f) * step;
-            const float du = (height(u + step, v) - height(u - step, v)) / (2 * step);
-            const float dv = (height(u, v + step) - height(u, v - step)) / (2 * step);
-            const glm::vec3 n = glm::normalize(glm::vec3(-du, dv, 1));
-            std::uint8_t* texel = &texture.rgba[4 * (static_cast<std::size_t>(y) * size + x)];
-            for (int k = 0; k < 3; ++k) texel[k] = byte(0.5f * n[k] + 0.5f);
-            texel[3] = 255;
-        }
+    fill(texture, [&](int x, int y, std::uint8_t* texel) {
+        const float u = (x + 0.5f) * step, v = (y + 0.5f) * step;
+        const float du = (height(u + step, v) - height(u - step, v)) / (2 * step);
+        const float dv = (height(u, v + step) - height(u, v - step)) / (2 * step);
+        const glm::vec3 n = glm::normalize(glm::vec3(-du, dv, 1));
+        for (int k = 0; k < 3; ++k) texel[k] = byte(0.5f * n[k] + 0.5f);
+        texel[3] = 255;
+    });
     return texture;
 }
 

@@ -7,7 +7,13 @@ namespace ir::test {
 namespace {
 
 using passes::LightBounds;
+using passes::LightReceiver;
 using passes::LightTree;
+
+float probability(const LightTree& tree, glm::vec3 at, glm::vec3 normal, std::uint32_t light) {
+    LightReceiver receiver(at, normal);
+    return tree.probability(receiver, light);
+}
 
 /// Small facets and points at random in [-1, 1]³, some of them far brighter than others.
 std::vector<LightBounds> random_lights(int n, unsigned seed) {
@@ -38,20 +44,21 @@ TEST(LightTreeTest, ChoicesFollowTheirProbabilities) {
             const int n = 200000;
             int none = 0;
             for (int i = 0; i < n; ++i) {
-                const auto choice = tree.choose(at, normal, uniform.number());
+                LightReceiver receiver(at, normal);
+                const auto choice = tree.choose(receiver, uniform.number());
                 if (!choice) {
                     ++none;
                     continue;
                 }
                 ++counts[choice->light];
-                const float again = tree.probability(at, normal, choice->light);
+                const float again = probability(tree, at, normal, choice->light);
                 ASSERT_NEAR(again / choice->probability, 1, 1e-4f);
             }
             double chi2 = 0, twisted = 0, sum = 0;
             int freedom = -1;
             for (std::uint32_t i = 0; i < lights.size(); ++i) {
-                const double p = tree.probability(at, normal, i),
-                             next = tree.probability(at, normal, (i + 1) % 60);
+                const double p = probability(tree, at, normal, i),
+                             next = probability(tree, at, normal, (i + 1) % 60);
                 sum += p;
                 EXPECT_TRUE(p > 0 || counts[i] == 0);
                 if (n * p < 5) continue;
@@ -79,8 +86,8 @@ TEST(LightTreeTest, NothingThatSendsLightIsLeftOut) {
             const bool shines =
                 light.cos_normals < 0 || (light.two_sided ? std::abs(cosine) : cosine) > 1e-3f;
             const bool above = offset.y < -1e-3f;
-            ASSERT_TRUE(!shines || tree.probability(at, glm::vec3(0), l) > 0);
-            ASSERT_TRUE(!shines || !above || tree.probability(at, up, l) > 0);
+            ASSERT_TRUE(!shines || probability(tree, at, glm::vec3(0), l) > 0);
+            ASSERT_TRUE(!shines || !above || probability(tree, at, up, l) > 0);
         }
     }
 }
@@ -111,12 +118,13 @@ TEST(LightTreeTest, LightsInOnePlaceAndWithoutIntensity) {
     lights[2].intensity = 0;
     const LightTree tree(lights);
     for (const std::uint32_t i : {0u, 1u, 3u, 4u}) {
-        EXPECT_NEAR(tree.probability({0, -1, 0}, up, i), 0.25f, 1e-6f);
-        EXPECT_TRUE(std::isfinite(tree.probability({0, 0, 0}, up, i)));
+        EXPECT_NEAR(probability(tree, {0, -1, 0}, up, i), 0.25f, 1e-6f);
+        EXPECT_TRUE(std::isfinite(probability(tree, {0, 0, 0}, up, i)));
     }
-    EXPECT_EQ(tree.probability({0, -1, 0}, up, 2), 0);
+    EXPECT_EQ(probability(tree, {0, -1, 0}, up, 2), 0);
     EXPECT_TRUE(LightTree({}).empty());
-    EXPECT_FALSE(LightTree({}).choose({0, 0, 0}, up, 0.5));
+    LightReceiver receiver({0, 0, 0}, up);
+    EXPECT_FALSE(LightTree({}).choose(receiver, 0.5));
 }
 
 TEST(LightTreeTest, ManyLightsGiveTheirSumWithLittleNoise) {

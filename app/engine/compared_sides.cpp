@@ -1,4 +1,4 @@
-#include "app/cli/compare_sides.h"
+#include "app/engine/compared_sides.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +14,10 @@
 #include "renderers/image/channels.h"
 #include "renderers/image/metrics.h"
 
-namespace ir::cli {
+namespace ir::engine {
 namespace {
 
-const std::string prefix = engine::attribute_prefix, setting_prefix = prefix + "set.",
+const std::string prefix = attribute_prefix, setting_prefix = prefix + "set.",
                   camera_prefix = prefix + "camera.", lights_key = prefix + "lights";
 
 const std::string* find(const ImageAttributes& attributes, const std::string& key) {
@@ -168,12 +168,12 @@ bool counts_samples(const ImageLayer& layer) {
 
 }  // namespace
 
-Side load_side(const std::string& file, const std::string& layer) {
+Side side_of(const std::string& name, Image image, std::vector<ImageLayer> layers, ImageAttributes attributes,
+             const std::string& layer) {
     Side side;
-    side.file = file;
-    side.image = read_image(file, layer);
-    if (!is_exr(file)) return side;
-    auto layers = read_exr(file, &side.attributes);
+    side.file = name;
+    side.image = std::move(image);
+    side.attributes = std::move(attributes);
     const auto* variance = layer.empty() ? find(side.attributes, prefix + "variance") : nullptr;
     for (auto& candidate : layers) {
         if (candidate.name == layer) side.semantic = ir::semantic_of(candidate);
@@ -188,6 +188,14 @@ Side load_side(const std::string& file, const std::string& layer) {
     if (const auto* text = find(side.attributes, prefix + "samples"); variance && text)
         if (const auto told = numbers(*text); !told.empty()) side.samples = told.front();
     return side;
+}
+
+Side load_side(const std::string& file, const std::string& layer) {
+    auto image = read_image(file, layer);
+    ImageAttributes attributes;
+    std::vector<ImageLayer> layers;
+    if (is_exr(file)) layers = read_exr(file, &attributes);
+    return side_of(file, std::move(image), std::move(layers), std::move(attributes), layer);
 }
 
 Image load_mask(const std::string& text) {
@@ -228,4 +236,4 @@ std::vector<Mismatch> mismatches(const Side& image, const Side& reference) {
     return result;
 }
 
-}  // namespace ir::cli
+}  // namespace ir::engine

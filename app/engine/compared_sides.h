@@ -8,8 +8,8 @@
 #include "renderers/image/exr.h"
 #include "renderers/image/image.h"
 
-/// What `compare` reads, and whether it may be compared.
-namespace ir::cli {
+/// Two pictures that are compared, and whether they may be.
+namespace ir::engine {
 
 /// One of the two pictures, with what its file says of it.
 struct Side {
@@ -31,8 +31,16 @@ struct Side {
 /// InputError.
 Side load_side(const std::string& file, const std::string& layer);
 
+/// The same of the picture `image`, which is the layer of that name of `layers`. `name` is for people.
+Side side_of(const std::string& name, Image image, std::vector<ImageLayer> layers, ImageAttributes attributes,
+             const std::string& layer = {});
+
 /// "FILE" or "FILE:LAYER": 1 where any channel is above 0.5. Throws InputError.
 Image load_mask(const std::string& text);
+
+/// The same of layers that a file has, or would have. `layer` is one of them.
+Side side_of(std::string file, std::vector<ImageLayer> layers, ImageAttributes attributes,
+             const std::string& layer = {});
 
 /// In what two pictures are not alike that should be.
 struct Mismatch {
@@ -47,4 +55,4 @@ Semantic semantic_of(const Side& image, const Side& reference);
 /// By the attributes that both files have, and by the look of the pictures.
 std::vector<Mismatch> mismatches(const Side& image, const Side& reference);
 
-}  // namespace ir::cli
+}  // namespace ir::engine
