@@ -35,7 +35,7 @@ struct WrittenDifference {
 void require_writable(const DifferenceRequest& request);
 
 /// Throws UsageError and Error.
-WrittenDifference write_difference(const Side& image, const Side& reference,
+WrittenDifference write_difference(const engine::Side& image, const engine::Side& reference,
                                    const DifferenceRequest& request);
 
 }  // namespace ir::cli

@@ -236,4 +236,20 @@ std::vector<Mismatch> mismatches(const Side& image, const Side& reference) {
     return result;
 }
 
+MetricOptions metric_options(const Side& image, const Side& reference) {
+    MetricOptions options;
+    options.semantic = semantic_of(image, reference);
+    options.valid_image = image.mask();
+    options.valid_reference = reference.mask();
+    return options;
+}
+
+std::vector<std::string> metrics_that_apply(const Side& image, const Side& reference) {
+    auto names = metric_names();
+    const int channels = value_channels(semantic_of(image, reference), image.image.channels);
+    if (channels != 1 && channels != 3)
+        std::erase_if(names, [](const auto& name) { return name == "flip" || name == "hdr-flip"; });
+    return names;
+}
+
 }  // namespace ir::engine

@@ -7,6 +7,7 @@
 #include "renderers/core/output.h"
 #include "renderers/image/exr.h"
 #include "renderers/image/image.h"
+#include "renderers/image/metrics.h"
 
 /// Two pictures that are compared, and whether they may be.
 namespace ir::engine {
@@ -51,6 +52,14 @@ const std::vector<std::string>& mismatch_kinds();
 
 /// Of both sides: four values in either are four in both.
 Semantic semantic_of(const Side& image, const Side& reference);
+
+/// By the attributes that both files have, and by the look of the pictures.
+std::vector<Mismatch> mismatches(const Side& image, const Side& reference);
+
+/// What metrics of the two look at; it must not outlive them.
+MetricOptions metric_options(const Side& image, const Side& reference);
+/// All that apply: ꟻLIP needs colours or greys.
+std::vector<std::string> metrics_that_apply(const Side& image, const Side& reference);
 
 /// By the attributes that both files have, and by the look of the pictures.
 std::vector<Mismatch> mismatches(const Side& image, const Side& reference);
