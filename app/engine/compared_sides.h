@@ -39,10 +39,6 @@ Side side_of(const std::string& name, Image image, std::vector<ImageLayer> layer
 /// "FILE" or "FILE:LAYER": 1 where any channel is above 0.5. Throws InputError.
 Image load_mask(const std::string& text);
 
-/// The same of layers that a file has, or would have. `layer` is one of them.
-Side side_of(std::string file, std::vector<ImageLayer> layers, ImageAttributes attributes,
-             const std::string& layer = {});
-
 /// In what two pictures are not alike that should be.
 struct Mismatch {
     std::string what;  ///< one of mismatch_kinds()
@@ -52,9 +48,6 @@ const std::vector<std::string>& mismatch_kinds();
 
 /// Of both sides: four values in either are four in both.
 Semantic semantic_of(const Side& image, const Side& reference);
-
-/// By the attributes that both files have, and by the look of the pictures.
-std::vector<Mismatch> mismatches(const Side& image, const Side& reference);
 
 /// What metrics of the two look at; it must not outlive them.
 MetricOptions metric_options(const Side& image, const Side& reference);
