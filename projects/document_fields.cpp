@@ -139,12 +139,13 @@ const Fields<LightSpec>& light_fields() {
 }
 
 const FieldText& quantity_text(LightSpec::Quantity quantity) {
-    const auto text = [](const char* key, const char* label, const char* unit) {
-        return FieldText{key, label, unit, "Per colour channel, times the colour", {0}};
+    const auto text = [](const char* key, const char* label, const char* unit, const char* more = "") {
+        return FieldText{key, label, unit, std::string("Per colour channel, times the colour") + more, {0}};
     };
-    static const std::array texts{text("intensity", "Intensity", "W/sr"), text("flux", "Flux", "W"),
-                                  text("irradiance", "Irradiance", "W/m²"),
-                                  text("radiance", "Radiance", "W/(m² sr)")};
+    static const std::array texts{
+        text("intensity", "Intensity", "W/sr"),
+        text("flux", "Flux", "W", ": all that leaves the light; it stays when cone or size change"),
+        text("irradiance", "Irradiance", "W/m²"), text("radiance", "Radiance", "W/(m² sr)")};
     return texts.at(static_cast<std::size_t>(quantity));
 }
 

@@ -11,6 +11,7 @@
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
+#include "renderers/core/spot_cone.h"
 #include "renderers/core/value.h"
 
 namespace ir::projects {
@@ -160,16 +161,32 @@ bool looks(Type type) {
 std::vector<Quantity> allowed_quantities(Type type) {
     switch (type) {
         case Type::point:
-            return {Quantity::intensity, Quantity::flux};
         case Type::spot:
-            return {Quantity::intensity};
+            return {Quantity::intensity, Quantity::flux};
         case Type::directional:
             return {Quantity::irradiance};
         case Type::rect:
         case Type::disk:
-            return {Quantity::radiance};
+            return {Quantity::radiance, Quantity::flux};
     }
     return {};
+}
+
+double flux_per_unit(const LightSpec& light) {
+    constexpr double pi = std::numbers::pi;
+    switch (light.type) {
+        case Type::point:
+            return 4 * pi;
+        case Type::spot:
+            return spot_solid_angle(glm::radians(light.inner), glm::radians(light.outer));
+        case Type::rect:
+            return pi * light.size.x * light.size.y;
+        case Type::disk:
+            return pi * (pi / 4 * light.size.x * light.size.y);
+        case Type::directional:
+            break;
+    }
+    throw std::logic_error("a light without an end has no flux");
 }
 
 glm::dvec3 LightSpec::travel() const {
@@ -178,7 +195,7 @@ glm::dvec3 LightSpec::travel() const {
 }
 
 double LightSpec::intensity() const {
-    return quantity == Quantity::flux ? amount / (4 * std::numbers::pi) : amount;
+    return quantity == Quantity::flux ? amount / flux_per_unit(*this) : amount;
 }
 
 void validate(const LightSpec& light) {

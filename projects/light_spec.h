@@ -29,7 +29,7 @@ struct LightSpec {
 
     /// Unit direction of travel; (0, -1, 0) for a point light.
     glm::dvec3 travel() const;
-    /// `amount` in the unit of scene::Light::intensity: a point light's flux Φ becomes I = Φ / (4π).
+    /// `amount` in the unit of scene::Light::intensity: a flux is divided by flux_per_unit().
     double intensity() const;
 };
 
@@ -52,6 +52,10 @@ bool looks(LightSpec::Type type);
 
 /// The quantities that a type of light may be given in; the first is its own.
 std::vector<LightSpec::Quantity> allowed_quantities(LightSpec::Type type);
+
+/// W that a light sends out per unit of its own quantity: sr for intensities, m² sr for radiances. Not for
+/// directional lights.
+double flux_per_unit(const LightSpec& light);
 
 /// "x,y,z" and "x,y"; `what` is the option or field for the message ("--eye"). Throws UsageError.
 glm::dvec3 parse_vec3(std::string_view text, const std::string& what);

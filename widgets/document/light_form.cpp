@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <numbers>
 
 #include "widgets/document/fields.h"
 #include "widgets/document/project_nodes.h"
@@ -18,6 +17,8 @@ using Type = LightSpec::Type;
 using Quantity = LightSpec::Quantity;
 
 constexpr Type types[] = {Type::point, Type::spot, Type::directional, Type::rect, Type::disk};
+constexpr Quantity quantities[] = {Quantity::intensity, Quantity::flux, Quantity::irradiance,
+                                   Quantity::radiance};
 
 QString quantity_name(Quantity quantity) {
     const auto& text = projects::quantity_text(quantity);
@@ -31,7 +32,7 @@ LightSpec with_type(const LightSpec& light, Type type) {
     changed.type = type;
     const auto allowed = projects::allowed_quantities(type);
     if (std::find(allowed.begin(), allowed.end(), light.quantity) == allowed.end()) {
-        if (light.quantity == Quantity::flux) changed = with_quantity(changed, Quantity::intensity);
+        changed.amount = light.intensity();
         changed.quantity = allowed.front();
     }
     if (type == Type::point) changed.target = changed.direction = std::nullopt;
@@ -46,11 +47,9 @@ LightSpec with_type(const LightSpec& light, Type type) {
 LightSpec with_quantity(const LightSpec& light, Quantity quantity) {
     LightSpec changed = light;
     changed.quantity = quantity;
-    // Φ = 4π I
-    if (light.quantity == Quantity::intensity && quantity == Quantity::flux)
-        changed.amount = light.amount * 4 * std::numbers::pi;
-    if (light.quantity == Quantity::flux && quantity == Quantity::intensity)
-        changed.amount = light.amount / (4 * std::numbers::pi);
+    if (quantity == light.quantity) return changed;
+    changed.amount = light.intensity();
+    if (quantity == Quantity::flux) changed.amount *= projects::flux_per_unit(light);
     return changed;
 }
 
@@ -84,9 +83,10 @@ QWidget* LightForm::add(const QString& label, QWidget* control, const QString& t
 void LightForm::make_strength_rows() {
     quantity_ = new ChoiceField("light-quantity", this);
     add(tr("Given as"), quantity_,
-        tr("Choosing another quantity converts the number; the light stays as bright"));
+        tr("Choosing another quantity converts the number; the light stays as bright. What is chosen "
+           "stays when cone or size change"));
     connect(quantity_, &ChoiceField::chosen, this, [this](const QString& id) {
-        for (const auto quantity : {Quantity::intensity, Quantity::flux})
+        for (const auto quantity : quantities)
             if (id == q(to_string(quantity)))
                 emit change_wanted(
                     tr("quantity"), [quantity](LightSpec& light) { light = with_quantity(light, quantity); },
@@ -174,14 +174,14 @@ void LightForm::set_usable(const QString& why_not) {
 }
 
 void LightForm::show_light(const LightSpec& light) {
-    std::vector<Option> kinds, quantities;
+    std::vector<Option> kinds, strengths;
     for (const Type type : types)
         kinds.push_back({QString::fromStdString(to_string(type)), light_name(type), {}});
     type_->show_options(kinds, QString::fromStdString(to_string(light.type)));
     const auto allowed = projects::allowed_quantities(light.type);
     for (const auto quantity : allowed)
-        quantities.push_back({QString::fromStdString(to_string(quantity)), quantity_name(quantity), {}});
-    quantity_->show_options(quantities, QString::fromStdString(to_string(light.quantity)));
+        strengths.push_back({QString::fromStdString(to_string(quantity)), quantity_name(quantity), {}});
+    quantity_->show_options(strengths, QString::fromStdString(to_string(light.quantity)));
     amount_->setSuffix(QLatin1Char(' ') + q(projects::quantity_text(light.quantity).unit));
     amount_->show_value(light.amount);
     colour_->show_values(numbers(light.color));

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "renderers/core/spot_cone.h"
+
 namespace ir::passes {
 
 float spot_profile(float cosine, float cos_inner, float cos_outer) {
@@ -39,11 +41,8 @@ std::optional<PunctualArrival> punctual_arrival(const scene::Light& light, glm::
 }
 
 float punctual_solid_angle(const scene::Light& light) {
-    constexpr float sphere = 4 * std::numbers::pi_v<float>;
-    if (light.type != scene::LightType::spot) return sphere;
-    const float inner = std::cos(light.inner_angle), outer = std::cos(light.outer_angle);
-    // 2π (∫ from inner to 1 of 1 + ∫ from outer to inner of ((c - outer) / (inner - outer))²) dc
-    return 0.5f * sphere * (1 - inner + std::max(inner - outer, 0.0f) / 3);
+    if (light.type != scene::LightType::spot) return 4 * std::numbers::pi_v<float>;
+    return static_cast<float>(spot_solid_angle(light.inner_angle, light.outer_angle));
 }
 
 }  // namespace ir::passes

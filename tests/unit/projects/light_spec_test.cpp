@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <set>
 #include <sstream>
@@ -37,6 +38,29 @@ TEST(LightSpec, ParsesEveryType) {
     EXPECT_EQ(rect.size, glm::dvec2(1, 2));
     EXPECT_EQ(parse_light("disk:position=0,3,0;target=0,0,0;size=1,1;radiance=5").type,
               LightSpec::Type::disk);
+}
+
+TEST(LightSpec, FluxIsAllThatLeavesTheLight) {
+    const double pi = std::numbers::pi, inner = std::cos(pi / 9), outer = std::cos(pi / 6);
+    const std::pair<const char*, double> lights[] = {
+        {"point:position=0,2,0;flux=40", 4 * pi},
+        {"spot:position=0,2,0;target=0,0,0;outer=30;inner=20;flux=40",
+         2 * pi * (1 - inner + (inner - outer) / 3)},
+        {"spot:position=0,2,0;target=0,0,0;outer=90;inner=90;flux=40", 2 * pi},
+        {"rect:position=0,2,0;target=0,0,0;size=0.5,0.2;flux=40", pi * 0.1},
+        {"disk:position=0,2,0;target=0,0,0;size=0.5,0.2;flux=40", pi * pi * 0.025}};
+    for (const auto& [spec, per_unit] : lights) {
+        const auto light = parse_light(spec);
+        EXPECT_NEAR(light.intensity(), 40 / per_unit, 1e-9 / per_unit) << spec;
+        EXPECT_EQ(to_string(light), spec);
+    }
+    auto narrow = parse_light("spot:position=0,2,0;target=0,0,0;outer=1e-6;flux=40");
+    EXPECT_NEAR(narrow.intensity() * pi * std::pow(glm::radians(1e-6), 2) / 3, 40, 1e-4);
+    narrow.outer *= 2;
+    EXPECT_EQ(narrow.amount, 40) << "what is given stays";
+    EXPECT_NEAR(narrow.intensity() * pi * std::pow(glm::radians(2e-6), 2) / 3, 40, 1e-4);
+    EXPECT_NE(spec_refusal("directional:direction=0,-1,0;flux=3").find("unknown field 'flux'"),
+              std::string::npos);
 }
 
 TEST(LightSpec, PrintsWhatItParses) {

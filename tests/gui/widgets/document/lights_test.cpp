@@ -132,7 +132,31 @@ TEST(LightForm, AnotherQuantityIsTheSameLight) {
     const LightSpec flux = with_quantity(light, LightSpec::Quantity::flux);
     EXPECT_NEAR(flux.amount, 12 * std::numbers::pi, 1e-12);
     EXPECT_NEAR(flux.intensity(), light.intensity(), 1e-12);
-    EXPECT_NEAR(with_type(flux, LightSpec::Type::spot).intensity(), 3, 1e-12);
+    for (const auto type : {LightSpec::Type::spot, LightSpec::Type::rect, LightSpec::Type::disk}) {
+        const auto other = with_type(flux, type);
+        EXPECT_EQ(other.quantity, LightSpec::Quantity::flux);
+        EXPECT_EQ(other.amount, flux.amount) << "as much light leaves it";
+        const auto own = with_quantity(other, projects::allowed_quantities(type).front());
+        EXPECT_NEAR(own.amount, other.intensity(), 1e-12);
+        EXPECT_NEAR(with_quantity(own, LightSpec::Quantity::flux).amount, flux.amount, 1e-12);
+    }
+    EXPECT_NEAR(with_type(flux, LightSpec::Type::directional).amount, 3, 1e-12) << "a sun has no flux";
+}
+
+TEST_F(LightsTest, ALampByFluxKeepsItWhenItsSizeChanges) {
+    add("rect");
+    choose("light-quantity", "flux");
+    const double flux = set().lights.back().amount;
+    EXPECT_NEAR(flux,
+                std::numbers::pi * set().lights.back().intensity() * set().lights.back().size.x *
+                    set().lights.back().size.y,
+                1e-9);
+    type_number("light-size.w", "4");
+    EXPECT_EQ(set().lights.back().size.x, 4);
+    EXPECT_EQ(set().lights.back().amount, flux);
+    choose("light-quantity", "radiance");
+    EXPECT_NEAR(set().lights.back().amount * std::numbers::pi * 4 * set().lights.back().size.y, flux, 1e-9);
+    EXPECT_TRUE(message.isEmpty()) << message.toStdString();
 }
 
 TEST_F(LightsTest, TheScenesLightsShineBesideTheSets) {
