@@ -177,11 +177,8 @@ std::string sweep_plan(const std::vector<SweepRow>& rows) {
 
 std::string table_json(const SweepTable& table) {
     Json json{{"schema_version", 1},  // projects/schemas/sweep.schema.json
-              {"sweep", table.sweep},
-              {"experiment", table.experiment},
-              {"plan", table.plan},
-              {"shard", table.shard.index},
-              {"shards", table.shard.count}};
+              {"sweep", table.sweep},       {"experiment", table.experiment}, {"plan", table.plan},
+              {"shard", table.shard.index}, {"shards", table.shard.count}};
     json["points"] = Json::array();
     for (const auto& row : table.rows) json["points"].push_back(row_json(row));
     return json.dump(2) + "\n";
