@@ -56,11 +56,20 @@ void add_transport(const ImageAttributes& a, const ImageAttributes& b, std::vect
     }
 }
 
+/// What a file says of a layer that has other light than the picture; null: nothing.
+const std::string* lights_of_layer(const Side& side) {
+    return side.layer.empty() ? nullptr : find(side.attributes, lights_key + "." + side.layer);
+}
+
 /// One for each source whose light is in one picture alone, where both files say what is in them.
 void add_lights(const Side& image, const Side& reference, std::vector<Mismatch>& result) {
     const auto *left = find(image.attributes, lights_key), *right = find(reference.attributes, lights_key);
+    auto parts = parts_in_both(transport_of(image.attributes), transport_of(reference.attributes));
+    if (const auto* lit_a = lights_of_layer(image), *lit_b = lights_of_layer(reference); lit_a && lit_b) {
+        left = lit_a, right = lit_b;
+        parts = {LightPart::direct};
+    }
     if (!left || !right) return;
-    const auto parts = parts_in_both(transport_of(image.attributes), transport_of(reference.attributes));
     for (const auto& text : light_differences(used_lights_from_json(*left), used_lights_from_json(*right),
                                               parts, image.file, reference.file))
         result.push_back({"sources", text});
@@ -99,9 +108,9 @@ void add_camera(const ImageAttributes& a, const ImageAttributes& b, std::vector<
 }
 
 /// Ambient occlusion is the same under any light.
-bool depends_on_light(const ImageAttributes& attributes) {
-    const auto* paths = find(attributes, setting_prefix + "paths");
-    return paths && *paths != "ao";
+bool depends_on_light(const Side& side) {
+    const auto* paths = find(side.attributes, setting_prefix + "paths");
+    return lights_of_layer(side) || (paths && *paths != "ao");
 }
 
 /// When the last frame saw its scene. The first builds told that of the first frame alone.
@@ -137,7 +146,8 @@ void add_moment(const ImageAttributes& a, const ImageAttributes& b, std::vector<
              (sides_that_say("true") > 0 ? "" : ", and the files do not both say that nothing moves")});
 }
 
-void add_scene(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
+void add_scene(const Side& image, const Side& reference, std::vector<Mismatch>& result) {
+    const auto &a = image.attributes, &b = reference.attributes;
     const auto name = [](const ImageAttributes& attributes) {
         const auto* text = find(attributes, prefix + "scene");
         return text ? *text : std::string("unnamed");
@@ -147,7 +157,8 @@ void add_scene(const ImageAttributes& a, const ImageAttributes& b, std::vector<M
         result.push_back({"scene", name(a) == name(b) ? name(a) + " has other content"
                                                       : "it is " + name(a) + " and " + name(b)});
     const auto *lit = find(a, prefix + "lighting"), *otherwise_lit = find(b, prefix + "lighting");
-    if (lit && otherwise_lit && *lit != *otherwise_lit && depends_on_light(a) && depends_on_light(b))
+    if (lit && otherwise_lit && *lit != *otherwise_lit && depends_on_light(image) &&
+        depends_on_light(reference))
         result.push_back({"lighting", "lights or environment differ"});
     add_moment(a, b, result);
 }
@@ -172,6 +183,7 @@ Side side_of(const std::string& name, Image image, std::vector<ImageLayer> layer
              const std::string& layer) {
     Side side;
     side.file = name;
+    side.layer = layer;
     side.image = std::move(image);
     side.attributes = std::move(attributes);
     const auto* variance = layer.empty() ? find(side.attributes, prefix + "variance") : nullptr;
@@ -228,7 +240,7 @@ std::vector<Mismatch> mismatches(const Side& image, const Side& reference) {
     std::vector<Mismatch> result;
     add_transport(image.attributes, reference.attributes, result);
     add_lights(image, reference, result);
-    add_scene(image.attributes, reference.attributes, result);
+    add_scene(image, reference, result);
     add_camera(image.attributes, reference.attributes, result);
     if (const auto look = comparability(image.image, reference.image, semantic_of(image, reference));
         look.misfit == Misfit::orientation)

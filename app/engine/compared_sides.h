@@ -14,7 +14,7 @@ namespace ir::engine {
 
 /// One of the two pictures, with what its file says of it.
 struct Side {
-    std::string file;
+    std::string file, layer;  ///< layer: empty: the main one
     Image image;
     Semantic semantic = Semantic::radiance;  ///< as far as it says which channels are values
     Image valid;                             ///< empty: every pixel is

@@ -209,10 +209,26 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64
     return report;
 }
 
-std::vector<UsedLight> used_lights(const Execution& execution) {
+namespace {
+
+std::vector<LightSource> sources_of(const Execution& execution) {
     const auto& scene = execution.scene();
-    return used_lights(scene::light_sources(scene, execution.world().lights, scene.environment),
-                       light_use(execution.method(), execution.settings()));
+    return scene::light_sources(scene, execution.world().lights, scene.environment);
+}
+
+}  // namespace
+
+std::vector<UsedLight> used_lights(const Execution& execution) {
+    return used_lights(sources_of(execution), light_use(execution.method(), execution.settings()));
+}
+
+std::vector<UsedLight> lights_of_lit(const Execution& execution) {
+    const auto& outputs = execution.method().outputs;
+    const bool has_lit = std::ranges::any_of(outputs, [&](const OutputDescription& output) {
+        return output.key == lit_output_key && holds(output.active_when, execution.settings());
+    });
+    if (!has_lit) return {};
+    return used_lights(sources_of(execution), light_use_of_lit(execution.method(), execution.settings()));
 }
 
 bool Execution::explain(const graph::FrameOptions& options) {

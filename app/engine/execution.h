@@ -173,6 +173,8 @@ class Execution {
 
 /// What emits in its scene, with what the method's picture has of each.
 std::vector<UsedLight> used_lights(const Execution& execution);
+/// Of the output "lit"; nothing where there is none.
+std::vector<UsedLight> lights_of_lit(const Execution& execution);
 
 /// Of everything that a state of the experiment depends on, given the content hash of its scene.
 std::string state_fingerprint(const Experiment& experiment, const std::string& scene_hash);

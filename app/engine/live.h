@@ -174,7 +174,7 @@ struct SceneSummary {
     };
     std::vector<NodeRow> nodes;
     std::size_t triangles = 0, textures = 0;
-    bool is_lit = false;  ///< has lights, something that emits, or an environment that is not black
+    std::vector<LightSource> sources;  ///< all that emits
     scene::Bounds bounds;
     std::vector<scene::Camera> camera_values;
 };

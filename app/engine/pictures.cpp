@@ -140,6 +140,8 @@ ImageAttributes attributes(const Execution& execution) {
     result[attribute_prefix + "lighting"] =
         lighting_digest(execution.world().lights, execution.scene().environment);
     result[attribute_prefix + "lights"] = to_json(used_lights(execution));
+    if (const auto lit = lights_of_lit(execution); !lit.empty())
+        result[attribute_prefix + "lights." + lit_output_key] = to_json(lit);
     if (const auto& environment = experiment.environment)
         result[attribute_prefix + "environment"] = environment->map ? "map" : vector(environment->constant);
     result[attribute_prefix + "seed"] = std::to_string(experiment.seed);

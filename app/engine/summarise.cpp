@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include "app/engine/live_session.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::engine {
 
@@ -14,10 +13,7 @@ SceneSummary summarise(const scene::Scene& scene) {
     for (const auto& light : scene.lights) summary.lights.push_back(light.name);
     for (const auto& material : scene.materials) summary.materials.push_back(material.name);
     for (const auto& warning : scene.warnings) summary.warnings.push_back(warning.text);
-    summary.is_lit = !scene.lights.empty() || scene.environment.map ||
-                     scene.environment.constant != glm::vec3(0) ||
-                     std::any_of(scene.materials.begin(), scene.materials.end(),
-                                 [](const auto& material) { return material.emission != glm::vec3(0); });
+    summary.sources = scene::light_sources(scene, scene.lights, scene.environment);
     for (const auto& node : scene.nodes) {
         SceneSummary::NodeRow row{node.name, node.parent, 0};
         for (const int mesh : node.meshes) row.triangles += scene.meshes[mesh].indices.size() / 3;

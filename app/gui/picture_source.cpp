@@ -8,6 +8,7 @@
 #include "projects/document.h"
 #include "projects/samples.h"
 #include "projects/scene_files.h"
+#include "renderers/core/light_use.h"
 #include "renderers/core/transport.h"
 #include "renderers/image/channels.h"
 #include "widgets/views/view_header.h"
@@ -20,6 +21,10 @@ using gui::text_of;
 using widgets::OutputOption;
 using widgets::Picture;
 using widgets::ViewSource;
+
+bool shine_alike(const projects::LightSet& a, const projects::LightSet& b) {
+    return a.use_scene_lights == b.use_scene_lights && a.lights == b.lights && a.environment == b.environment;
+}
 
 OutputOption option_of(const ResourceReport& resource) {
     OutputOption option;
@@ -391,9 +396,10 @@ std::optional<QStringList> PictureSource::different_settings(const std::string& 
     if (!method_a || !method_b) return {};
     const auto values_a = projects::runnable_settings(*first, *method_a);
     const auto values_b = projects::runnable_settings(*second, *method_b);
-    QStringList different;
+    QStringList different = different_sources(*first, *second, parts_in_both(values_a, values_b));
+    const bool tells_sources = !different.isEmpty();
     for (const auto& [key, value] : values_a) {
-        if (!is_transport_key(key)) continue;
+        if (!is_transport_key(key) || (tells_sources && chooses_sources(key))) continue;
         const auto other = values_b.find(key);
         if (other != values_b.end() && other->second != value)
             different << QStringLiteral("%1 %2 / %3")
@@ -401,6 +407,26 @@ std::optional<QStringList> PictureSource::different_settings(const std::string& 
     }
     if (first->scene != second->scene) different << QObject::tr("scene");
     return different;
+}
+
+/// Light that only one of two pictures has, as far as they have told, and sets of lights that differ.
+QStringList PictureSource::different_sources(const projects::Experiment& a, const projects::Experiment& b,
+                                             const std::vector<LightPart>& parts) const {
+    if (parts.empty()) return {};  // occlusion is the same under any light
+    QStringList different;
+    const auto told_a = live_.result(a.id), told_b = live_.result(b.id);
+    if (told_a && told_b)
+        for (const auto& each :
+             light_differences(told_a->report.lights, told_b->report.lights, parts, "A", "B"))
+            different << text_of(each);
+    const auto& sets = session_.document().lights;
+    const auto* set_a = projects::find_item(sets, a.lights);
+    const auto* set_b = projects::find_item(sets, b.lights);
+    if (set_a == set_b || (set_a && set_b && shine_alike(*set_a, *set_b))) return different;
+    const auto name = [](const projects::LightSet* set) {
+        return set ? text_of(set->name.empty() ? set->id : set->name) : QObject::tr("the scene's");
+    };
+    return different << QObject::tr("lights: %1 / %2").arg(name(set_a), name(set_b));
 }
 
 QString PictureSource::why_unfinished(const std::string& owner) const {

@@ -79,6 +79,8 @@ class PictureSource {
     const projects::ForeignImage* foreign(const std::string& owner) const;
     /// Of two experiments: in what settings, as far as both have them; absent where one is not known.
     std::optional<QStringList> different_settings(const std::string& a, const std::string& b) const;
+    QStringList different_sources(const projects::Experiment& a, const projects::Experiment& b,
+                                  const std::vector<LightPart>& parts) const;
     /// "time 0 s / 0.5 s" where something moves and two owners show it at different moments; else empty.
     QString time_mismatch(const std::string& a, const std::string& b) const;
 

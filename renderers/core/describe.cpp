@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "renderers/core/light_use.h"
 #include "renderers/core/transport.h"
 
 namespace ir {
@@ -137,8 +138,12 @@ std::string missing_light_text(const MethodDescription& method) {
     for (const auto& missing : method.missing_light)
         text += "- " + texts_of(missing.kinds) + ": " + texts_of(missing.parts) + "." +
                 condition_text(missing.active_when) + "\n";
-    return text.empty() ? text
-                        : "Missing light, which *Match* leaves out of the reference, too:\n\n" + text + "\n";
+    if (text.empty()) return text;
+    const auto* paths = find(method.parameters, "paths");
+    const bool only_lit = paths && paths->supported == std::vector<std::string>{"ao"};
+    return (only_lit ? "Missing light of the output “" + std::string(lit_output_key) + "”:"
+                     : "Missing light, which *Match* leaves out of the reference, too:") +
+           "\n\n" + text + "\n";
 }
 
 std::string coarse_text(const ParameterDescription& p) {

@@ -67,6 +67,21 @@ std::optional<Enum> named(const Json& json, const std::array<const char*, count>
     return std::nullopt;
 }
 
+LightUse use_of(const MethodDescription& method, const Settings& settings,
+                const std::vector<LightPart>& parts) {
+    LightUse use;
+    for (const auto part : parts)
+        for (const auto kind : all_kinds) use.set(part, kind, is_wanted(part, kind, settings));
+    for (const auto& missing : method.missing_light) {
+        if (!std::ranges::all_of(missing.active_when,
+                                 [&](const Condition& each) { return holds(each, settings); }))
+            continue;
+        for (const auto part : missing.parts)
+            for (const auto kind : missing.kinds) use.set(part, kind, false);
+    }
+    return use;
+}
+
 }  // namespace
 
 std::string to_string(LightKind kind) {
@@ -110,17 +125,11 @@ std::vector<LightPart> parts_in_both(const Settings& a, const Settings& b) {
 }
 
 LightUse light_use(const MethodDescription& method, const Settings& settings) {
-    LightUse use;
-    for (const auto part : light_parts_of(choice(settings, "paths")))
-        for (const auto kind : all_kinds) use.set(part, kind, is_wanted(part, kind, settings));
-    for (const auto& missing : method.missing_light) {
-        if (!std::ranges::all_of(missing.active_when,
-                                 [&](const Condition& each) { return holds(each, settings); }))
-            continue;
-        for (const auto part : missing.parts)
-            for (const auto kind : missing.kinds) use.set(part, kind, false);
-    }
-    return use;
+    return use_of(method, settings, light_parts_of(choice(settings, "paths")));
+}
+
+LightUse light_use_of_lit(const MethodDescription& method, const Settings& settings) {
+    return use_of(method, settings, {LightPart::direct});
 }
 
 Settings with_light_use(const MethodDescription& reference, Settings settings, const LightUse& wanted) {

@@ -28,6 +28,11 @@ class LightUse {
 /// Nothing for ambient occlusion and for methods without paths.
 LightUse light_use(const MethodDescription& method, const Settings& settings);
 
+/// The output of methods of ambient occlusion that has direct light.
+inline constexpr const char* lit_output_key = "lit";
+/// Which light is in it under these complete settings, less what the description says to be missing.
+LightUse light_use_of_lit(const MethodDescription& method, const Settings& settings);
+
 /// Complete settings of the reference with the choice of sources that differs from `wanted` in the fewest
 /// kinds; of equally good ones the first, so that what does not count has its default.
 Settings with_light_use(const MethodDescription& reference, Settings settings, const LightUse& wanted);

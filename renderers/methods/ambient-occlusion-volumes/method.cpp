@@ -26,6 +26,7 @@ MethodDescription description() {
         "occludes counts as a whole.";
     d.papers = {"McGuire10", "Nalbach15"};
     d.background = 1;
+    d.missing_light = passes::missing_in_lit();
     d.outputs = joined({{accessibility_output(), passes::lit_output(), passes::valid_output()},
                         additive_outputs(),
                         bounced_outputs(),

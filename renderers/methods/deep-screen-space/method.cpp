@@ -64,7 +64,8 @@ MethodDescription description() {
     d.missing_light = {passes::without_light_samples(),
                        {{LightPart::indirect},
                         {LightKind::lamp, LightKind::surface, LightKind::environment},
-                        {{"sender_samples", {std::int64_t{0}}}}}};
+                        {{"sender_samples", {std::int64_t{0}}}}},
+                       {{LightPart::direct}, {LightKind::environment}, {only_ao}}};  // of "lit"
     d.outputs = outputs();
     d.selectors = {surfel_selector()};
     d.stages = {{"bounce.incoming", 0, "What the first sample met", with_visibility},

@@ -21,6 +21,7 @@ MethodDescription description() {
         "Without a maximum distance the march ends at the picture's edge, and all that it finds closes.";
     d.papers = {"Bavoil08", "Aalund15"};
     d.background = 1;
+    d.missing_light = passes::missing_in_lit();
     d.selectors = {direction_selector()};
     d.outputs = joined({{accessibility_output("; with the published weighting openness by solid angle."),
                          passes::lit_output(), passes::valid_output()},

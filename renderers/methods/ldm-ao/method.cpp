@@ -21,6 +21,7 @@ MethodDescription description() {
         "directions and from the maps' texels.";
     d.papers = {"Aalund15", "Leopardi06", "Lefebvre14"};
     d.background = 1;
+    d.missing_light = passes::missing_in_lit({{"ambient_source", {std::string("constant")}}});
     d.selectors = {passes::ldm::map_selector_description()};
     d.outputs = joined(
         {{accessibility_output(),

@@ -16,8 +16,8 @@ const Categories roles{"role",
 const std::string sent =
     "sent: W/(m² sr), RGB, what the sample adds to the pixel's indirect light before the blur.";
 const std::string sky =
-    " sky: likewise of the environment's light; with the density estimator by a step of another length along "
-    "the same direction.";
+    " sky: likewise of the environment's light, with environment_by=occlusion; with the density estimator by "
+    "a step of another length along the same direction.";
 
 /// Constants of explain.comp.
 struct Explain {

@@ -58,19 +58,22 @@ Lit add_sky(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const 
 }
 
 std::vector<OutputDescription> light_outputs() {
-    const auto radiance = [](std::string key, std::string label, std::string doc) {
+    const auto radiance = [](std::string key, std::string label, std::string doc,
+                             const Condition& active_when = {}) {
         return OutputDescription{.key = std::move(key),
                                  .label = std::move(label),
                                  .semantic = Semantic::radiance,
                                  .unit = "W/(m² sr)",
-                                 .doc = std::move(doc)};
+                                 .doc = std::move(doc),
+                                 .active_when = active_when};
     };
     return {
         radiance("ssdo.indirect", "Indirect light", "Reflected to the eye of what occluders send, blurred."),
         radiance("ssdo.sky", "Environment light",
-                 "Reflected to the eye of the environment, as far as samples find it open, blurred."),
+                 "Reflected to the eye of the environment, as far as samples find it open, blurred.",
+                 by_occlusion),
         radiance("ssdo.direct", "Direct light",
-                 "All light sources, the environment with directional occlusion; and the base "
+                 "All light sources, the environment by samples or directional occlusion; and the base "
                  "colour of unlit surfaces."),
         radiance("ssdo.senders", "What pixels send",
                  "Direct light without unlit surfaces: what an occluder's pixel sends in all directions."),

@@ -60,6 +60,19 @@ ParameterTable<Parameters> parameter_table() {
         transport_parameters({.paths = {"direct", "indirect", "full"},
                               .keys = {"max_distance", "materials", "normal_maps", "environment_light"}}));
     table.add(
+        &Parameters::environment_by,
+        {.key = "environment_by",
+         .label = "Light of the environment",
+         .doc = "How its direct light is found.",
+         .citation = "Ritschel09 §3.1",
+         .choices = {{"samples", "Samples", "Rays, as in all methods of light: walls keep it out."},
+                     {"occlusion", "Directional occlusion",
+                      "As published: directions along which the step finds no occluder let it in. Nothing "
+                      "beyond the step keeps it out, so closed rooms are lit as if they were open."}},
+         .active_when = {"environment_light", {true}},
+         .since_version = 2,
+         .value_in_older_projects = std::string("occlusion")});
+    table.add(
         &Parameters::step_radius,
         {.key = "step_radius",
          .label = "Step radius",

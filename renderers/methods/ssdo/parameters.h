@@ -10,10 +10,13 @@ namespace ir::methods::ssdo {
 enum class Estimator { density, published };
 /// The same of "turning".
 enum class Turning { none, pattern, hash };
+/// The same of "environment_by".
+enum class EnvironmentBy { samples, occlusion };
 
 struct Parameters {
     int samples = 16;
     Transport transport{.paths = default_light.paths, .max_distance = 1};
+    EnvironmentBy environment_by = EnvironmentBy::samples;
     float step_radius = 0;  ///< m; 0: the maximum distance
     Estimator estimator = Estimator::density;
     float strength = 1;

@@ -34,6 +34,8 @@ Lit add_sky(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const 
             const graph::ImageRef* sky);
 
 std::vector<OutputDescription> light_outputs();
+/// Of what is there only where open directions let the environment in.
+inline const Condition by_occlusion{"environment_by", {std::string("occlusion")}};
 
 /// What samples need of a frame.
 struct Inputs {

@@ -1,5 +1,6 @@
 #include "renderers/passes/direct/lit.h"
 
+#include "renderers/core/light_use.h"
 #include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::passes {
@@ -14,7 +15,7 @@ struct Lit {
 }  // namespace
 
 OutputDescription lit_output() {
-    return {.key = "lit",
+    return {.key = lit_output_key,
             .label = "Lit",
             .semantic = Semantic::radiance,
             .unit = "W/(m² sr)",
@@ -34,13 +35,18 @@ ParameterText ambient_parameter() {
             .soft = {0, 2}};
 }
 
+std::vector<MissingLight> missing_in_lit(std::vector<Condition> environment_when) {
+    return {without_light_samples({LightPart::direct}, {LightKind::lamp, LightKind::surface}),
+            {{LightPart::direct}, {LightKind::environment}, std::move(environment_when)}};
+}
+
 DirectLightOptions lit_options(const LightParameters& parameters) {
     return {.extended = {.parameters = parameters, .environment = false}};
 }
 
 graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,
                     graph::ImageRef accessibility, float ambient, std::optional<graph::ImageRef> sky) {
-    const auto result = builder.output("lit", {.format = gl::Format::rgba32f});
+    const auto result = builder.output(lit_output_key, {.format = gl::Format::rgba32f});
     auto pass = builder.pass("lit");
     gl::ProgramSource source{{"passes/direct/lit.comp"}};
     if (sky) source.defines["SKY"] = "1";

@@ -12,6 +12,10 @@ namespace ir::passes {
 OutputDescription lit_output();
 ParameterText ambient_parameter();
 
+/// Light that it lacks: what is not sampled, and the environment, but for methods and settings that let it in
+/// another way.
+std::vector<MissingLight> missing_in_lit(std::vector<Condition> environment_when = {});
+
 /// The direct light of "lit": without the environment, for which the ambient radiance stands.
 DirectLightOptions lit_options(const LightParameters& parameters);
 

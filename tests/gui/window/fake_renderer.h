@@ -8,6 +8,7 @@
 #include "app/engine/execution.h"
 #include "app/gui/renderer.h"
 #include "renderers/core/method.h"
+#include "renderers/core/transport.h"
 #include "renderers/image/atlas.h"
 #include "widgets/image/image_view.h"
 
@@ -128,8 +129,21 @@ inline const MethodDescription& fake_filter() {
     return method;
 }
 
+/// One with light paths.
+inline const MethodDescription& fake_light() {
+    static const MethodDescription method = [] {
+        auto m = fake_method();
+        m.id = "light";
+        m.title = "Fake light";
+        m.parameters.push_back(transport_parameters({.paths = {"direct", "full"}}).descriptions().front());
+        m.parameters.back().default_value = "direct";
+        return m;
+    }();
+    return method;
+}
+
 inline const Registry& fake_registry() {
-    static const Registry registry({&fake_method(), &fake_filter(), &fake_truth()});
+    static const Registry registry({&fake_method(), &fake_filter(), &fake_truth(), &fake_light()});
     return registry;
 }
 
@@ -162,7 +176,7 @@ class FakeRenderer final : public Renderer {
             summary.camera_values[1].eye = {5, 0, 0};
             summary.nodes = {{"box", -1, 12}};
             summary.triangles = 12;
-            summary.is_lit = scene_is_lit;
+            summary.sources = scene_sources;
             summary.bounds = {{-1, -1, -1}, {1, 1, 1}};
             emit scene_arrived(summary);
         });
@@ -263,6 +277,7 @@ class FakeRenderer final : public Renderer {
     FrameReport report(const engine::LiveRequest& request, const std::vector<std::string>& computed) const {
         FrameReport report;
         report.backend = "fake";
+        if (const auto told = lights.find(request.tag); told != lights.end()) report.lights = told->second;
         PassReport pass;
         pass.name = "paint";
         pass.queue = "cpu";
@@ -352,9 +367,10 @@ class FakeRenderer final : public Renderer {
     std::vector<std::string> releases;
     engine::MachineSettings machine;
     bool hold = false, hold_views = false;
-    bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
-    bool halves_rough = false;                      ///< the first stage has half the size
-    bool scene_is_lit = true;
+    bool finds_none = false, shows_surface = true;         ///< of what explains a pixel; of every pixel
+    bool halves_rough = false;                             ///< the first stage has half the size
+    std::map<std::string, std::vector<UsedLight>> lights;  ///< by tag: what pictures tell of their sources
+    std::vector<LightSource> scene_sources{{LightKind::environment, "the environment"}};
     std::string failure;  ///< of every request from now on
     int cancels = 0;
 };

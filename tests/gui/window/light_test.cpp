@@ -4,8 +4,10 @@
 #include <random>
 
 #include "app/engine/camera_pose.h"
+#include "app/gui/light_offer.h"
 #include "app/gui/light_places.h"
 #include "projects/document_json.h"
+#include "renderers/core/transport.h"
 #include "renderers/image/exr.h"
 #include "renderers/scene/view.h"
 #include "tests/gui/window/window_fixture.h"
@@ -81,6 +83,66 @@ TEST(LightPlaces, LightsOfTheCameraReachWhatItSees) {
     EXPECT_NEAR(head.intensity() / 36, std::numbers::pi, 0.02);
     for (const auto& light : {spot, head, light_for_view(camera, {{-1, 0, -1}, {1, 2, 1}})})
         EXPECT_NO_THROW(projects::validate(light));
+}
+
+/// One that samples sources with an extent, and lights by nothing else than its sources.
+MethodDescription sampling_method() {
+    MethodDescription method;
+    method.id = "sampling";
+    method.parameters =
+        transport_parameters({.paths = {"ao", "direct", "full"}, .keys = {"environment_light"}})
+            .descriptions();
+    method.parameters.push_back(fake_parameter("light_samples", "Samples", "", std::int64_t{16}));
+    method.missing_light = {{{LightPart::direct},
+                             {LightKind::lamp, LightKind::surface, LightKind::environment},
+                             {{"light_samples", {std::int64_t{0}}}}},
+                            {{LightPart::indirect}, {LightKind::surface, LightKind::environment}}};
+    method.outputs = {{.key = "ao", .semantic = Semantic::accessibility, .active_when = only_ao},
+                      {.key = "radiance", .semantic = Semantic::radiance, .active_when = only_light}};
+    return method;
+}
+
+TEST(LightOffer, IsMadeWhereNothingThatShinesIsTaken) {
+    const auto method = sampling_method();
+    const auto is_dark = [&](const std::set<LightKind>& kinds, const char* paths, std::int64_t samples) {
+        auto settings = defaults(method.parameters);
+        settings["paths"] = std::string(paths), settings["light_samples"] = samples;
+        return !why_dark(method, settings, kinds).isEmpty();
+    };
+    for (const char* paths : {"direct", "full"}) {
+        EXPECT_TRUE(is_dark({}, paths, 16));
+        EXPECT_FALSE(is_dark({LightKind::surface}, paths, 16));
+        EXPECT_TRUE(is_dark({LightKind::surface}, paths, 0)) << "lamps are seen and light nothing";
+        EXPECT_FALSE(is_dark({LightKind::surface, LightKind::punctual}, paths, 0));
+    }
+    EXPECT_TRUE(is_dark({LightKind::lamp}, "direct", 0));
+    EXPECT_FALSE(is_dark({LightKind::lamp}, "full", 0)) << "it gives indirect light";
+    EXPECT_FALSE(is_dark({}, "ao", 16)) << "occlusion needs none";
+    auto settings = defaults(method.parameters);
+    settings["paths"] = "direct", settings["environment_light"] = false;
+    const auto why = why_dark(method, settings, {LightKind::environment});
+    EXPECT_TRUE(why.contains("the environment")) << why.toStdString();
+}
+
+TEST(LightOffer, KnowsWhatASetTakesAway) {
+    const std::vector<LightSource> scene{{LightKind::punctual, "point light 'lamp'"},
+                                         {LightKind::surface, "emissive material 'neon'"},
+                                         {LightKind::environment, "the environment"}};
+    using Kinds = std::set<LightKind>;
+    EXPECT_EQ(kinds_of_light(scene, nullptr),
+              (Kinds{LightKind::punctual, LightKind::surface, LightKind::environment}));
+    projects::LightSet set;
+    EXPECT_EQ(kinds_of_light(scene, &set), (Kinds{LightKind::surface, LightKind::environment}));
+    set.use_scene_lights = true;
+    set.environment.kind = projects::Environment::Kind::constant;
+    EXPECT_EQ(kinds_of_light(scene, &set), (Kinds{LightKind::punctual, LightKind::surface}));
+    set.environment.constant = {0, 0, 1};
+    set.use_scene_lights = false;
+    set.lights = {projects::parse_light("disk:position=0,1,0;direction=0,-1,0;size=1,1;flux=0")};
+    EXPECT_EQ(kinds_of_light(scene, &set), (Kinds{LightKind::surface, LightKind::environment})) << "black";
+    set.lights[0].amount = 3;
+    EXPECT_EQ(kinds_of_light(scene, &set),
+              (Kinds{LightKind::surface, LightKind::environment, LightKind::lamp}));
 }
 
 class LightTest : public WindowTest {

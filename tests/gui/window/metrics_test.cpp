@@ -123,6 +123,27 @@ TEST_F(MetricsWindowTest, WhatDoesNotComputeTheSameIsComparedOnRequestAlone) {
     EXPECT_NEAR(value("rmse"), 0.5, 1e-6);  // remembered for this pair
 }
 
+/// What pictures tell of their lights, which settings do not.
+TEST_F(MetricsWindowTest, LightOfOnePictureAloneIsNamed) {
+    for (const auto& experiment : std::vector(window.session().document().experiments)) {
+        const auto& id = experiment.id;
+        const bool is_first = id == window.session().document().experiments[0].id;
+        const LightSource lamp{LightKind::lamp, "rectangle light 'ceiling'"};
+        renderer.lights[id] = {{lamp, is_first ? std::vector{LightPart::direct} : std::vector<LightPart>{}}};
+        window.session().edit([&](const projects::Project& project) {
+            return projects::edits::set_method(project, fake_registry(), id, "light");
+        });
+    }
+    trigger("mode-wipe");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(value("rmse"), -1);
+    const auto refusal = find<QLabel>("refusal")->text();
+    EXPECT_TRUE(refusal.contains("rectangle light 'ceiling' gives direct light in A alone"))
+        << refusal.toStdString();
+    QTest::mouseClick(find<QPushButton>("override"), Qt::LeftButton);
+    EXPECT_EQ(value("rmse"), 0) << "measured: both have the method's default";
+}
+
 /// The moment counts where something moves, and there alone.
 TEST_F(MetricsWindowTest, PicturesOfOtherMomentsAreComparedOnRequestAlone) {
     trigger("mode-wipe");

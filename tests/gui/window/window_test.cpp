@@ -84,7 +84,7 @@ TEST_F(WindowTest, AnOrbitIsOneEditOfTheCamera) {
 }
 
 TEST_F(WindowTest, OffersALightWhereTheSceneHasNone) {
-    renderer.scene_is_lit = false;
+    renderer.scene_sources.clear();
     open_scene();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window.banners().text("light").isEmpty(); }, 5000));
     const auto before = window.session().open_project().undo_stack().position();

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "app/engine/execution.h"
 #include "app/engine/pictures.h"
 #include "renderers/core/light_use.h"
+#include "renderers/core/transport.h"
 #include "tests/image/methods/every_method.h"
 #include "tests/image/methods/machine.h"
 #include "tests/light_variants.h"
@@ -68,11 +70,52 @@ Settings quick(const MethodDescription& method, const std::string& paths, const 
     return test::with(test::with(test::quick_settings(method), more), {{"paths", paths}});
 }
 
+std::vector<Settings> distinct(const std::vector<Settings>& all) {
+    std::vector<Settings> result;
+    for (const auto& each : all)
+        if (std::ranges::count(result, each) == 0) result.push_back(each);
+    return result;
+}
+
 /// Of these paths: the defaults, and what changes which light the method has.
 std::vector<Settings> variants_of(const MethodDescription& method, const std::string& paths) {
     auto result = test::light_variants(method);
     for (auto& settings : result) settings = quick(method, paths, settings);
-    return result;
+    return distinct(result);
+}
+
+/// Where a method's direct light is not the reference's, and why.
+struct Deviation {
+    const char* method;
+    const char* setting;
+    const char* value;
+    LightKind kind;
+    double low, high;
+};
+const Deviation deviations[] = {
+    // Nothing beyond a step of 1 m keeps the environment out of the box.
+    {"ssdo", "environment_by", "occlusion", LightKind::environment, 2, 4},
+};
+
+/// Light of the method over the reference's: where it lies.
+std::pair<double, double> bounds_of(const MethodDescription& method, const Settings& settings,
+                                    LightKind kind) {
+    for (const auto& each : deviations)
+        if (method.id == each.method && kind == each.kind &&
+            settings.at(each.setting) == Value{std::string(each.value)})
+            return {each.low, each.high};
+    return {0.9, 1.1};
+}
+
+/// The reference's direct light with the same transport, found once for each.
+double true_light(const MethodDescription& method, const Settings& settings, LightKind kind) {
+    static std::map<std::pair<LightKind, Settings>, double> found;
+    Settings matched{{"samples", std::int64_t{64}}};
+    for (const auto& p : method.parameters)
+        if (is_transport_key(p.key) && p.key != "max_distance") matched[p.key] = settings.at(p.key);
+    auto& light = found[{kind, matched}];
+    if (light == 0) light = scattered_light(lit_by(kind), *registry().reference(), matched);
+    return light;
 }
 
 void expect_described_light(const MethodDescription& method, const Settings& settings, LightKind kind) {
@@ -81,6 +124,11 @@ void expect_described_light(const MethodDescription& method, const Settings& set
     const double found = scattered_light(lit_by(kind), method, settings);
     EXPECT_EQ(found > 1e-4, expected) << method.id << " paths=" << to_string(settings.at("paths")) << ", "
                                       << text_of(kind) << ": " << found;
+    if (settings.at("paths") != Value{std::string("direct")} || !use.has(LightPart::direct, kind)) return;
+    const auto [low, high] = bounds_of(method, settings, kind);
+    const double ratio = found / true_light(method, settings, kind);
+    EXPECT_TRUE(low < ratio && ratio < high)
+        << method.id << ", " << text_of(kind) << ": " << ratio << " of the reference's direct light";
 }
 
 TEST(MethodLight, IsWhatTheDescriptionSays) {

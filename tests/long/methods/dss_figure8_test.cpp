@@ -21,7 +21,7 @@ struct Row {
     bool visibility_helps;
 };
 
-/// Light has no maximum distance. The sky lights nothing in deep screen space, and is off for all.
+/// Light has no maximum distance. The sky is off for all, as when the table was made.
 Settings transport(const Row& row) {
     if (row.paths == "ao") return {{"paths", row.paths}, {"max_distance", 1.0}};
     return {{"paths", row.paths}, {"max_distance", 0.0}, {"environment_light", false}};

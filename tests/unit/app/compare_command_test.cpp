@@ -314,6 +314,27 @@ TEST_F(Compare, RefusesLightThatIsInOnePictureAlone) {
         << "of one scattering both have the same";
 }
 
+/// "lit" has direct light where the picture is ambient occlusion.
+TEST_F(Compare, RefusesLitPicturesOfOtherLight) {
+    for (const std::string method : {"hbao", "ldm-ao"}) {
+        const auto render = [&](const std::string& name, const std::string& more) {
+            const auto outcome = run_program(
+                "render --scene 'builtin:cornell?light=0' --size 16x12 --quiet "
+                "--set directions=8 --dump lit --method " +
+                    method + " --out " + file(name) + " " + more,
+                folder_);
+            EXPECT_EQ(outcome.status, 0) << outcome.err;
+        };
+        render("sampled.exr", "");
+        render("unsampled.exr", "--set light_samples=0");
+        render("sunny.exr", "--light 'directional:direction=0,-1,0;irradiance=3'");
+        EXPECT_EQ(compare("sampled.exr", "unsampled.exr").status, 0) << "occlusion is the same";
+        expect_refused(compare("sampled.exr", "unsampled.exr", "--layer lit"), 3, "gives direct light in");
+        expect_refused(compare("sampled.exr", "sunny.exr", "--layer lit"), 3, "lights or environment differ");
+        EXPECT_EQ(compare("sampled.exr", "sampled.exr", "--layer lit").status, 0);
+    }
+}
+
 TEST_F(Compare, WhereSomethingMovesTheLastFramesAreOfOneMoment) {
     const auto at = [](const char* time, const char* moment, const char* moves) {
         return ImageAttributes{

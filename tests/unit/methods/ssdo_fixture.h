@@ -26,6 +26,7 @@ class SsdoTest : public PassTest {
         graph::FrameOptions options;
         options.wanted = {"*"};
         settings.try_emplace("materials", std::string("lambert"));
+        settings.try_emplace("environment_by", std::string("occlusion"));
         report =
             graph().run(**method, completed((*method)->description.parameters, settings), inputs, options);
         return read(key);

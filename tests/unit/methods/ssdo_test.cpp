@@ -30,6 +30,32 @@ TEST_F(SsdoTest, AnOpenPlaneIsExactlyOpenAndReceivesNothing) {
         }
 }
 
+/// Six walls about the camera, 4 m apart, and an environment outside.
+scene::Scene closed_room() {
+    SmallWorld world;
+    const glm::vec3 sides[] = {{2, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 2}, {0, 0, -2}};
+    for (const auto& side : sides) world.square(side, -side / 2.0f, 2);
+    auto scene = world.scene();
+    scene.environment = {glm::vec3(1), nullptr};
+    return scene;
+}
+
+TEST_F(SsdoTest, SamplesKeepTheEnvironmentOutOfAClosedRoom) {
+    const Shot shot(closed_room(), looking({0, 0, 0}, {1, 0.1f, 0.2f}), 32, 32);
+    const auto light_in_the_middle = [&](const char* by) {
+        return render(shot, {{"environment_by", std::string(by)}}, "radiance").at(16, 16);
+    };
+    const auto is_told = [&] {
+        return std::ranges::any_of(report.messages, [](const Message& message) {
+            return message.text.find("environment_by=samples") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(light_in_the_middle("samples"), 0);
+    EXPECT_FALSE(is_told());
+    EXPECT_GT(light_in_the_middle("occlusion"), 0.2f) << "as published, nothing beyond a step closes";
+    EXPECT_TRUE(is_told());
+}
+
 /// ∫ cosθ / π (1 − t / r)⁺ dω over the directions to an endless wall at distance d, t the way to it: what
 /// steps of uniform length in (0, r] find behind it.
 double occlusion_by_wall(double d, double r) {

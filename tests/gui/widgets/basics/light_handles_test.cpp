@@ -182,7 +182,7 @@ class LightToolTest : public testing::Test {
 
 TEST_F(LightToolTest, AHandleIsDraggedWhateverTheToolIs) {
     QSignalSpy finished(&view, &ImageView::light_gesture_finished), picked(&view, &ImageView::picked_changed),
-        posed(&view, &ImageView::camera_moved);
+        posed(&view, &ImageView::camera_moved), explained(&view, &ImageView::explain_wanted);
     const auto zoom = view.transform().offset();
     for (const auto tool : {ImageView::Tool::inspect, ImageView::Tool::orbit, ImageView::Tool::rectangle}) {
         view.set_tool(tool);
@@ -194,7 +194,7 @@ TEST_F(LightToolTest, AHandleIsDraggedWhateverTheToolIs) {
         EXPECT_TRUE(view.state().hint.contains("along x"));
         QTest::mousePress(&view, Qt::LeftButton, {}, from);
         for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from + QPoint(10 * i, 0));
-        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(50, 0));
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::ShiftModifier, from + QPoint(50, 0));
         EXPECT_GT(light().position.x, spot().position.x + 0.3);
         EXPECT_DOUBLE_EQ(light().position.y, spot().position.y);
         EXPECT_DOUBLE_EQ(light().position.z, spot().position.z);
@@ -203,6 +203,7 @@ TEST_F(LightToolTest, AHandleIsDraggedWhateverTheToolIs) {
     EXPECT_EQ(finished.count(), 3);
     EXPECT_EQ(picked.count(), 0);
     EXPECT_EQ(posed.count(), 0);
+    EXPECT_EQ(explained.count(), 0);
     EXPECT_TRUE(view.state().marks.region.isEmpty());
     EXPECT_EQ(view.transform().offset(), zoom);
 }
