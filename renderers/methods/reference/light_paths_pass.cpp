@@ -18,7 +18,7 @@ constexpr std::uint64_t path_block = 8;
 
 struct PathResources {
     PathInputs inputs;
-    std::vector<bool> specular;  ///< by material
+    SharpMaterials materials;
     Progress progress;
     graph::ImageRef sums;                       ///< rgba32f stack, W/(m² sr)
     std::optional<graph::ImageRef> light_sums;  ///< what is traced from lights, to be added
@@ -64,8 +64,12 @@ class PathTracer {
           surfaces_(context.object<passes::SurfaceLookup>(r.inputs.surfaces)),
           lights_(context.object<passes::LightSampler>(r.inputs.lights)),
           indirect_lights_(context.object<passes::LightSampler>(r.inputs.indirect_lights)),
-          world_(*bvh_, *surfaces_, {*lights_, *indirect_lights_}, r.specular),
+          world_(*bvh_, *surfaces_, {*lights_, *indirect_lights_}, r.materials),
           rules_(parameters.transport) {
+        if (r.inputs.emission) {
+            emission_ = context.object<passes::EmissionSampler>(*r.inputs.emission);
+            shared_.emplace(context.inputs().view, *emission_, parameters.transport.materials);
+        }
         if (r.inputs.gbuffer) gbuffer_.emplace(context, *r.inputs.gbuffer);
         for (int layer = 0; layer < r.layers(); ++layer)
             sums_.push_back(context.pixels<glm::vec4>(r.sums, layer));
@@ -84,8 +88,8 @@ class PathTracer {
     /// What one thread works with.
     struct Bench {
         Bench(const scene::View& view, const PathWorld& world, const PathRules& rules,
-              const passes::GBufferSurfaces* gbuffer)
-            : primary(view, world, gbuffer), wavefront(world, rules) {}
+              const passes::GBufferSurfaces* gbuffer, const SharedPaths* shared)
+            : primary(view, world, gbuffer), wavefront(world, rules, {}, shared) {}
         PrimaryRays primary;
         Wavefront wavefront;
         std::vector<std::size_t> pixels;
@@ -97,7 +101,7 @@ class PathTracer {
         auto& own = benches_.local();
         if (!own) {
             own = std::make_unique<Bench>(context_.inputs().view, world_, rules_,
-                                          gbuffer_ ? &*gbuffer_ : nullptr);
+                                          gbuffer_ ? &*gbuffer_ : nullptr, shared_ ? &*shared_ : nullptr);
         }
         return *own;
     }
@@ -145,6 +149,8 @@ class PathTracer {
     std::shared_ptr<passes::Bvh> bvh_;
     std::shared_ptr<passes::SurfaceLookup> surfaces_;
     std::shared_ptr<passes::LightSampler> lights_, indirect_lights_;
+    std::shared_ptr<passes::EmissionSampler> emission_;
+    std::optional<SharedPaths> shared_;  ///< where light is traced from its sources, too
     PathWorld world_;
     PathRules rules_;
     std::optional<passes::GBufferSurfaces> gbuffer_;
@@ -228,16 +234,18 @@ void average(const graph::PassContext& context, const PathResources& r, const Pa
 }  // namespace
 
 void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters,
-                 const std::vector<bool>& specular) {
+                 const SharpMaterials& materials) {
     auto r = declare(builder, inputs, parameters);
-    r.specular = specular;
-    r.light_sums = trace_light(builder, inputs, parameters, specular, r.progress, r.tally, r.layers());
+    r.materials = materials;
+    if (inputs.emission)
+        r.light_sums = trace_light(builder, inputs, parameters, materials, r.progress, r.tally, r.layers());
     const auto declared =
         declared_items({builder.inputs().view, path_block}, static_cast<std::uint64_t>(parameters.samples));
     auto trace = builder.pass("trace paths", graph::Queue::cpu);
     trace.reads(inputs.bvh, inputs.surfaces, inputs.lights, inputs.indirect_lights)
         .reads_previous(r.sums, r.progress.buffer())
         .writes(r.sums);
+    if (inputs.emission) trace.reads(*inputs.emission);
     if (inputs.gbuffer) passes::GBufferSurfaces::declare_reads(trace, *inputs.gbuffer);
     trace.execute_sliced(
         declared,

@@ -4,94 +4,32 @@
 #include <cmath>
 
 #include "renderers/core/constants.h"
-#include "renderers/passes/gbuffer/pixel_rays.h"
-#include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/raytracing/ray_offset.h"
-#include "renderers/scene/frame.h"
 
 namespace ir::methods::reference {
 namespace {
 
 /// Dimensions of a light path's sampler.
-enum EmissionDimension : std::uint32_t { of_light, of_emission, first_arrival };
+enum EmissionDimension : std::uint32_t { of_emitter, of_place, of_direction, first_arrival };
 enum ArrivalDimension : std::uint32_t { lobe_and_roulette, next_direction, per_arrival };
-
-/// Of the directions that light is sent to, sr; of directional lights the area through which it comes, m².
-float measure(const scene::Light& light, float radius) {
-    if (light.type == scene::LightType::directional) return pi * radius * radius;
-    return light.type == scene::LightType::spot ? 2 * pi * (1 - std::cos(light.outer_angle)) : 4 * pi;
-}
-
-/// Around +Z, uniform over directions whose cosine is at least this.
-glm::vec3 cone_direction(glm::vec2 u, float least_cosine) {
-    const float z = 1 - u.x * (1 - least_cosine), radius = std::sqrt(std::max(0.0f, 1 - z * z));
-    return {radius * std::cos(2 * pi * u.y), radius * std::sin(2 * pi * u.y), z};
-}
 
 }  // namespace
 
-Film::Film(const scene::View& view) : width_(view.width), height_(view.height) {
-    const auto rays = passes::pixel_rays(view);
-    is_orthographic_ = rays.direction_dx == glm::vec3(0);
-    const auto dx = is_orthographic_ ? rays.origin_dx : rays.direction_dx,
-               dy = is_orthographic_ ? rays.origin_dy : rays.direction_dy;
-    origin_ = rays.origin;
-    axis_ = rays.direction;
-    film_from_world_ = glm::inverse(glm::mat3(rays.direction, dx, dy));
-    pixel_area_ = glm::length(glm::cross(dx, dy));
-}
-
-std::optional<Film::Seen> Film::see(glm::vec3 position_ws) const {
-    const auto at = film_from_world_ * (position_ws - origin_);
-    const float depth = at.x;
-    if (!(depth > 0)) return std::nullopt;
-    const auto pixel = is_orthographic_ ? glm::vec2(at.y, at.z) : glm::vec2(at.y, at.z) / depth;
-    if (!(pixel.x >= 0 && pixel.x < static_cast<float>(width_) && pixel.y >= 0 &&
-          pixel.y < static_cast<float>(height_)))
-        return std::nullopt;
-    Seen seen;
-    seen.pixel = static_cast<std::uint32_t>(pixel.y) * static_cast<std::uint32_t>(width_) +
-                 static_cast<std::uint32_t>(pixel.x);
-    if (is_orthographic_) {
-        seen.to_eye_ws = -axis_;
-        seen.distance = depth;
-        seen.importance = 1 / pixel_area_;
-        return seen;
-    }
-    const auto way = origin_ - position_ws;
-    seen.distance = glm::length(way);
-    seen.to_eye_ws = way / seen.distance;
-    // A pixel of area A at depth 1 has the solid angle A cos³ of the angle to the axis, cos = depth /
-    // distance.
-    seen.importance = seen.distance / (pixel_area_ * depth * depth * depth);
-    return seen;
-}
-
 bool LightTracer::has_paths(const scene::World& world, const PathRules& rules,
-                            const std::vector<bool>& specular) {
-    return rules.max_scatterings() > 0 &&
-           std::any_of(world.lights.begin(), world.lights.end(), passes::is_punctual) &&
-           std::any_of(world.ranges.begin(), world.ranges.end(), [&](const auto& range) {
-               return range.triangle_count > 0 && specular[static_cast<std::size_t>(range.material)];
+                            const SharpMaterials& materials, const passes::EmissionOptions& sources) {
+    if (sources.lights.empty() && !sources.environment && !sources.emissive_meshes) return false;
+    // A mirror does not scatter, a sharp surface does.
+    const int scatterings = rules.max_scatterings();
+    const auto& followed = scatterings > 1 ? materials.sharp : materials.specular;
+    return scatterings > 0 && std::any_of(world.ranges.begin(), world.ranges.end(), [&](const auto& range) {
+               return range.triangle_count > 0 && followed[static_cast<std::size_t>(range.material)];
            });
 }
 
-LightTracer::LightTracer(const PathWorld& world, const PathRules& rules, const scene::View& view)
-    : world_(world), rules_(rules), film_(view) {
-    const auto& bounds = world.surfaces.world().bounds;
-    centre_ws_ = bounds.centre();
-    radius_ = 1.001f * bounds.radius();
-    float total = 0;
-    for (const auto& light : world.surfaces.world().lights) {
-        if (!passes::is_punctual(light)) continue;
-        const float power = passes::luminance(light.colour * light.intensity) * measure(light, radius_);
-        if (!(power > 0)) continue;
-        sources_.push_back({light, power});
-        total += power;
-    }
-    for (auto& source : sources_) source.probability /= total;
-}
+LightTracer::LightTracer(const PathWorld& world, const PathRules& rules, const SharedPaths& shared,
+                         const Estimator& estimator)
+    : world_(world), rules_(rules), shared_(shared), estimator_(estimator) {}
 
 void LightTracer::trace(const passes::PathSampler& sampler, std::vector<Splat>& splats,
                         Counts& counts) const {
@@ -100,31 +38,14 @@ void LightTracer::trace(const passes::PathSampler& sampler, std::vector<Splat>& 
 }
 
 std::optional<LightTracer::Path> LightTracer::emitted(const passes::PathSampler& sampler) const {
-    float left = sampler.pair(of_light).x;
-    auto source = sources_.begin();
-    while (source != sources_.end() && left >= source->probability) left -= (source++)->probability;
-    if (source == sources_.end()) return std::nullopt;
-    const auto& light = source->light;
+    const auto source = shared_.emission().sample(sampler.pair(of_emitter).x, sampler.pair(of_place),
+                                                  sampler.pair(of_direction));
+    if (!source || source->flux == glm::vec3(0)) return std::nullopt;
     Path path;
     path.sampler = sampler;
-    path.light = &light;
-    path.power = light.colour * light.intensity * (measure(light, radius_) / source->probability);
-    const auto u = sampler.pair(of_emission);
-    const auto frame = scene::frame_around(light.direction);
-    if (light.type == scene::LightType::directional) {
-        const float r = radius_ * std::sqrt(u.x);
-        path.direction = light.direction;
-        path.origin =
-            centre_ws_ + frame * glm::vec3(r * std::cos(2 * pi * u.y), r * std::sin(2 * pi * u.y), -radius_);
-        return path;
-    }
-    path.origin = light.position;
-    const bool is_spot = light.type == scene::LightType::spot;
-    path.direction = glm::normalize(frame * cone_direction(u, is_spot ? std::cos(light.outer_angle) : -1.0f));
-    if (is_spot)
-        path.power *= passes::spot_profile(glm::dot(path.direction, light.direction),
-                                           std::cos(light.inner_angle), std::cos(light.outer_angle));
-    if (path.power == glm::vec3(0)) return std::nullopt;
+    path.source = *source;
+    path.origin = source->origin_ws, path.direction = source->direction_ws;
+    path.power = source->flux;
     return path;
 }
 
@@ -137,7 +58,7 @@ bool LightTracer::arrive(Path& path, std::vector<Splat>& splats, Counts& counts)
     ++counts.rays;
     if (!hit.is_hit()) return false;
     const bool is_first = path.events == 0;
-    if (is_first && !world_.may_be_specular[static_cast<std::size_t>(world_.material_of(hit))]) return false;
+    if (is_first && !world_.may_be.sharp[static_cast<std::size_t>(world_.material_of(hit))]) return false;
     path.from_light += hit.distance;
     if (!is_first) path.way += hit.distance;
     if (rules_.max_distance > 0 && path.way > rules_.max_distance) return false;
@@ -156,10 +77,12 @@ bool LightTracer::arrive(Path& path, std::vector<Splat>& splats, Counts& counts)
 
 void LightTracer::connect(const Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
                           std::vector<Splat>& splats, Counts& counts) const {
-    const auto seen = film_.see(surface.position_ws);
+    const int scatterings = path.scatterings + 1;
+    if (path.source.has_extent && !world_.lights.after(scatterings).has_extent()) return;
+    const auto seen = shared_.film().see(surface.position_ws);
     if (!seen) return;
     auto light = path.power * seen->importance * bsdf.evaluate_importance(-path.direction, seen->to_eye_ws);
-    if (path.scatterings == 0) light *= passes::range_window(path.light->range, path.from_light);
+    if (path.scatterings == 0) light *= passes::range_window(path.source.range, path.from_light);
     if (light == glm::vec3(0)) return;
     const bool is_behind = glm::dot(surface.geometric_normal_ws, seen->to_eye_ws) < 0;
     const int medium = is_behind ? medium_behind(path, surface) : path.medium;
@@ -168,12 +91,22 @@ void LightTracer::connect(const Path& path, const passes::Surface& surface, cons
         surface.position_ws, is_behind ? -surface.geometric_normal_ws : surface.geometric_normal_ws);
     ++counts.rays;
     if (world_.bvh.occluded(origin, seen->to_eye_ws, 0, seen->distance)) return;
-    splats.push_back({seen->pixel, path.scatterings + 1, light});
+    light *=
+        estimator_.combine(1, shared_.connected(path.shared, surface, bsdf, seen->to_eye_ws, -path.direction,
+                                                path.source, world_.lights.after(scatterings)));
+    splats.push_back({seen->pixel, scatterings, light});
 }
 
 int LightTracer::medium_behind(const Path& path, const passes::Surface& surface) const {
     if (!(world_.material(surface.material).thickness > 0)) return path.medium;
     return surface.is_front ? surface.material : -1;
+}
+
+bool LightTracer::compare(Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
+                          const passes::BsdfSample& sample) const {
+    const SharedPaths::Event event{surface, bsdf, sample.wi, -path.direction, sample.pdf, sample.is_specular};
+    return path.events == 0 ? shared_.add_first(path.shared, event, path.source, path.from_light)
+                            : shared_.add(path.shared, event);
 }
 
 bool LightTracer::go_on(Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
@@ -182,15 +115,14 @@ bool LightTracer::go_on(Path& path, const passes::Surface& surface, const passes
     const auto numbers = path.sampler.pair(dimension + lobe_and_roulette);
     const auto sample =
         bsdf.sample_importance(-path.direction, numbers.x, path.sampler.pair(dimension + next_direction));
-    if (!sample) return false;
+    if (!sample || !compare(path, surface, bsdf, *sample)) return false;
     if (sample->is_specular) {
         if (++path.specular_events > max_specular_events) {
             ++counts.cut;
             return false;
         }
     } else {
-        if (path.events == 0) return false;  // the camera's
-        if (path.scatterings == 0) path.power *= passes::range_window(path.light->range, path.from_light);
+        if (path.scatterings == 0) path.power *= passes::range_window(path.source.range, path.from_light);
         if (++path.scatterings >= rules_.max_scatterings()) return false;
         path.way = 0;
         // Weights are reflectances, about; shading normals may make them larger.

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
@@ -17,7 +18,7 @@ constexpr std::int64_t items_together = 64;  ///< traced before their splats are
 
 struct LightTracing {
     PathInputs inputs;
-    std::vector<bool> specular;  ///< by material
+    SharpMaterials materials;
     Progress progress;
     std::shared_ptr<Tally> tally;
     graph::ImageRef sums;
@@ -45,8 +46,11 @@ class SplatTracer {
           bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
           surfaces_(context.object<passes::SurfaceLookup>(r.inputs.surfaces)),
           lights_(context.object<passes::LightSampler>(r.inputs.lights)),
-          world_(*bvh_, *surfaces_, {*lights_, *lights_}, r.specular),
-          tracer_(world_, PathRules(parameters.transport), context.inputs().view) {
+          indirect_lights_(context.object<passes::LightSampler>(r.inputs.indirect_lights)),
+          emission_(context.object<passes::EmissionSampler>(*r.inputs.emission)),
+          world_(*bvh_, *surfaces_, {*lights_, *indirect_lights_}, r.materials),
+          shared_(context.inputs().view, *emission_, parameters.transport.materials),
+          tracer_(world_, PathRules(parameters.transport), shared_) {
         for (int layer = 0; layer < r.layers; ++layer)
             sums_.push_back(context.pixels<glm::vec4>(r.sums, layer));
     }
@@ -115,8 +119,10 @@ class SplatTracer {
     SampleRange samples_;
     std::shared_ptr<passes::Bvh> bvh_;
     std::shared_ptr<passes::SurfaceLookup> surfaces_;
-    std::shared_ptr<passes::LightSampler> lights_;
+    std::shared_ptr<passes::LightSampler> lights_, indirect_lights_;
+    std::shared_ptr<passes::EmissionSampler> emission_;
     PathWorld world_;
+    SharedPaths shared_;
     LightTracer tracer_;
     std::vector<std::span<glm::vec4>> sums_;
     std::vector<std::vector<Splat>> splats_;  ///< by item
@@ -124,25 +130,22 @@ class SplatTracer {
 
 }  // namespace
 
-std::optional<graph::ImageRef> trace_light(graph::GraphBuilder& builder, const PathInputs& inputs,
-                                           const Parameters& parameters, const std::vector<bool>& specular,
-                                           const Progress& progress, const std::shared_ptr<Tally>& tally,
-                                           int layers) {
-    if (!LightTracer::has_paths(*builder.inputs().world, PathRules(parameters.transport), specular))
-        return {};
-    LightTracing r{inputs, specular, progress, tally, {}, layers};
+graph::ImageRef trace_light(graph::GraphBuilder& builder, const PathInputs& inputs,
+                            const Parameters& parameters, const SharpMaterials& materials,
+                            const Progress& progress, const std::shared_ptr<Tally>& tally, int layers) {
+    LightTracing r{inputs, materials, progress, tally, {}, layers};
     r.sums = builder.image(
         {.text = {.key = "reference.light_sums",
                   .label = "Sums of traced light",
-                  .doc = "Of light over mirrors and through glass, traced from point, spot and directional "
-                         "lights: layers as those of the sums.",
+                  .doc = "Of light over mirrors, through glass and over sharp surfaces, traced from its "
+                         "sources: layers as those of the sums.",
                   .semantic = Semantic::radiance,
                   .unit = "W/(m² sr)"},
          .format = gl::Format::rgba32f,
          .layers = layers});
     const auto declared = parameters.samples * items_of_sample(builder.inputs().view);
     builder.pass("trace light", graph::Queue::cpu)
-        .reads(inputs.bvh, inputs.surfaces, inputs.lights)
+        .reads(inputs.bvh, inputs.surfaces, inputs.lights, inputs.indirect_lights, *inputs.emission)
         .reads_previous(r.sums, progress.buffer())
         .writes(r.sums)
         .execute_sliced(

@@ -1,6 +1,6 @@
 // The path-traced reference: what every other method is judged by. Ambient occlusion and obscurance by
 // cosine-weighted rays, and light by path tracing with next-event estimation, through Embree, and by light
-// tracing where no path from the camera finds it; averaged over samples and frames.
+// tracing where paths from the camera find it by chance or not at all; averaged over samples and frames.
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/reference/parameters.h"
@@ -52,8 +52,9 @@ void add_main_outputs(MethodDescription& d) {
                          .unit = "W/(m² sr)",
                          .doc =
                              "Light towards the camera that the chosen paths bring; the mean of all "
-                             "samples so far. Light from point, spot and directional lights over mirrors or "
-                             "through glass is traced from the lights, and is missing where the camera sees "
+                             "samples so far. Light over mirrors, through glass and over sharp surfaces is "
+                             "also traced from its sources. That of point, spot and directional lights over "
+                             "mirrors or through glass is missing where the camera sees "
                              "it in a mirror or through glass; a note says when a scene has such. Paths that "
                              "meet more than 32 mirrors or "
                              "panes of glass are cut and counted as reference.cut_paths; samples that "
@@ -109,12 +110,12 @@ MethodDescription description() {
 }
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
-    const auto inputs = path_inputs(builder, parameters);
     if (parameters.transport.paths == Transport::Paths::ao)
-        return ambient_occlusion(builder, inputs, parameters);
-    const auto specular = specular_materials(*builder.inputs().scene, parameters.transport.materials);
-    note_limits(builder, parameters, specular);
-    light_paths(builder, inputs, parameters, specular);
+        return ambient_occlusion(builder, path_inputs(builder, parameters, {}), parameters);
+    const auto materials = sharp_materials(*builder.inputs().scene, parameters.transport.materials);
+    const auto inputs = path_inputs(builder, parameters, materials);
+    note_limits(builder, parameters, materials);
+    light_paths(builder, inputs, parameters, materials);
 }
 
 }  // namespace

@@ -2,24 +2,15 @@
 
 #include <algorithm>
 
-#include "renderers/methods/reference/light_tracer.h"
+#include "renderers/methods/reference/path_rules.h"
 #include "renderers/passes/lights/punctual.h"
 
 namespace ir::methods::reference {
 namespace {
 
-bool has_environment(const scene::Environment& environment) {
-    return environment.map || environment.constant != glm::vec3(0);
-}
-
 bool shines(const graph::FrameInputs& inputs, const Transport& transport) {
-    const auto& scene = *inputs.scene;
-    const auto& lights = inputs.world->lights;
-    if (transport.environment_light && has_environment(scene.environment)) return true;
-    if (transport.emitters == Transport::Emitters::none)
-        return std::any_of(lights.begin(), lights.end(), passes::is_punctual);
-    return !lights.empty() || std::any_of(scene.materials.begin(), scene.materials.end(),
-                                          [](const auto& m) { return m.emission != glm::vec3(0); });
+    const auto sources = light_sources(inputs, transport);
+    return sources.environment || sources.emissive_meshes || !sources.lights.empty();
 }
 
 /// Materials among these that the world's triangles have.
@@ -34,8 +25,9 @@ std::ptrdiff_t materials_in(const scene::World& world, const std::vector<bool>& 
 
 void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
     if (shines(builder.inputs(), transport)) return;
-    const bool without_environment =
-                   !transport.environment_light && has_environment(builder.inputs().scene->environment),
+    auto with_environment = transport;
+    with_environment.environment_light = true;
+    const bool without_environment = shines(builder.inputs(), with_environment),
                without_emitters = transport.emitters == Transport::Emitters::none;
     builder.note(std::string("nothing in the scene emits light, so the picture is black: ") +
                  (without_environment ? "switch environment_light on, or add a light"
@@ -43,21 +35,22 @@ void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
                                       : "add a light or an environment, or choose the paths ao"));
 }
 
-void note_caustics(graph::GraphBuilder& builder, const PathRules& rules,
-                   const std::vector<bool>& specular_materials) {
+void note_caustics(graph::GraphBuilder& builder, const PathRules& rules, const std::vector<bool>& specular) {
     const auto& world = *builder.inputs().world;
-    if (!LightTracer::has_paths(world, rules, specular_materials)) return;
-    builder.note(
-        "light from point, spot and directional lights over mirrors or through glass (" +
-        std::to_string(materials_in(world, specular_materials)) +
-        " materials are such, at least in places) is traced from the lights; where the camera sees it "
-        "in a mirror or through glass it is missing");
+    const auto materials = materials_in(world, specular);
+    if (materials == 0 || rules.max_scatterings() == 0 ||
+        std::none_of(world.lights.begin(), world.lights.end(), passes::is_punctual))
+        return;
+    builder.note("light from point, spot and directional lights over mirrors or through glass (" +
+                 std::to_string(materials) +
+                 " materials are such, at least in places) is traced from the lights; where the camera sees "
+                 "it in a mirror or through glass it is missing");
 }
 
 }  // namespace
 
 void note_limits(graph::GraphBuilder& builder, const Parameters& parameters,
-                 const std::vector<bool>& specular) {
+                 const SharpMaterials& materials) {
     const auto& transport = parameters.transport;
     if (transport.paths == Transport::Paths::ao) return;
     note_darkness(builder, transport);
@@ -65,7 +58,7 @@ void note_limits(graph::GraphBuilder& builder, const Parameters& parameters,
         builder.note("min_bounces is " + std::to_string(transport.min_bounces) + ", max_bounces " +
                      std::to_string(transport.max_bounces) + ": no indirect light counts; raise max_bounces");
     }
-    note_caustics(builder, PathRules(transport), specular);
+    note_caustics(builder, PathRules(transport), materials.specular);
 }
 
 }  // namespace ir::methods::reference

@@ -6,7 +6,9 @@
 #include "renderers/graph/benchmark.h"
 #include "renderers/graph/builder.h"
 #include "renderers/methods/reference/parameters.h"
+#include "renderers/methods/reference/path_world.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/lights/emission_sampler.h"
 
 namespace ir::methods::reference {
 
@@ -18,11 +20,17 @@ struct PathInputs {
     graph::ObjectRef surfaces;  ///< passes::SurfaceLookup; of ambient occlusion only without a G-buffer
     /// passes::LightSampler; of light only. What lights directly, and what of that is scattered on.
     graph::ObjectRef lights, indirect_lights;
+    /// passes::EmissionSampler; where light is traced from its sources, too (LightTracer::has_paths()).
+    std::optional<graph::ObjectRef> emission;
 };
 
+/// All that the transport lets shine.
+passes::EmissionOptions light_sources(const graph::FrameInputs& inputs, const Transport& transport);
+
 /// Declares all that the parameters ask for: G-buffer, or first hits and "valid" of rays; BVH, surfaces and
-/// lights.
-PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameters);
+/// lights. `materials`: sharp_materials() of the scene; of light only.
+PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameters,
+                       const SharpMaterials& materials);
 
 /// Declares what the G-buffer would be called: "gbuffer.position", "gbuffer.normal" and "gbuffer.albedo" of
 /// the surface that the ray through the pixel's centre meets first; and "valid", which it returns: 1
@@ -37,15 +45,14 @@ void ambient_occlusion(graph::GraphBuilder& builder, const PathInputs& inputs, c
 /// Declares the outputs "radiance", "direct", "indirect" (the two of full paths only), "reference.variance"
 /// and "reference.samples", and the passes that make them: "trace paths", divisible into tiles and blocks of
 /// samples, and "average". Frames add up as long as view and world stand still.
-/// `specular`: specular_materials() of the scene.
+/// `materials`: sharp_materials() of the scene.
 void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters,
-                 const std::vector<bool>& specular);
+                 const SharpMaterials& materials);
 
 /// Notes of what a person should know before trusting a picture of light: that nothing shines, that no path
 /// counts, that some light cannot be found.
-/// `specular`: specular_materials() of the scene.
-void note_limits(graph::GraphBuilder& builder, const Parameters& parameters,
-                 const std::vector<bool>& specular);
+/// `materials`: sharp_materials() of the scene.
+void note_limits(graph::GraphBuilder& builder, const Parameters& parameters, const SharpMaterials& materials);
 
 std::vector<graph::Benchmark> benchmarks();
 

@@ -1,8 +1,12 @@
 #include "renderers/methods/reference/passes.h"
 
+#include <algorithm>
+
 #include "renderers/core/error.h"
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/reference/light_tracer.h"
 #include "renderers/passes/lights/light_sampler.h"
+#include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/scene/scene_buffers.h"
 
@@ -60,6 +64,22 @@ void declare_light_sources(graph::GraphBuilder& builder, const Transport& transp
         options);
 }
 
+graph::ObjectRef declare_emission(graph::GraphBuilder& builder, graph::ObjectRef surfaces,
+                                  const passes::EmissionOptions& sources) {
+    const auto result = builder.object({.text = {.key = "reference.emission",
+                                                 .label = "Emission",
+                                                 .doc = "Where light is traced from, by power."}});
+    builder.pass("emission", graph::Queue::cpu)
+        .reads(surfaces)
+        .writes(result)
+        .execute([=](graph::PassContext& context) {
+            const auto lookup = context.object<passes::SurfaceLookup>(surfaces);
+            const auto made = std::make_shared<passes::EmissionSampler>(*lookup, sources);
+            context.store(result, made, sizeof *made);
+        });
+    return result;
+}
+
 /// The G-buffer names a material in a half float.
 void require_few_materials(const graph::FrameInputs& inputs) {
     const auto count = inputs.scene->materials.size();
@@ -71,7 +91,23 @@ void require_few_materials(const graph::FrameInputs& inputs) {
 
 }  // namespace
 
-PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameters) {
+passes::EmissionOptions light_sources(const graph::FrameInputs& inputs, const Transport& transport) {
+    const auto& scene = *inputs.scene;
+    const auto& lights = inputs.world->lights;
+    const bool has_emitters = transport.emitters != Transport::Emitters::none;
+    passes::EmissionOptions sources;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (has_emitters || passes::is_punctual(lights[i])) sources.lights.push_back(static_cast<int>(i));
+    sources.environment =
+        transport.environment_light && (scene.environment.map || scene.environment.constant != glm::vec3(0));
+    sources.emissive_meshes =
+        has_emitters && std::any_of(scene.materials.begin(), scene.materials.end(),
+                                    [](const auto& m) { return m.emission != glm::vec3(0); });
+    return sources;
+}
+
+PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameters,
+                       const SharpMaterials& materials) {
     const bool on_rays = parameters.primary == Primary::rays;
     const auto& transport = parameters.transport;
     PathInputs inputs;
@@ -85,7 +121,11 @@ PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameter
     inputs.bvh = passes::bvh(builder);
     if (on_rays || is_light) inputs.surfaces = declare_surfaces(builder, transport);
     if (on_rays) inputs.valid = first_hits(builder, inputs.bvh, inputs.surfaces);
-    if (is_light) declare_light_sources(builder, transport, inputs);
+    if (!is_light) return inputs;
+    declare_light_sources(builder, transport, inputs);
+    const auto sources = light_sources(builder.inputs(), transport);
+    if (LightTracer::has_paths(*builder.inputs().world, PathRules(transport), materials, sources))
+        inputs.emission = declare_emission(builder, inputs.surfaces, sources);
     return inputs;
 }
 

@@ -18,33 +18,41 @@ float min_green(const scene::Scene& scene, int texture) {
     return static_cast<float>(least) / 255;
 }
 
-bool is_smooth_somewhere(const scene::Scene& scene, const scene::Material& material) {
+/// The smallest roughness².
+float least_alpha(const scene::Scene& scene, const scene::Material& material) {
     const float roughness =
         material.roughness * min_green(scene, material.metallic_roughness_texture.texture);
-    return roughness * roughness < passes::mirror_alpha;
+    return roughness * roughness;
 }
 
-bool is_specular(const scene::Scene& scene, const scene::Material& material, Transport::Materials model) {
+bool has_interface(const scene::Material& material, Transport::Materials model) {
     if (model == Transport::Materials::lambert || material.unlit) return false;
-    // Rough glass scatters; only what has the index of air lets light pass straight on.
-    const bool is_clear = material.thickness > 0 && std::abs(material.ior - 1) < 2 * passes::same_index;
-    if (material.transmission > 0 && is_clear) return true;
-    const bool has_interface =
-        model == Transport::Materials::gltf || material.metallic > 0 || material.transmission > 0;
-    return has_interface && is_smooth_somewhere(scene, material);
+    return model == Transport::Materials::gltf || material.metallic > 0 || material.transmission > 0;
+}
+
+/// Rough glass scatters; only what has the index of air lets light pass straight on.
+bool is_clear(const scene::Material& material) {
+    return material.transmission > 0 && material.thickness > 0 &&
+           std::abs(material.ior - 1) < 2 * passes::same_index;
 }
 
 }  // namespace
 
-std::vector<bool> specular_materials(const scene::Scene& scene, Transport::Materials model) {
-    std::vector<bool> result;
-    for (const auto& material : scene.materials) result.push_back(is_specular(scene, material, model));
+SharpMaterials sharp_materials(const scene::Scene& scene, Transport::Materials model) {
+    SharpMaterials result;
+    for (const auto& material : scene.materials) {
+        const bool reflects = has_interface(material, model);
+        const float alpha = reflects ? least_alpha(scene, material) : 1;
+        const bool is_specular = reflects && (is_clear(material) || alpha < passes::mirror_alpha);
+        result.specular.push_back(is_specular);
+        result.sharp.push_back(is_specular || (reflects && alpha < sharp_alpha));
+    }
     return result;
 }
 
 PathWorld::PathWorld(const passes::Bvh& b, const passes::SurfaceLookup& s, const PathLights& l,
-                     std::vector<bool> specular)
-    : bvh(b), surfaces(s), lights(l), may_be_specular(std::move(specular)) {
+                     SharpMaterials materials)
+    : bvh(b), surfaces(s), lights(l), may_be(std::move(materials)) {
     for (const auto& m : s.scene().materials) emits.push_back(m.emission != glm::vec3(0));
 }
 

@@ -9,9 +9,17 @@
 
 namespace ir::methods::reference {
 
-/// By material: whether it is a mirror or glass under this model, at least where its textures say so. Looks
-/// at all texels of roughness textures.
-std::vector<bool> specular_materials(const scene::Scene& scene, Transport::Materials model);
+/// Where GGX's α is below this, a roughness of about 0.32, what a surface sends on of a source is
+/// concentrated.
+constexpr float sharp_alpha = 0.1f;
+
+/// By material: what it is under a model, at least where its textures say so.
+struct SharpMaterials {
+    std::vector<bool> specular;  ///< a mirror or glass
+    std::vector<bool> sharp;     ///< that, or an interface with an α below sharp_alpha
+};
+/// Looks at all texels of roughness textures.
+SharpMaterials sharp_materials(const scene::Scene& scene, Transport::Materials model);
 
 /// Sources of light by what becomes of it. Both are the same where all light is scattered on.
 struct PathLights {
@@ -22,9 +30,9 @@ struct PathLights {
 
 /// What paths run through, with what is known of it beforehand. Keeps references.
 struct PathWorld {
-    /// `specular`: specular_materials() of the scene.
+    /// `materials`: sharp_materials() of the scene.
     PathWorld(const passes::Bvh& bvh, const passes::SurfaceLookup& surfaces, const PathLights& lights,
-              std::vector<bool> specular);
+              SharpMaterials materials);
 
     const scene::Material& material(int index) const {
         return surfaces.scene().materials[static_cast<std::size_t>(index)];
@@ -36,8 +44,8 @@ struct PathWorld {
     const passes::Bvh& bvh;
     const passes::SurfaceLookup& surfaces;
     PathLights lights;
-    std::vector<bool> emits;            ///< by material
-    std::vector<bool> may_be_specular;  ///< by material: mirror or glass somewhere
+    std::vector<bool> emits;  ///< by material
+    SharpMaterials may_be;
 };
 
 }  // namespace ir::methods::reference

@@ -11,8 +11,9 @@ constexpr float shadow_end = 1 - 1e-4f;
 
 }  // namespace
 
-Wavefront::Wavefront(const PathWorld& world, const PathRules& rules, const Estimator& estimator)
-    : world_(world), rules_(rules), estimator_(estimator), most_(rules.max_scatterings()) {}
+Wavefront::Wavefront(const PathWorld& world, const PathRules& rules, const Estimator& estimator,
+                     const SharedPaths* shared)
+    : world_(world), rules_(rules), estimator_(estimator), shared_(shared), most_(rules.max_scatterings()) {}
 
 void Wavefront::trace(std::span<const PathStart> starts, std::span<PathLight> lights) {
     lights_ = lights;
@@ -72,7 +73,7 @@ void Wavefront::arrive(Path& path, const passes::Hit& hit) {
     path.way += hit.distance;
     if (rules_.max_distance > 0 && path.scatterings > 0 && path.way > rules_.max_distance) return;
     // After the last scattering only mirrors and glass lead on.
-    if (path.scatterings == most_ && most_ > 0 && !world_.may_be_specular[material]) return;
+    if (path.scatterings == most_ && most_ > 0 && !world_.may_be.specular[material]) return;
     arrive_at(path, world_.surfaces.at(hit, path.direction), hit.distance);
 }
 
@@ -89,15 +90,18 @@ void Wavefront::absorb(Path& path, int material, float distance) const {
     path.throughput *= passes::Bsdf::transmittance(world_.material(material), distance);
 }
 
-float Wavefront::weight(const Path& path, float light_pdf) const {
-    return path.pdf > 0 ? estimator_.combine(path.pdf, light_pdf) : 1.0f;
+float Wavefront::weight(const Path& path, float light_pdf, int emitter, std::uint32_t triangle,
+                        float distance) const {
+    const float traced = shared_ ? shared_->met(path.shared, emitter, triangle, path.direction, distance) : 0;
+    if (path.pdf > 0) return estimator_.combine(path.pdf, together(light_pdf, path.pdf * traced));
+    return traced > 0 ? estimator_.combine(1, traced) : 1.0f;
 }
 
 void Wavefront::add_flat_lights(const Path& path, float far) {
     lights(path).visit_lights(path.origin, path.direction, far, [&](const passes::LightHit& hit) {
         const float pdf =
             path.pdf > 0 ? lights(path).pdf_of_light(path.origin, path.normal, path.direction, hit) : 0;
-        auto radiance = weight(path, pdf) * path.throughput * hit.radiance;
+        auto radiance = weight(path, pdf, hit.emitter, 0, hit.distance) * path.throughput * hit.radiance;
         if (path.medium >= 0)
             radiance *= passes::Bsdf::transmittance(world_.material(path.medium), hit.distance);
         lights_[path.index].after(path.scatterings) += radiance;
@@ -109,24 +113,26 @@ void Wavefront::add_environment(const Path& path) {
     const float pdf =
         path.pdf > 0 ? lights(path).pdf_of_environment(path.origin, path.normal, path.direction) : 0;
     lights_[path.index].after(path.scatterings) +=
-        weight(path, pdf) * path.throughput * lights(path).environment(path.direction);
+        weight(path, pdf, passes::EmissionSampler::environment, 0, infinity) * path.throughput *
+        lights(path).environment(path.direction);
 }
 
 void Wavefront::add_emission(const Path& path, const passes::Hit& hit) {
     const float pdf =
         path.pdf > 0 ? lights(path).pdf_of_triangle(path.origin, path.normal, path.direction, hit) : 0;
     lights_[path.index].after(path.scatterings) +=
-        weight(path, pdf) * path.throughput * world_.surfaces.emission(hit.triangle, hit.u, hit.v);
+        weight(path, pdf, passes::EmissionSampler::emissive_mesh, hit.triangle, hit.distance) *
+        path.throughput * world_.surfaces.emission(hit.triangle, hit.u, hit.v);
 }
 
 void Wavefront::scatter(Path& path, const passes::Surface& surface) {
     const passes::Bsdf bsdf(surface, world_.material(surface.material), rules_.materials);
+    if (shared_ && is_first(path)) path.shared.ratio = shared_->at_eye(surface.position_ws);
     const auto choice = path.sampler.pair(path.dimension(choices));
     if (rules_.count(path.scatterings + 1) && bsdf.has_smooth_part())
         sample_light(path, surface, bsdf, choice.x);
     const auto u = path.sampler.pair(path.dimension(towards_next));
-    if (const auto sample = bsdf.sample(-path.direction, choice.y, u))
-        go_on(path, surface, *sample, bsdf.scatters_through());
+    if (const auto sample = bsdf.sample(-path.direction, choice.y, u)) go_on(path, surface, *sample, bsdf);
 }
 
 int Wavefront::medium_behind(const Path& path, const passes::Surface& surface) const {
@@ -135,8 +141,11 @@ int Wavefront::medium_behind(const Path& path, const passes::Surface& surface) c
 }
 
 void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample,
-                      bool scatters_through) {
+                      const passes::Bsdf& bsdf) {
     const auto dice = path.dimension(roulette);
+    if (shared_)
+        shared_->add(path.shared, {surface, bsdf, -path.direction, sample.wi, sample.pdf, sample.is_specular},
+                     is_first(path));
     path.throughput *= sample.weight;
     if (sample.is_specular) {
         if (++path.specular_events > max_specular_events) {
@@ -154,7 +163,7 @@ void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::
     const auto side = sample.is_transmitted ? -surface.geometric_normal_ws : surface.geometric_normal_ws;
     path.origin = passes::offset_origin(surface.position_ws, side);
     path.direction = sample.wi;
-    path.normal = scatters_through ? glm::vec3(0) : surface.geometric_normal_ws;
+    path.normal = bsdf.scatters_through() ? glm::vec3(0) : surface.geometric_normal_ws;
     path.pdf = sample.pdf;
     next_.push_back(path);
 }
@@ -179,7 +188,11 @@ void Wavefront::sample_light(const Path& path, const passes::Surface& surface, c
     const auto scattered = bsdf.evaluate_with_pdf(-path.direction, light->direction_ws);
     auto radiance = path.throughput * scattered.value * light->radiance / light->pdf;
     if (radiance == glm::vec3(0)) return;
-    if (!light->is_delta) radiance *= estimator_.combine(light->pdf, scattered.pdf);
+    const float met = light->is_delta ? 0 : scattered.pdf;
+    const float traced =
+        shared_ && !is_first(path) ? shared_->chosen(path.shared, surface, bsdf, -path.direction, *light) : 0;
+    if (const float others = together(met, traced); others > 0)
+        radiance *= estimator_.combine(light->pdf, others);
     const bool is_behind = glm::dot(surface.geometric_normal_ws, light->direction_ws) < 0;
     const int medium = is_behind ? medium_behind(path, surface) : path.medium;
     if (medium >= 0) radiance *= passes::Bsdf::transmittance(world_.material(medium), light->distance);

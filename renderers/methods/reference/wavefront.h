@@ -6,6 +6,7 @@
 
 #include "renderers/methods/reference/path_rules.h"
 #include "renderers/methods/reference/path_world.h"
+#include "renderers/methods/reference/shared_paths.h"
 #include "renderers/passes/sampling/point_sequence.h"
 #include "renderers/passes/scattering/bsdf.h"
 
@@ -32,12 +33,14 @@ struct WavefrontCounts {
 
 /// Traces thousands of paths together, one scattering after another: rays, surfaces, light sources, shadow
 /// rays, each as a loop of its own over the paths that are left. Light sources are found both by choosing
-/// them and by rays that meet them, combined by multiple importance sampling. A path's result depends on its
+/// them and by rays that meet them, combined by multiple importance sampling, also with light tracing where
+/// that finds the path, too. A path's result depends on its
 /// start alone, never on the others. Keeps its memory from call to call.
 class Wavefront {
   public:
-    /// `world` must outlive it.
-    Wavefront(const PathWorld& world, const PathRules& rules, const Estimator& estimator = {});
+    /// `world` and `shared` must outlive it. `shared`: what is also traced from light; null: nothing.
+    Wavefront(const PathWorld& world, const PathRules& rules, const Estimator& estimator = {},
+              const SharedPaths* shared = nullptr);
 
     /// Writes the light of each path.
     void trace(std::span<const PathStart> starts, std::span<PathLight> lights);
@@ -48,9 +51,10 @@ class Wavefront {
         passes::PathSampler sampler;
         glm::vec3 origin, direction;  ///< of the ray under way
         glm::vec3 throughput;         ///< light at the camera over light that arrives along the ray
-        glm::vec3 normal;     ///< geometric normal where the ray starts; 0: light comes from both sides
-        float pdf;            ///< of the direction, 1/sr; 0: no light source was sampled beside it
-        float way;            ///< metres since the last scattering
+        glm::vec3 normal;  ///< geometric normal where the ray starts; 0: light comes from both sides
+        float pdf;         ///< of the direction, 1/sr; 0: no light source was sampled beside it
+        float way;         ///< metres since the last scattering
+        SharedPaths::FromCamera shared;
         std::uint32_t index;  ///< of the result
         int medium;           ///< material that the ray runs inside of, or -1
         std::int16_t scatterings, specular_events;
@@ -79,10 +83,12 @@ class Wavefront {
     void add_environment(const Path& path);
     void add_emission(const Path& path, const passes::Hit& hit);
     /// Weight of light that a ray has met, which sampling light sources finds with this density.
-    float weight(const Path& path, float light_pdf) const;
+    float weight(const Path& path, float light_pdf, int emitter, std::uint32_t triangle,
+                 float distance) const;
+    bool is_first(const Path& path) const { return path.scatterings + path.specular_events == 0; }
     void scatter(Path& path, const passes::Surface& surface);
     void go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample,
-               bool scatters_through);
+               const passes::Bsdf& bsdf);
     int medium_behind(const Path& path, const passes::Surface& surface) const;
     void sample_light(const Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
                       float choice);
@@ -92,6 +98,7 @@ class Wavefront {
     const PathWorld& world_;
     PathRules rules_;
     Estimator estimator_;
+    const SharedPaths* shared_;
     int most_;
     WavefrontCounts counts_;
     std::span<PathLight> lights_;

@@ -65,6 +65,8 @@ struct EmissionSampler::Impl {
     std::optional<EmittedLight> from_light(std::size_t i, glm::vec2 place, glm::vec2 direction) const;
     std::optional<EmittedLight> from_triangle(std::size_t i, glm::vec2 place, glm::vec2 direction) const;
     std::optional<EmittedLight> from_sky(glm::vec2 place, glm::vec2 direction) const;
+    float light_density(const scene::Light& light, glm::vec3 direction_ws, float distance) const;
+    float sky_density(glm::vec3 direction_ws) const;
     EmittedLight from_far(glm::vec3 origin_ws, glm::vec3 direction_ws) const;
 
     std::vector<scene::Light> lights;
@@ -111,6 +113,7 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_light(std::size_t i, glm
     if (light.type == scene::LightType::directional) {
         auto emitted = from_far(box.entry(light.direction, place), light.direction);
         emitted.flux = light.colour * light.intensity * box.area_across(light.direction);
+        emitted.has_extent = false;
         return emitted;
     }
     EmittedLight emitted;
@@ -130,6 +133,7 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_light(std::size_t i, glm
     emitted.direction_ws = emitted.normal_ws = direction_at(light.direction, height, direction.y);
     emitted.flux = light.colour * light.intensity * punctual_solid_angle(light);
     emitted.range = light.range;
+    emitted.has_extent = false;
     const float profile =
         is_spot ? spot_profile(1 - height, std::cos(light.inner_angle), std::cos(light.outer_angle)) : 1;
     emitted.direction_pdf = profile / punctual_solid_angle(light);
@@ -151,6 +155,7 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_triangle(std::size_t i, 
         cosine_about(emitted.normal_ws, {is_front ? 2 * direction.x : 2 * direction.x - 1, direction.y});
     emitted.flux = 2 * pi * t.area * from->radiance;
     emitted.emitter = emissive_mesh;
+    emitted.triangle = t.index;
     emitted.area_pdf = 1 / t.area;
     emitted.direction_pdf = cosine_pdf(emitted.normal_ws, emitted.direction_ws) / 2;
     return emitted;
@@ -184,6 +189,31 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_sky(glm::vec2 place, glm
     emitted.emitter = environment;
     emitted.direction_pdf = sample.pdf;
     return emitted;
+}
+
+float EmissionSampler::Impl::light_density(const scene::Light& light, glm::vec3 direction_ws,
+                                           float distance) const {
+    if (has_area(light)) {
+        const FlatLight shape(light);
+        return glm::dot(shape.normal_ws(), direction_ws) > 0 ? 1 / (pi * shape.area()) : 0;
+    }
+    if (light.type == scene::LightType::directional) return 1 / box.area_across(light.direction);
+    const float profile = light.type == scene::LightType::spot
+                              ? spot_profile(glm::dot(light.direction, direction_ws),
+                                             std::cos(light.inner_angle), std::cos(light.outer_angle))
+                              : 1;
+    return profile / (punctual_solid_angle(light) * distance * distance);
+}
+
+float EmissionSampler::Impl::sky_density(glm::vec3 direction_ws) const {
+    if (sky->is_constant()) return 1 / (pi * box.area());
+    return sky->pdf(glm::vec3(0), -direction_ws) / box.area_across(direction_ws);
+}
+
+float EmittedLight::density(float distance) const {
+    if (!(area_pdf > 0)) return probability * direction_pdf / (distance * distance);
+    if (!(direction_pdf > 0)) return probability * area_pdf;
+    return probability * area_pdf * direction_pdf / glm::dot(normal_ws, direction_ws);
 }
 
 EmissionSampler::EmissionSampler(const SurfaceLookup& surfaces, const Options& options)
@@ -236,6 +266,26 @@ std::optional<EmittedLight> EmissionSampler::sample(float choice, glm::vec2 plac
     emitted->probability = chosen.probability;
     emitted->flux /= chosen.probability;
     return emitted;
+}
+
+float EmissionSampler::density(int emitter, std::uint32_t triangle, glm::vec3 direction_ws,
+                               float distance) const {
+    if (empty()) return 0;
+    const auto lights = impl_->lights.size();
+    if (emitter == environment)
+        return impl_->sky
+                   ? impl_->choice.probability(impl_->powers.size() - 1) * impl_->sky_density(direction_ws)
+                   : 0;
+    if (emitter == emissive_mesh) {
+        const int number = impl_->triangles ? impl_->triangles->find(triangle) : -1;
+        if (number < 0) return 0;
+        const auto i = static_cast<std::size_t>(number);
+        return impl_->choice.probability(lights + i) / (2 * pi * (*impl_->triangles)[i].area);
+    }
+    const auto at =
+        static_cast<std::size_t>(std::ranges::find(impl_->numbers, emitter) - impl_->numbers.begin());
+    if (at >= lights) return 0;
+    return impl_->choice.probability(at) * impl_->light_density(impl_->lights[at], direction_ws, distance);
 }
 
 }  // namespace ir::passes

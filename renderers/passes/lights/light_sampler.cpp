@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "renderers/passes/lights/emission_sampler.h"
 #include "renderers/passes/lights/environment_light.h"
 #include "renderers/passes/lights/flat_light.h"
 #include "renderers/passes/lights/light_choice.h"
@@ -19,12 +20,13 @@ bool is_flat(const scene::Light& light) {
     return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
 }
 
-std::vector<scene::Light> sampled_lights(const scene::World& world, const LightSamplerOptions& options) {
-    auto lights = world.lights;
-    std::erase_if(lights, [&](const scene::Light& light) {
-        return !(is_flat(light) ? options.lamps : options.punctual);
-    });
-    return lights;
+/// Numbers of the world's.
+std::vector<int> sampled_lights(const scene::World& world, const LightSamplerOptions& options) {
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < world.lights.size(); ++i)
+        if (is_flat(world.lights[i]) ? options.lamps : options.punctual)
+            numbers.push_back(static_cast<int>(i));
+    return numbers;
 }
 
 /// `choice` with more than its 24 bits, which would not last to the leaves of a deep tree: the rest are a
@@ -52,6 +54,7 @@ struct LightSampler::Impl {
         FlatLight light;
         int index;  ///< of lights
     };
+    std::vector<int> numbers;  ///< of lights in the world
     std::vector<scene::Light> lights;
     std::vector<Flat> flat;
     std::vector<int> flat_of;  ///< per light: index into flat or -1
@@ -61,7 +64,8 @@ struct LightSampler::Impl {
 };
 
 LightSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
-    : lights(sampled_lights(surfaces.world(), options)) {
+    : numbers(sampled_lights(surfaces.world(), options)) {
+    for (const int i : numbers) lights.push_back(surfaces.world().lights[static_cast<std::size_t>(i)]);
     flat_of.assign(lights.size(), -1);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!is_flat(lights[i])) continue;
@@ -82,28 +86,34 @@ std::optional<LightSample> LightSampler::Impl::sample_light(std::size_t light, f
         const auto& shape = flat[static_cast<std::size_t>(number)].light;
         const auto point = shape.sample(position_ws, u);
         if (!point) return std::nullopt;
-        return LightSample{point->direction_ws, point->distance, shape.radiance(), probability * point->pdf,
-                           false};
+        return LightSample{point->direction_ws,      point->distance, shape.radiance(),
+                           probability * point->pdf, false,           numbers[light]};
     }
     const auto arrival = punctual_arrival(lights[light], position_ws);
     if (!arrival) return std::nullopt;
-    return LightSample{arrival->direction_ws, arrival->distance, arrival->irradiance, probability, true};
+    return LightSample{arrival->direction_ws, arrival->distance, arrival->irradiance, probability, true,
+                       numbers[light]};
 }
 
 std::optional<LightSample> LightSampler::Impl::sample_triangle(std::size_t triangle, float probability,
                                                                glm::vec3 position_ws, glm::vec2 u) const {
     const auto point = triangles->sample(triangle, position_ws, u);
     if (!point) return std::nullopt;
-    return LightSample{point->direction_ws, point->distance, point->radiance, probability * point->pdf,
-                       false};
+    return LightSample{point->direction_ws,         point->distance, point->radiance,
+                       probability * point->pdf,    false,           EmissionSampler::emissive_mesh,
+                       (*triangles)[triangle].index};
 }
 
 std::optional<LightSample> LightSampler::Impl::sample_environment(float probability, glm::vec3 normal_ws,
                                                                   glm::vec2 u) const {
     const auto sky = environment->sample(normal_ws, u);
     if (!(sky.pdf > 0) || sky.radiance == glm::vec3(0)) return std::nullopt;
-    return LightSample{sky.direction_ws, std::numeric_limits<float>::infinity(), sky.radiance,
-                       probability * sky.pdf, false};
+    return LightSample{sky.direction_ws,
+                       std::numeric_limits<float>::infinity(),
+                       sky.radiance,
+                       probability * sky.pdf,
+                       false,
+                       EmissionSampler::environment};
 }
 
 LightSampler::LightSampler(const SurfaceLookup& surfaces, const Options& options)
@@ -148,6 +158,27 @@ float LightSampler::pdf_of_environment(glm::vec3 normal_ws, glm::vec3 direction_
            impl_->environment->pdf(normal_ws, direction_ws);
 }
 
+float LightSampler::pdf_of_arrival(glm::vec3 position_ws, glm::vec3 normal_ws,
+                                   const EmittedLight& light) const {
+    LightReceiver receiver(position_ws, normal_ws);
+    if (light.emitter == EmissionSampler::environment)
+        return pdf_of_environment(position_ws, normal_ws, -light.direction_ws);
+    if (light.emitter == EmissionSampler::emissive_mesh) {
+        const int number = impl_->triangles ? impl_->triangles->find(light.triangle) : -1;
+        const float cosine = glm::dot(light.normal_ws, light.direction_ws);
+        if (number < 0 || !(cosine > 0)) return 0;
+        const auto way = position_ws - light.origin_ws;
+        return impl_->choice->probability(receiver, static_cast<int>(impl_->lights.size()) + number) *
+               light.area_pdf * glm::dot(way, way) / cosine;
+    }
+    const auto at = std::ranges::find(impl_->numbers, light.emitter) - impl_->numbers.begin();
+    if (at >= std::ssize(impl_->numbers)) return 0;
+    const float chosen = impl_->choice->probability(receiver, static_cast<int>(at));
+    const int number = impl_->flat_of[static_cast<std::size_t>(at)];
+    if (number < 0) return chosen;
+    return chosen * impl_->flat[static_cast<std::size_t>(number)].light.pdf(position_ws, -light.direction_ws);
+}
+
 glm::vec3 LightSampler::environment(glm::vec3 direction_ws) const {
     return impl_->environment ? impl_->environment->radiance(direction_ws) : glm::vec3(0);
 }
@@ -178,7 +209,7 @@ std::optional<LightHit> LightSampler::intersect(int index, glm::vec3 origin_ws, 
     const auto& [shape, light] = impl_->flat[static_cast<std::size_t>(index)];
     const auto distance = shape.intersect(origin_ws, direction_ws, far);
     if (!distance) return std::nullopt;
-    return LightHit{*distance, shape.radiance(), light};
+    return LightHit{*distance, shape.radiance(), light, impl_->numbers[static_cast<std::size_t>(light)]};
 }
 
 }  // namespace ir::passes

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -9,6 +10,8 @@
 
 namespace ir::passes {
 
+struct EmittedLight;
+
 /// One direction towards the light of a scene.
 struct LightSample {
     glm::vec3 direction_ws{0};  ///< unit, from the point to the light
@@ -16,14 +19,17 @@ struct LightSample {
     glm::vec3 radiance{0};      ///< W/(m² sr) that arrives unless something is in between; of lights without
                                 ///< extent the irradiance on a surface that faces them, W/m²
     float pdf = 0;  ///< per solid angle, choice of the light included; without extent the choice alone
-    bool is_delta = false;  ///< a light without extent, which no ray can hit
+    bool is_delta = false;       ///< a light without extent, which no ray can hit
+    int emitter = 0;             ///< as EmittedLight::emitter
+    std::uint32_t triangle = 0;  ///< of the world, where that is an emissive mesh
 };
 
 /// What a ray meets of rectangle and disk lights, which are not in the BVH and stop no ray.
 struct LightHit {
     float distance = 0;
     glm::vec3 radiance{0};
-    int light = -1;  ///< number among those that are sampled, for pdf_of_light()
+    int light = -1;   ///< number among those that are sampled, for pdf_of_light()
+    int emitter = 0;  ///< index of the world's light
 };
 
 struct LightSamplerOptions {
@@ -72,6 +78,8 @@ class LightSampler {
     float pdf_of_environment(glm::vec3, glm::vec3 normal_ws, glm::vec3 direction_ws) const {
         return pdf_of_environment(normal_ws, direction_ws);
     }
+    /// The same for a ray from a light that arrives at that point; 0 of what is not sampled here.
+    float pdf_of_arrival(glm::vec3 position_ws, glm::vec3 normal_ws, const EmittedLight& light) const;
 
     /// Radiance from infinity, 0 where the options leave it out.
     glm::vec3 environment(glm::vec3 direction_ws) const;

@@ -295,6 +295,30 @@ std::optional<BsdfSample> Bsdf::sample_importance(glm::vec3 wi, float lobe, glm:
     return sample;
 }
 
+/// As Surface has it for rays from the other side.
+Bsdf Bsdf::from_behind() const {
+    auto other = *this;
+    other.n_ = -n_, other.geometric_n_ = -geometric_n_;
+    if (!is_thin_ && eta_ > 0) other.eta_ = 1 / eta_;
+    return other;
+}
+
+float Bsdf::pdf_from_any_side(glm::vec3 from, glm::vec3 to) const {
+    return glm::dot(geometric_n_, from) > 0 ? pdf(from, to) : from_behind().pdf(from, to);
+}
+
+float Bsdf::specular_spread(glm::vec3 from, glm::vec3 to) const {
+    const auto cosine = [&](glm::vec3 v) {
+        return glm::dot(geometric_n_, v) > 0 ? glm::dot(n_, v) : -glm::dot(n_, v);
+    };
+    const auto squared_index = [&](glm::vec3 v) {
+        return is_thin_ || glm::dot(geometric_n_, v) > 0 ? 1 : eta_ * eta_;
+    };
+    const float leaving = cosine(from), arriving = cosine(to), index = squared_index(from);
+    if (leaving < min_view_cosine || arriving < min_view_cosine || !(index > 0)) return 0;
+    return squared_index(to) * arriving / (index * leaving);
+}
+
 glm::vec3 Bsdf::passed_straight(glm::vec3 wo) const {
     if (is_dark_ || !is_thin_ || transmission_ <= 0 || scatters_through()) return glm::vec3(0);
     const BsdfLobes seen(*this, wo);

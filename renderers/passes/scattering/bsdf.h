@@ -77,6 +77,15 @@ class Bsdf {
     /// Where power that arrives from `wi` goes on to; `weight` is the part that does, over the probability.
     std::optional<BsdfSample> sample_importance(glm::vec3 wi, float lobe, glm::vec2 u) const;
 
+    /// For the weights of paths that are traced from both ends; directions on any side of the surface.
+    ///
+    /// Density per solid angle with which the surface that is met along `from` sends a path on to `to`;
+    /// specular parts left out.
+    float pdf_from_any_side(glm::vec3 from, glm::vec3 to) const;
+    /// dω(from) / dω(to) of a specular event: 1 of mirrors, by Snell's law of glass. 0 where `to` does not
+    /// lead back to `from`, because one of them is below the shading normal's horizon.
+    float specular_spread(glm::vec3 from, glm::vec3 to) const;
+
     /// Of light from behind, towards `wo`, the fraction that a sheet of clear glass lets pass straight on, as
     /// often as sample() chooses it; 0 of anything else.
     glm::vec3 passed_straight(glm::vec3 wo) const;
@@ -94,6 +103,7 @@ class Bsdf {
 
   private:
     friend struct BsdfLobes;
+    Bsdf from_behind() const;
     glm::vec3 n_{0}, geometric_n_{0};
     glm::vec3 diffuse_{0};    ///< albedo of the Lambert part, without the interface above it
     glm::vec3 f0_{0};         ///< reflectance of the microfacets at normal incidence

@@ -107,8 +107,8 @@ std::string canonical_name(const Description& scene, const Values& values) {
 
 const std::vector<Description>& descriptions() {
     static const std::vector<Description> all = {
-        atrium(),     cornell(),  furnace(),  plane(),     corner(),   crevice(),  conference(),
-        still_life(), corridor(), hairball(), graveyard(), dominoes(), cathedral()};
+        atrium(),     cornell(),  furnace(),  plane(),     corner(),   crevice(),   conference(),
+        still_life(), corridor(), hairball(), graveyard(), dominoes(), cathedral(), caustics()};
     return all;
 }
 

@@ -50,5 +50,6 @@ Description hairball();
 Description graveyard();
 Description dominoes();
 Description cathedral();
+Description caustics();
 
 }  // namespace ir::scene::builtin

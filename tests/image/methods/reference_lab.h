@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderers/methods/reference/estimate.h"
+#include "renderers/methods/reference/shared_paths.h"
 #include "renderers/methods/reference/wavefront.h"
 
 namespace ir::methods::reference {
@@ -66,6 +67,7 @@ class Lab {
     }
     void light(const scene::Light& light) { scene_.lights.push_back(light); }
     void environment(glm::vec3 radiance) { scene_.environment.constant = radiance; }
+    void environment(Image map) { scene_.environment.map = std::make_shared<const Image>(std::move(map)); }
 
     void build() {
         if (scene_.materials.empty()) scene_.materials.emplace_back();
@@ -74,12 +76,19 @@ class Lab {
         bvh_ = std::make_unique<passes::Bvh>(scene_, world_);
         surfaces_ = std::make_unique<passes::SurfaceLookup>(scene_, world_, true);
         lights_ = std::make_unique<passes::LightSampler>(*surfaces_);
+        passes::EmissionOptions sources;
+        for (std::size_t i = 0; i < world_.lights.size(); ++i) sources.lights.push_back(static_cast<int>(i));
+        emission_ = std::make_unique<passes::EmissionSampler>(*surfaces_, sources);
     }
     const scene::Scene& scene() const { return scene_; }
     PathWorld world(Transport::Materials model) const {
-        return {*bvh_, *surfaces_, {*lights_, *lights_}, specular_materials(scene_, model)};
+        return {*bvh_, *surfaces_, {*lights_, *lights_}, sharp_materials(scene_, model)};
     }
     const passes::LightSampler& lights() const { return *lights_; }
+    const passes::EmissionSampler& emission() const { return *emission_; }
+    SharedPaths shared(const scene::View& view, Transport::Materials model) const {
+        return {view, *emission_, model};
+    }
 
   private:
     /// Of the unit sphere.
@@ -106,6 +115,7 @@ class Lab {
     std::unique_ptr<passes::Bvh> bvh_;
     std::unique_ptr<passes::SurfaceLookup> surfaces_;
     std::unique_ptr<passes::LightSampler> lights_;
+    std::unique_ptr<passes::EmissionSampler> emission_;
 };
 
 inline Transport transport(Transport::Paths paths, int min_bounces = 1, int max_bounces = 1,

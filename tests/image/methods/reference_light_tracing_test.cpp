@@ -1,6 +1,6 @@
-// Light over mirrors and through glass, traced from lights without extent: against closed forms, and against
-// paths from the camera that meet a light with an extent. Means are over independent seeds; |t| < 5.2 is α =
-// 1e-5 with 31 degrees of freedom.
+// Light over mirrors and through glass, traced from lights without extent, which no camera finds: against
+// closed forms, and against paths from the camera that meet a light with an extent. Means are over
+// independent seeds; |t| < 5.2 is α = 1e-5 with 31 degrees of freedom.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -50,7 +50,8 @@ struct Traced {
 };
 Traced traced(const Lab& lab, const Transport& transport, const scene::View& view, int paths) {
     const auto world = lab.world(transport.materials);
-    const LightTracer tracer(world, PathRules(transport), view);
+    const auto shared = lab.shared(view, transport.materials);
+    const LightTracer tracer(world, PathRules(transport), shared);
     Traced result;
     for (int seed = 0; seed < seeds; ++seed) {
         std::vector<Splat> splats;

@@ -300,7 +300,7 @@ std::string notes_of(const scene::Material& material, Transport::Materials model
     graph::GraphBuilder builder(method, inputs, 1, 0);
     Parameters parameters;
     parameters.transport = transport(Paths::full, 1, 1, model);
-    note_limits(builder, parameters, specular_materials(scene, model));
+    note_limits(builder, parameters, sharp_materials(scene, model));
     std::string all;
     for (const auto& note : builder.notes()) all += note;
     return all;

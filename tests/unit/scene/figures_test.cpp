@@ -1,4 +1,5 @@
-// The procedural scenes that stand for those of published figures: graveyard, dominoes and cathedral.
+// The procedural scenes that stand for those of published figures: graveyard, dominoes, cathedral and
+// caustics.
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,24 @@ TEST(Dominoes, AreAboutAsManyTrianglesAsPublishedAllClosed) {
     EXPECT_FLOAT_EQ(rough.materials[mesh_named(rough, "floor").material].roughness, 0.3f);
     EXPECT_NE(rough.content_hash, scene.content_hash);
     EXPECT_THROW(make_builtin("dominoes?roughness=0"), UsageError);
+}
+
+TEST(CausticsScene, HasClosedBodiesOfGlassAndMirrorOnATable) {
+    const Scene& scene = scene_of("caustics");
+    for (const auto& mesh : scene.meshes) {
+        EXPECT_EQ(open_edges(mesh), 0u) << mesh.name;
+        EXPECT_GT(volume(mesh), 0) << mesh.name;
+        float low = 1;
+        for (const auto& p : mesh.positions) low = std::min(low, p.y);
+        EXPECT_NEAR(low, mesh.name == "table" ? -0.04f : 0, 1e-3f) << mesh.name;
+    }
+    const auto& glass = scene.materials[mesh_named(scene, "ball").material];
+    EXPECT_GT(glass.thickness, 0) << "it bends light";
+    EXPECT_FLOAT_EQ(glass.transmission, 1);
+    const auto& mirror = scene.materials[mesh_named(scene, "ring").material];
+    EXPECT_FLOAT_EQ(mirror.metallic, 1);
+    EXPECT_FLOAT_EQ(glass.roughness + mirror.roughness, 0);
+    EXPECT_GT(triangles(scene), 4 * triangles(make_builtin("caustics?detail=0.1")));
 }
 
 /// The upper front edge of a fallen domino lies on the back of the next one, to a hundredth of a millimetre.
