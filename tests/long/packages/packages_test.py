@@ -7,6 +7,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import small_root
+
 CPACK, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1))
 
 
@@ -81,6 +83,27 @@ class Packages(unittest.TestCase):
         sample = usr / "share/interreflect/samples/crevice-leaks.interreflect"
         self.assertIn("ldm-ao", run(program, "project", sample))
         self.assertIn('"title"', run(program, "schema", "statistics"))
+
+    def test_dependencies_suffice(self):
+        """In a system of what the package names, and no more, the command line renders by either backend."""
+        if os.geteuid() != 0:
+            self.skipTest("only root may change its root")
+        root = self.folder / "clean"
+        package = self.packages["interreflect-cli"]
+        relation = run("dpkg-deb", "-f", package, "Depends") + "," + run("dpkg-deb", "-f", package, "Recommends")
+        try:
+            small_root.make(root, relation.replace("\n", ""))
+        except LookupError as missing:
+            self.skipTest(str(missing))
+        run("dpkg-deb", "-x", package, root)
+        if small_root.run(root, "true").returncode != 0:
+            self.skipTest("mounts are not allowed here")
+        self.assertFalse(list(root.rglob("libQt6*")))
+        for backend in ("egl", "osmesa"):
+            done = small_root.run(root, "interreflect-cli", "render", "--scene", "builtin:cornell", "--method", "ldm-ao",
+                                  "--size", "32x24", "--backend", backend, "--out", f"/tmp/{backend}.png")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertGreater((root / f"tmp/{backend}.png").stat().st_size, 200)
 
     def test_documents_are_there(self):
         usr = self.root("interreflect-cli")
