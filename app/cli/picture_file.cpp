@@ -19,6 +19,7 @@ void require_picture(const std::string& file, const std::vector<std::string>& du
 void write_picture(const std::filesystem::path& file, const engine::Execution& execution,
                    const std::vector<std::string>& dumps) {
     if (file.extension() == ".exr") {
+        compress_exr_in_threads();
         write_exr(file, engine::layers(execution, dumps), engine::attributes(execution));
         return;
     }

@@ -5,8 +5,10 @@
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 
 #include <set>
+#include <thread>
 
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
@@ -133,6 +135,10 @@ Fill content_of(const std::filesystem::path& file, const std::vector<ImageLayer>
 }
 
 }  // namespace
+
+void compress_exr_in_threads() {
+    Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void write_exr(const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
                const ImageAttributes& attributes) {

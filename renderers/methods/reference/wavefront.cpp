@@ -4,12 +4,6 @@
 #include "renderers/passes/raytracing/ray_offset.h"
 
 namespace ir::methods::reference {
-namespace {
-
-/// Shadow rays end this fraction before the point on the light, so that they do not meet it.
-constexpr float shadow_end = 1 - 1e-4f;
-
-}  // namespace
 
 Wavefront::Wavefront(const PathWorld& world, const PathRules& rules, const Estimator& estimator,
                      const SharedPaths* shared)
@@ -199,7 +193,7 @@ void Wavefront::sample_light(const Path& path, const passes::Surface& surface, c
     if (bsdf.scatters_through())
         origin = passes::offset_origin(
             surface.position_ws, is_behind ? -surface.geometric_normal_ws : surface.geometric_normal_ws);
-    shadow_rays_.push_back({origin, light->direction_ws, radiance, light->distance * shadow_end, path.index,
+    shadow_rays_.push_back({origin, light->direction_ws, radiance, light->distance * passes::shadow_ray_end, path.index,
                             path.scatterings + 1});
 }
 

@@ -1,5 +1,6 @@
 #include "renderers/passes/direct/direct_light.h"
 
+#include "renderers/passes/direct/direct_light_on_host.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/scene/light_data.h"
 
@@ -32,7 +33,8 @@ OutputDescription direct_output() {
             .unit = "W/(m² sr)",
             .doc =
                 "Reflected towards the eye, without emission: of point, spot and directional lights by "
-                "shadow maps, of rectangles, disks, emissive meshes and the environment by samples."};
+                "shadow maps (on the host by rays), of rectangles, disks, emissive meshes and the "
+                "environment by samples."};
 }
 
 std::vector<OutputDescription> direct_outputs() {
@@ -55,9 +57,16 @@ DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const
     const auto shadow = shadow_maps(builder, scene, options.shadow_resolution);
     const DirectLight result{
         builder.image({.text = graph::text_of(direct_output()), .format = gl::Format::rgba32f}), shadow};
+    // Rays give sharp shadows only.
+    const bool has_two_bodies = options.shadow_filter_radius == 0;
+    if (has_two_bodies && builder.inputs().processor == Processor::host) {
+        direct_light_on_host(builder, gbuffer, options.extended.materials, extended, result.radiance);
+        return result;
+    }
     gl::ProgramSource source{{"passes/direct/direct_light.frag"},
                              {{"MATERIALS", std::to_string(static_cast<int>(options.extended.materials))}}};
     auto pass = builder.pass("direct light");
+    if (has_two_bodies) pass.has_two_bodies();
     pass.reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,
                gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material);
     if (extended) {

@@ -31,7 +31,8 @@ struct DirectLightOptions {
 ExtendedLightOptions extended_light_options(const LightParameters& parameters, const Transport& transport);
 
 /// Declares the passes "shadow maps" and "direct light", and, where there are sources with an extent, those
-/// of extended_light(). Notes what is left out.
+/// of extended_light(). On the host rays take the maps' place, which are drawn only for those who read them.
+/// Notes what is left out.
 DirectLight direct_light(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                          const DirectLightOptions& options = {});
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "renderers/passes/raytracing/ray_offset.h"
 #include "renderers/passes/scattering/bsdf.h"
@@ -14,8 +16,6 @@ namespace {
 /// Pairs of numbers of a sample.
 enum LightDimension : std::uint32_t { of_choices, of_source, of_direction };
 
-/// Shadow rays end this fraction before the point on the light, so that they do not meet it.
-constexpr float shadow_ray_end = 1 - 1e-4f;
 constexpr float no_limit = std::numeric_limits<float>::infinity();
 /// Rays of a pixel start at one point, but go anywhere.
 constexpr bool coherent = false;
@@ -37,24 +37,59 @@ LightEstimate::LightEstimate(const Bvh& bvh, const SurfaceLookup& surfaces, cons
 /// A surface of which samples are taken.
 struct LightEstimate::Receiver {
     Bsdf bsdf;
+    std::optional<OpaqueLobes> opaque;
     glm::vec3 wo, normal, origin;
     LightReceiver lights;
 
     Receiver(const Surface& surface, const scene::Material& material, Transport::Materials model,
              glm::vec3 to)
         : bsdf(surface, material, model),
+          opaque(bsdf.opaque(to)),
           wo(to),
           normal(surface.geometric_normal_ws),
           origin(offset_origin(surface.position_ws, normal)),
           lights(origin, normal) {}
+
+    /// In the directions whose bit is set.
+    void evaluate(std::uint32_t which, const Lanes3& directions, OpaqueLobes::Values& values) const {
+        if (opaque) return opaque->evaluate(directions, values);
+        for (; which != 0; which &= which - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(which));
+            const auto scattered = bsdf.evaluate_with_pdf(wo, directions.at(i));
+            values.value.put(i, scattered.value);
+            values.pdf[i] = scattered.pdf;
+        }
+    }
+
+    struct Choice {
+        Lanes3 directions;
+        std::uint32_t chosen = 0, mirrored = 0;  ///< bits
+        Lanes3 of_mirrors;                       ///< weights
+    };
+    /// Of the first `count`; those that glass lets through are left out.
+    void choose(std::size_t count, const Lanes& lobes, const Lanes2& u, Choice& choice) const {
+        if (opaque) {
+            choice.chosen = opaque->choose(lobes, u, choice.directions) & ((1u << count) - 1);
+            return;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto one = bsdf.choose(wo, lobes[i], {u.x[i], u.y[i]});
+            if (!one || one->is_transmitted) continue;
+            choice.chosen |= 1u << i;
+            choice.directions.put(i, one->wi);
+            if (!one->is_specular) continue;
+            choice.mirrored |= 1u << i;
+            choice.of_mirrors.put(i, one->weight);
+        }
+    }
 };
 
 /// Rays of samples that wait for their answer, all from one origin.
 struct LightEstimate::Pending {
     Bvh::Packet16 rays;
-    std::array<std::size_t, 16> samples;
-    std::array<glm::vec3, 16> weights;
-    std::array<float, 16> pdfs;
+    std::array<std::size_t, lane_count> samples;
+    std::array<glm::vec3, lane_count> weights;
+    std::array<float, lane_count> pdfs;
     std::size_t count = 0;
 
     Pending() { std::ranges::fill(rays.active, 0); }
@@ -74,13 +109,14 @@ void LightEstimate::sample(const Surface& surface, glm::vec3 wo, std::span<const
     std::ranges::fill(radiances, glm::vec3(0));
     if (surface.is_unlit) return;
     Receiver receiver(surface, material(surface.material), options_.materials, wo);
-    constexpr std::size_t most = 16;
-    for (std::size_t begin = 0; begin < samplers.size(); begin += most) {
-        const auto count = std::min(most, samplers.size() - begin);
+    for (std::size_t begin = 0; begin < samplers.size(); begin += lane_count) {
+        const auto count = std::min(lane_count, samplers.size() - begin);
         const auto some = samplers.subspan(begin, count);
         const auto of_some = radiances.subspan(begin, count);
-        if (receiver.bsdf.has_smooth_part()) towards_sources(receiver, some, of_some);
-        by_directions(receiver, some, of_some);
+        Lanes2 choices;
+        PathSampler::pairs(some, of_choices, choices);
+        if (receiver.bsdf.has_smooth_part()) towards_sources(receiver, some, choices.x, of_some);
+        by_directions(receiver, some, choices.y, of_some);
     }
     for (auto& radiance : radiances)
         if (!has_finite_parts(radiance)) radiance = glm::vec3(0);
@@ -92,19 +128,32 @@ glm::vec3 LightEstimate::reflectance(const Surface& surface) const {
 }
 
 void LightEstimate::towards_sources(Receiver& receiver, std::span<const PathSampler> samplers,
-                                    std::span<glm::vec3> radiances) const {
-    Pending pending;
+                                    const Lanes& choices, std::span<glm::vec3> radiances) const {
+    Lanes2 u;
+    PathSampler::pairs(samplers, of_source, u);
+    std::array<LightSample, lane_count> lights;
+    Lanes3 directions;
+    std::uint32_t lit = 0;
     for (std::size_t i = 0; i < samplers.size(); ++i) {
-        const float choice = samplers[i].pair(of_choices).x;
-        const auto light = lights_.sample(receiver.lights, choice, samplers[i].pair(of_source));
+        const auto light = lights_.sample(receiver.lights, choices[i], {u.x[i], u.y[i]});
         if (!light || !(light->pdf > 0)) continue;
         if (glm::dot(receiver.normal, light->direction_ws) <= 0)
             continue;  // rough glass lets nothing through
-        const auto scattered = receiver.bsdf.evaluate_with_pdf(receiver.wo, light->direction_ws);
-        const auto radiance =
-            scattered.value * light->radiance * (options_.combine(light->pdf, scattered.pdf) / light->pdf);
+        lit |= 1u << i;
+        lights[i] = *light;
+        directions.put(i, light->direction_ws);
+    }
+    if (lit == 0) return;
+    OpaqueLobes::Values scattered;
+    receiver.evaluate(lit, directions, scattered);
+    Pending pending;
+    for (; lit != 0; lit &= lit - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(lit));
+        const auto& light = lights[i];
+        const auto radiance = scattered.value.at(i) * light.radiance *
+                              (options_.combine(light.pdf, scattered.pdf[i]) / light.pdf);
         if (radiance == glm::vec3(0)) continue;
-        pending.add(i, radiance, 0, receiver.origin, light->direction_ws, light->distance * shadow_ray_end);
+        pending.add(i, radiance, 0, receiver.origin, light.direction_ws, light.distance * shadow_ray_end);
     }
     if (pending.count == 0) return;
     if (!panes_.any()) {
@@ -121,21 +170,33 @@ void LightEstimate::towards_sources(Receiver& receiver, std::span<const PathSamp
 }
 
 void LightEstimate::by_directions(Receiver& receiver, std::span<const PathSampler> samplers,
-                                  std::span<glm::vec3> radiances) const {
+                                  const Lanes& lobes, std::span<glm::vec3> radiances) const {
+    Lanes2 u;
+    PathSampler::pairs(samplers, of_direction, u);
+    Receiver::Choice choice;
+    receiver.choose(samplers.size(), lobes, u, choice);
+    // Most directions meet no source, and need neither weight nor ray.
+    std::uint32_t meeting = 0;
+    for (auto left = options_.mirrors ? choice.chosen : choice.chosen & ~choice.mirrored; left != 0;
+         left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        if (lights_.may_meet(receiver.origin, choice.directions.at(i))) meeting |= 1u << i;
+    }
+    if (meeting == 0) return;
+    OpaqueLobes::Values scattered;
+    receiver.evaluate(meeting & ~choice.mirrored, choice.directions, scattered);
     Pending pending;
-    for (std::size_t i = 0; i < samplers.size(); ++i) {
-        const float lobe = samplers[i].pair(of_choices).y;
-        const auto chosen = receiver.bsdf.choose(receiver.wo, lobe, samplers[i].pair(of_direction));
-        if (!chosen || chosen->is_transmitted || (chosen->is_specular && !options_.mirrors)) continue;
-        // Most directions meet no source, and need neither weight nor ray.
-        if (!lights_.may_meet(receiver.origin, chosen->wi)) continue;
-        const auto sample = receiver.bsdf.weighted(receiver.wo, *chosen);
-        if (!sample) continue;
-        pending.add(i, sample->weight, sample->pdf, receiver.origin, sample->wi, no_limit);
+    for (; meeting != 0; meeting &= meeting - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(meeting));
+        const bool is_mirrored = (choice.mirrored >> i & 1) != 0;
+        const float pdf = is_mirrored ? 0 : scattered.pdf[i];
+        const auto weight = is_mirrored ? choice.of_mirrors.at(i) : scattered.value.at(i) / pdf;
+        if (!is_mirrored && (!(pdf > 0) || weight == glm::vec3(0))) continue;
+        pending.add(i, weight, pdf, receiver.origin, choice.directions.at(i), no_limit);
     }
     if (pending.count == 0) return;
     const bool is_clear = !panes_.any();
-    Hit hits[16];
+    Hit hits[lane_count];
     if (is_clear) bvh_.closest_hits16(pending.rays, coherent, hits);
     for (std::size_t k = 0; k < pending.count; ++k) {
         const auto sight =

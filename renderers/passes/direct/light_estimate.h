@@ -56,9 +56,9 @@ class LightEstimate {
     const scene::Material& material(int index) const {
         return surfaces_.scene().materials[static_cast<std::size_t>(index)];
     }
-    void towards_sources(Receiver& receiver, std::span<const PathSampler> samplers,
+    void towards_sources(Receiver& receiver, std::span<const PathSampler> samplers, const Lanes& choices,
                          std::span<glm::vec3> radiances) const;
-    void by_directions(Receiver& receiver, std::span<const PathSampler> samplers,
+    void by_directions(Receiver& receiver, std::span<const PathSampler> samplers, const Lanes& lobes,
                        std::span<glm::vec3> radiances) const;
     glm::vec3 met_sources(Receiver& receiver, glm::vec3 direction, float pdf,
                           const Panes::Sight& sight) const;

@@ -37,6 +37,12 @@ int points_for(const scene::Scene& scene, const scene::World& world, std::uint32
     return static_cast<int>(covered > fewest ? std::min(covered, most) : fewest);
 }
 
+/// Of a point at `offset`: distance² / (cos * area), the cosine taken from the normal of length 2 * area.
+float pdf_at(const TriangleLights::Triangle& t, glm::vec3 offset, float squared, float distance) {
+    const float density = 2 * squared * distance / std::abs(glm::dot(offset, t.cross));
+    return std::isfinite(density) ? density : 0;
+}
+
 /// Luminance averaged over points of the R2 sequence.  [Roberts18]
 float mean_luminance(const SurfaceLookup& surfaces, std::uint32_t triangle, int points) {
     double sum = 0;
@@ -59,10 +65,14 @@ TriangleLights::TriangleLights(const SurfaceLookup& surfaces)
         const float factor = luminance(scene.materials[world.triangle_materials[i]].emission);
         if (!(factor > 0)) continue;
         const auto corner = [&](std::uint32_t c) { return world.positions[world.indices[3 * i + c]]; };
-        Triangle t{corner(0), corner(1) - corner(0), corner(2) - corner(0), i, 0, 0};
-        t.area = 0.5f * glm::length(glm::cross(t.edge_u, t.edge_v));
+        Triangle t{corner(0), corner(1) - corner(0), corner(2) - corner(0), i};
+        t.cross = glm::cross(t.edge_u, t.edge_v);
+        t.area = 0.5f * glm::length(t.cross);
         if (!(t.area > 0) || !std::isfinite(t.area)) continue;
         t.radiance = std::max(mean_luminance(surfaces, i, points_for(scene, world, i)), min_part * factor);
+        t.is_even = i < opaque_triangles_ &&
+                    scene.materials[world.triangle_materials[i]].emission_texture.texture < 0;
+        t.emission = surfaces.emission(i, 0, 0);
         triangles_.push_back(t);
     }
     if (triangles_.empty()) return;
@@ -74,9 +84,11 @@ TriangleLights::TriangleLights(const SurfaceLookup& surfaces)
 std::optional<TriangleLights::Origin> TriangleLights::origin(std::size_t i, glm::vec2 u) const {
     const auto& t = triangles_[i];
     const auto at = low_distortion_map(u);
+    const auto position_ws = t.corner + at.x * t.edge_u + at.y * t.edge_v;
+    if (t.is_even) return Origin{position_ws, at, t.emission};
     if (t.index >= opaque_triangles_ && !masks_->is_covered(t.index - opaque_triangles_, at.x, at.y))
         return std::nullopt;
-    Origin origin{t.corner + at.x * t.edge_u + at.y * t.edge_v, at, surfaces_->emission(t.index, at.x, at.y)};
+    const Origin origin{position_ws, at, surfaces_->emission(t.index, at.x, at.y)};
     if (origin.radiance == glm::vec3(0)) return std::nullopt;
     return origin;
 }
@@ -85,24 +97,18 @@ std::optional<TriangleLights::Point> TriangleLights::sample(std::size_t i, glm::
                                                             glm::vec2 u) const {
     const auto from = origin(i, u);
     if (!from) return std::nullopt;
-    Point point;
-    point.pdf = pdf(i, position_ws, from->barycentric.x, from->barycentric.y);
-    if (!(point.pdf > 0)) return std::nullopt;
     const auto offset = from->position_ws - position_ws;
-    point.radiance = from->radiance;
-    point.distance = glm::length(offset);
-    point.direction_ws = offset / point.distance;
-    return point;
+    const float squared = glm::dot(offset, offset), distance = std::sqrt(squared);
+    const float pdf = pdf_at(triangles_[i], offset, squared, distance);
+    if (!(pdf > 0)) return std::nullopt;
+    return Point{offset / distance, distance, from->radiance, pdf};
 }
 
 float TriangleLights::pdf(std::size_t i, glm::vec3 position_ws, float u, float v) const {
     const auto& t = triangles_[i];
     const auto offset = t.corner + u * t.edge_u + v * t.edge_v - position_ws;
-    // distance² / (cos * area), the cosine taken from the normal of length 2 * area.
     const float squared = glm::dot(offset, offset);
-    const float twice = std::abs(glm::dot(offset, glm::cross(t.edge_u, t.edge_v)));
-    const float density = 2 * squared * std::sqrt(squared) / twice;
-    return std::isfinite(density) ? density : 0;
+    return pdf_at(t, offset, squared, std::sqrt(squared));
 }
 
 }  // namespace ir::passes

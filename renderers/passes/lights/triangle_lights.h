@@ -18,6 +18,9 @@ class TriangleLights {
         std::uint32_t index = 0;  ///< of the world
         float area = 0;           ///< m²
         float radiance = 0;       ///< luminance, mean over the area, W/(m² sr)
+        glm::vec3 cross{0};       ///< edge_u × edge_v: the normal, twice as long as the area
+        bool is_even = false;     ///< without texture and mask: sends `emission` everywhere
+        glm::vec3 emission{0};    ///< W/(m² sr)
     };
     struct Point {
         glm::vec3 direction_ws{0};

@@ -12,6 +12,9 @@ namespace ir::passes {
 constexpr float min_ray_offset_m = 1e-6f;
 constexpr float relative_ray_offset = 32 * 0x1p-23f;
 
+/// Shadow rays end this fraction before the point on the light, so that they do not meet it.
+constexpr float shadow_ray_end = 1 - 1e-4f;
+
 /// How far a ray's origin must be moved so that the ray does not meet the surface that it starts on, in
 /// metres at `position_ws`: 4 µm near 1 m, 4 mm near 1 km. After [Waechter19], with a length in place of
 /// steps in the integer representation, so that all components move along the normal.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
+#include "renderers/core/half_float.h"
 #include "renderers/core/parallel_for.h"
 #include "renderers/passes/gbuffer/glass.h"
 #include "renderers/passes/surface/host_surfaces.h"
@@ -108,10 +109,10 @@ class HostLayer {
         const bool scatters = !s.is_unlit && (options_.opaque_only || glass <= mostly_glass);
         const glm::vec4 albedo(s.base_colour, s.roughness);
         if (options_.exact_albedo)
-            exact_albedos_[texel] = glm::packHalf4x16(albedo);
+            exact_albedos_[texel] = pack_halves(albedo);
         else
             albedos_[texel] = glm::packUnorm4x8(albedo);
-        normals_[texel] = glm::packHalf4x16(glm::vec4(
+        normals_[texel] = pack_halves(glm::vec4(
             s.shading_normal_ws, (scatters ? 1.0f : -1.0f) * (1 + std::clamp(s.metallic, 0.0f, 1.0f))));
         if (options_.geometric_normal)
             geometric_normals_[texel] =

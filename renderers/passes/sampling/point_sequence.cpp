@@ -1,5 +1,7 @@
 #include "renderers/passes/sampling/point_sequence.h"
 
+#include "renderers/passes/sampling/scrambled_points.h"
+
 namespace ir::passes {
 namespace {
 
@@ -59,6 +61,25 @@ glm::vec2 PathSampler::pair(std::uint32_t dimension) const {
     const auto shuffled = reversed(scrambled(reversed(index_), order));
     return scrambled_point(shuffled, static_cast<std::uint32_t>(seeds),
                            static_cast<std::uint32_t>(seeds >> 32));
+}
+
+void PathSampler::pairs(std::span<const PathSampler> samplers, std::uint32_t dimension, Lanes2& pairs) {
+    const auto mixed_dimension = mixed(dimension);
+    PointSeeds seeds;
+    for (std::size_t i = 0; i < samplers.size(); ++i) {
+        seeds.index[i] = samplers[i].index_;
+        if (i > 0 && samplers[i].key_ == samplers[i - 1].key_) {
+            seeds.order[i] = seeds.order[i - 1];
+            seeds.x[i] = seeds.x[i - 1];
+            seeds.y[i] = seeds.y[i - 1];
+            continue;
+        }
+        const auto both = mixed(samplers[i].key_ ^ mixed_dimension);
+        seeds.order[i] = static_cast<std::uint32_t>(mixed(both));
+        seeds.x[i] = static_cast<std::uint32_t>(both);
+        seeds.y[i] = static_cast<std::uint32_t>(both >> 32);
+    }
+    scramble_points(seeds, pairs);
 }
 
 }  // namespace ir::passes

@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
+
+#include "renderers/passes/vectors/lanes.h"
 
 namespace ir::passes {
 
@@ -43,6 +46,8 @@ class PathSampler {
     PathSampler(std::uint64_t key, std::uint32_t index) : key_(key), index_(index) {}
     /// In [0, 1)².
     glm::vec2 pair(std::uint32_t dimension) const;
+    /// The same of up to 16 samplers, cheaper where neighbours share a key.
+    static void pairs(std::span<const PathSampler> samplers, std::uint32_t dimension, Lanes2& pairs);
 
   private:
     std::uint64_t key_ = 0;

@@ -265,6 +265,27 @@ std::optional<BsdfSample> Bsdf::sample(glm::vec3 wo, float lobe, glm::vec2 u) co
     return BsdfLobes(*this, wo).sample(lobe, u);
 }
 
+std::optional<OpaqueLobes> Bsdf::opaque(glm::vec3 wo) const {
+    const BsdfLobes seen(*this, wo);
+    if (is_dark_ || transmission_ > 0 || (specular_ > 0 && seen.is_mirror)) return {};
+    using Materials = Transport::Materials;
+    const auto model = !(specular_ > 0) ? Materials::lambert
+                       : is_layered_    ? Materials::gltf
+                                        : Materials::metalness_blend;
+    return OpaqueLobes{.model = model,
+                       .n = n_,
+                       .geometric_n = geometric_n_,
+                       .v = wo,
+                       .seen_from = seen.seen_from,
+                       .n_dot_v = seen.n_dot_v,
+                       .seen_cosine = seen.seen_cosine,
+                       .diffuse = diffuse_,
+                       .f0 = f0_,
+                       .specular = specular_,
+                       .alpha = alpha_,
+                       .specular_probability = seen.specular_probability};
+}
+
 glm::vec3 Bsdf::evaluate_importance(glm::vec3 wi, glm::vec3 wo) const {
     const float arriving = std::abs(glm::dot(geometric_n_, wi)),
                 leaving = std::abs(glm::dot(geometric_n_, wo));

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "renderers/core/transport.h"
+#include "renderers/passes/scattering/opaque_lobes.h"
 #include "renderers/passes/surface/surface.h"
 #include "renderers/scene/scene.h"
 
@@ -67,6 +68,9 @@ class Bsdf {
     /// of specular events until weighted() gives the others theirs.
     std::optional<BsdfSample> choose(glm::vec3 wo, float lobe, glm::vec2 u) const;
     std::optional<BsdfSample> weighted(glm::vec3 wo, const BsdfSample& chosen) const;
+
+    /// For many directions at a time: all of it as `wo` sees it, where there is neither glass nor mirror.
+    std::optional<OpaqueLobes> opaque(glm::vec3 wo) const;
 
     /// The same for paths from light sources, where power takes the place of radiance: nothing is divided by
     /// η², and shading normals are corrected for.  [Veach97 §5.3, Walter07]

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderers/core/half_float.h"
 #include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/splatting/host/add_kernels.h"
@@ -66,7 +67,7 @@ class HostSplat {
                     const glm::vec4 value(sum(0), sum(1), sum(2), sum(3));
                     const glm::vec2 rest(sum(4), sum(5));
                     if (half) {
-                        p.pixels<std::uint64_t>(irradiance)[to] = glm::packHalf4x16(value);
+                        p.pixels<std::uint64_t>(irradiance)[to] = pack_halves(value);
                         p.pixels<std::uint32_t>(direction)[to] = glm::packHalf2x16(rest);
                     } else {
                         p.pixels<glm::vec4>(irradiance)[to] = value;

@@ -1,0 +1,148 @@
+#include "renderers/passes/direct/direct_light_on_host.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "renderers/core/parallel_for.h"
+#include "renderers/passes/gbuffer/gbuffer_surfaces.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
+#include "renderers/passes/lights/punctual.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/ray_offset.h"
+#include "renderers/passes/scattering/bsdf.h"
+#include "renderers/passes/scattering/microfacets.h"
+
+namespace ir::passes {
+namespace {
+
+class DirectLightOnHost {
+  public:
+    DirectLightOnHost(const graph::PassContext& context, const GBuffer& gbuffer, graph::ObjectRef bvh,
+                      Transport::Materials materials, std::optional<graph::ImageRef> extended,
+                      graph::ImageRef radiance)
+        : context_(context),
+          view_(context.inputs().view),
+          viewer_(viewer(view_)),
+          surfaces_(context, gbuffer),
+          bvh_(context.object<Bvh>(bvh)),
+          materials_(materials),
+          radiance_(context.pixels<glm::vec4>(radiance)) {
+        if (extended) extended_ = context.pixels<glm::vec4>(*extended);
+        for (const auto& light : context.inputs().world->lights)
+            if (is_punctual(light)) lights_.push_back(light);
+    }
+
+    static int tiles_across(int pixels) { return (pixels + tile - 1) / tile; }
+
+    void run(graph::Slice slice) const {
+        parallel_for(context_.inputs().threads, slice.begin, slice.end, [&](std::int64_t i) {
+            const int across = tiles_across(view_.width);
+            const int left = static_cast<int>(i % across) * tile, top = static_cast<int>(i / across) * tile;
+            std::vector<Receiver> receivers;
+            for (int y = top; y < std::min(top + tile, view_.height); y += block)
+                for (int x = left; x < std::min(left + tile, view_.width); x += block)
+                    fill_block(x, y, receivers);
+        });
+    }
+
+  private:
+    /// Pixels along a side of what shares a packet of rays, and of an item of work.
+    static constexpr int block = 4, tile = 16;
+    /// Mirrors have a highlight as wide: a little above the square root of mirror_alpha.
+    static constexpr float least_roughness = 0.03163f;
+    static_assert(least_roughness * least_roughness > mirror_alpha);
+
+    /// A pixel that light may fall on.
+    struct Receiver {
+        std::size_t pixel;
+        glm::vec3 position, normal, geometric_normal, origin, wo;
+        Bsdf bsdf;
+    };
+
+    void fill_block(int left, int top, std::vector<Receiver>& receivers) const {
+        receivers.clear();
+        for (int y = top; y < std::min(top + block, view_.height); ++y)
+            for (int x = left; x < std::min(left + block, view_.width); ++x)
+                begin(static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
+                          static_cast<std::size_t>(x),
+                      receivers);
+        for (const auto& light : lights_) add(light, receivers);
+    }
+
+    void begin(std::size_t pixel, std::vector<Receiver>& receivers) const {
+        radiance_[pixel] = glm::vec4(0);
+        if (surfaces_.is_background(pixel)) return;
+        auto surface = surfaces_.at(pixel);
+        if (surface.is_unlit) {  // is its colour  [glTF2 KHR_materials_unlit]
+            radiance_[pixel] = glm::vec4(surface.base_colour, 0);
+            return;
+        }
+        if (!extended_.empty()) radiance_[pixel] = glm::vec4(glm::vec3(extended_[pixel]), 0);
+        surface.transmission = 0;
+        surface.roughness = std::max(surface.roughness, least_roughness);
+        const auto wo = viewer_.view_axis_ws == glm::vec3(0)
+                            ? glm::normalize(viewer_.eye_ws - surface.position_ws)
+                            : -viewer_.view_axis_ws;
+        const auto& material = context_.inputs().scene->materials[static_cast<std::size_t>(surface.material)];
+        receivers.push_back({pixel, surface.position_ws, surface.shading_normal_ws,
+                             surface.geometric_normal_ws,
+                             offset_origin(surface.position_ws, surface.geometric_normal_ws), wo,
+                             Bsdf(surface, material, materials_)});
+    }
+
+    void add(const scene::Light& light, const std::vector<Receiver>& receivers) const {
+        Bvh::Packet16 rays;
+        std::ranges::fill(rays.active, 0);
+        std::array<std::size_t, block * block> pixels;
+        std::array<glm::vec3, block * block> radiances;
+        std::size_t count = 0;
+        for (const auto& r : receivers) {
+            const auto arrival = punctual_arrival(light, r.position);
+            if (!arrival || arrival->irradiance == glm::vec3(0)) continue;
+            const auto l = arrival->direction_ws;
+            if (glm::dot(r.normal, l) <= 0 || glm::dot(r.geometric_normal, l) <= 0) continue;
+            pixels[count] = r.pixel;
+            radiances[count] = r.bsdf.evaluate(r.wo, l) * arrival->irradiance;
+            rays.ox[count] = r.origin.x, rays.oy[count] = r.origin.y, rays.oz[count] = r.origin.z;
+            rays.dx[count] = l.x, rays.dy[count] = l.y, rays.dz[count] = l.z;
+            rays.near[count] = 0, rays.far[count] = arrival->distance * shadow_ray_end;
+            rays.active[count++] = -1;
+        }
+        if (count == 0) return;
+        const auto occluded = bvh_->occluded16(rays, true);
+        for (std::size_t k = 0; k < count; ++k)
+            if ((occluded >> k & 1) == 0) radiance_[pixels[k]] += glm::vec4(radiances[k], 0);
+    }
+
+    const graph::PassContext& context_;
+    const scene::View& view_;
+    Viewer viewer_;
+    GBufferSurfaces surfaces_;
+    std::shared_ptr<Bvh> bvh_;
+    Transport::Materials materials_;
+    std::span<const glm::vec4> extended_;
+    std::span<glm::vec4> radiance_;
+    std::vector<scene::Light> lights_;
+};
+
+}  // namespace
+
+void direct_light_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer,
+                          Transport::Materials materials, std::optional<graph::ImageRef> extended,
+                          graph::ImageRef radiance) {
+    const auto rays = bvh(builder);
+    const auto& view = builder.inputs().view;
+    auto pass = builder.pass("direct light", graph::Queue::cpu);
+    pass.reads(rays).writes(radiance).has_two_bodies();
+    if (extended) pass.reads(*extended);
+    GBufferSurfaces::declare_reads(pass, gbuffer);
+    pass.execute_sliced(
+        std::int64_t{1} * DirectLightOnHost::tiles_across(view.width) *
+            DirectLightOnHost::tiles_across(view.height),
+        [=](graph::PassContext& context, graph::Slice slice) {
+            DirectLightOnHost(context, gbuffer, rays, materials, extended, radiance).run(slice);
+        });
+}
+
+}  // namespace ir::passes
