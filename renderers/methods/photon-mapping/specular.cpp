@@ -7,7 +7,8 @@
 namespace ir::methods::photon_mapping {
 namespace {
 
-/// After eight events glass still holds 5 % of the light that it sends on, of the Stanford bunny, for instance.
+/// After eight events glass still holds 5 % of the light that it sends on, of the Stanford bunny, for
+/// instance.
 constexpr int through_glass = 16, by_mirrors = 4;
 
 int events_at(const scene::Material& material, Transport::Materials model) {

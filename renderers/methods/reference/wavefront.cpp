@@ -193,8 +193,8 @@ void Wavefront::sample_light(const Path& path, const passes::Surface& surface, c
     if (bsdf.scatters_through())
         origin = passes::offset_origin(
             surface.position_ws, is_behind ? -surface.geometric_normal_ws : surface.geometric_normal_ws);
-    shadow_rays_.push_back({origin, light->direction_ws, radiance, light->distance * passes::shadow_ray_end, path.index,
-                            path.scatterings + 1});
+    shadow_rays_.push_back({origin, light->direction_ws, radiance, light->distance * passes::shadow_ray_end,
+                            path.index, path.scatterings + 1});
 }
 
 void Wavefront::trace_shadow_rays() {

@@ -107,8 +107,8 @@ TEST_F(DssFigure8, OneSetOfDefaultsForAllRows) {
         const auto noise = errors(row, other.image, truth.image);
         print(row, "reference, another seed", noise, other);
         const auto competitor = render(row, row.competitor),
-                   additive = render(row, "deep-screen-space",
-                                     {{"visibility", false}, {"glossy_senders", false}}),
+                   additive =
+                       render(row, "deep-screen-space", {{"visibility", false}, {"glossy_senders", false}}),
                    visible = render(row, "deep-screen-space");
         const auto of_additive = errors(row, additive.image, truth.image),
                    of_visible = errors(row, visible.image, truth.image);
