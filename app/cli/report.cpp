@@ -228,7 +228,9 @@ void add_report(CLI::App& app, Run& run) {
                      "floats as long as the file stays below --limit")
         ->check(CLI::IsMember({"auto", "half", "8bit"}))
         ->capture_default_str();
-    command->add_option("--limit", flags->limit, "Size of the file for --values auto (default: 10 MB)");
+    command->add_option("--limit", flags->limit,
+                        "Size of the file for --values auto (default: " +
+                            std::to_string(report::PageOptions::usual_limit / 1'000'000) + " MB)");
     command->add_option("--pictures", flags->pictures, "Of a sweep: at most so many pictures")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();

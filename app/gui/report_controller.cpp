@@ -46,6 +46,18 @@ void ReportController::ask() {
 }
 
 void ReportController::write_to(const QString& file) {
+    write_to(file, [project = session_.document(), folder = session_.open_project().folder()](
+                       const std::string& path, const report::Work& work) {
+        const auto half = [&work](double from) {
+            return report::Work{work.cancel, [&work, from](const std::string& what, double fraction) {
+                                    work.progress(what, from + fraction / 2);
+                                }};
+        };
+        report::write_html(path, report::report_of(project, folder, half(0)), {}, half(0.5));
+    });
+}
+
+void ReportController::write_to(const QString& file, const Maker& make) {
     if (is_writing()) return;
     if (thread_.joinable()) thread_.join();
     cancel_.reset();
@@ -56,24 +68,18 @@ void ReportController::write_to(const QString& file) {
     dialog_->setAutoReset(false);
     connect(dialog_, &QProgressDialog::canceled, this, [this] { cancel_.cancel(); });
     update();
-    thread_ = std::thread([this, project = session_.document(), folder = session_.open_project().folder(),
-                           file] { run(project, folder, file); });
+    thread_ = std::thread([this, file, make] { run(file, make); });
 }
 
 /// On the report's thread.
-void ReportController::run(const projects::Project& project, const std::filesystem::path& folder,
-                           const QString& file) {
+void ReportController::run(const QString& file, const Maker& make) {
     QString error;
     bool cancelled = false;
-    const auto work = [this](double from) {
-        return report::Work{&cancel_, [this, from](const std::string& what, double fraction) {
-                                QMetaObject::invokeMethod(this, [this, what, part = from + fraction / 2] {
-                                    show_progress(what, part);
-                                });
-                            }};
-    };
     try {
-        report::write_html(file.toStdString(), report::report_of(project, folder, work(0)), {}, work(0.5));
+        make(file.toStdString(), {&cancel_, [this](const std::string& what, double fraction) {
+                                      QMetaObject::invokeMethod(
+                                          this, [this, what, fraction] { show_progress(what, fraction); });
+                                  }});
     } catch (const Cancelled&) {
         cancelled = true;
     } catch (const std::exception& failure) {

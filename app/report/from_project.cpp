@@ -12,6 +12,7 @@
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
+#include "renderers/image/channels.h"
 
 namespace ir::report {
 namespace {
@@ -45,9 +46,12 @@ class Groups {
     std::vector<std::size_t> parent_;
 };
 
+/// Opacity does not count.
 bool fit(const Picture& a, const Picture& b) {
-    return a.side.image.width == b.side.image.width && a.side.image.height == b.side.image.height &&
-           a.side.image.channels == b.side.image.channels;
+    const auto semantic = engine::semantic_of(a.side, b.side);
+    const auto &first = a.side.image, &second = b.side.image;
+    return first.width == second.width && first.height == second.height &&
+           value_channels(semantic, first.channels) == value_channels(semantic, second.channels);
 }
 
 class ProjectReport {

@@ -164,8 +164,8 @@ class Page {
         out_.line("h1", report_.title);
         write_paragraphs(report_.notes, "notes");
         out_.open("p", {{"class", "made"}});
-        out_.text("Made by Interreflect " + engine::version() + " on " + projects::utc_now().substr(0, 10) +
-                  ". ");
+        out_.text("Made by Interreflect " + engine::version_and_commit() + ", on " +
+                  projects::utc_now().substr(0, 10) + ". ");
         out_.line("span", how_values(), {{"class", "values"}});
         out_.close();
         out_.open("noscript")
@@ -370,10 +370,10 @@ class Page {
         out_.open("section", {{"class", "settings"}}).line("h2", "Settings");
         for (const auto& [title, differing, all] : report_.settings) {
             if (report_.settings.size() > 1) out_.line("h3", title);
-            if (differing.rows.empty())
-                out_.line("p", "No setting differs.");
-            else
+            if (!differing.rows.empty())
                 write_table(differing, "words");
+            else if (differing.headings.size() > 2)
+                out_.line("p", "No setting differs.");
             out_.open("details").line("summary", "All settings");
             write_table(all, "words");
             out_.close();

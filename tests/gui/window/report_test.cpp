@@ -1,11 +1,15 @@
 #include <QAction>
 #include <QDesktopServices>
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QUrl>
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "tests/gui/window/window_fixture.h"
 
@@ -65,9 +69,22 @@ TEST_F(ReportTest, IsWrittenAndOpened) {
 
 TEST_F(ReportTest, CancelledItLeavesNoFile) {
     save();
-    reports().write_to(path("r.html"));
-    window.findChild<QProgressDialog*>("report-progress")->cancel();
+    std::atomic<bool> has_ended = false;
+    reports().write_to(path("r.html"), [&](const std::string&, const report::Work& work) {
+        try {
+            for (;;) {
+                work.tell("waiting", 0.5);
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            }
+        } catch (const Cancelled&) {
+            has_ended = true;
+            throw;
+        }
+    });
+    window.findChild<QProgressDialog*>("report-progress")->findChild<QPushButton*>()->click();
     ASSERT_TRUE(wait());
+    EXPECT_TRUE(has_ended);
+    EXPECT_TRUE(window.action("report")->isEnabled());
     EXPECT_FALSE(QFile::exists(path("r.html")));
     EXPECT_TRUE(opened.file().isEmpty());
 }

@@ -106,10 +106,11 @@ class InTheBrowser(unittest.TestCase):
         browser.key("d", "KeyD")
         self.assertNotEqual(self.shown(browser), signed, "the second D takes magnitudes")
         browser.key("1", "Digit1", shift=True)
-        nothing = browser.value("""(() => { const c = document.querySelector('.stage > canvas');
+        colours = browser.value("""(() => { const c = document.querySelector('.stage > canvas');
             const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
-            return new Set(Array.from({length: d.length / 4}, (_, i) => d.slice(4*i, 4*i+3).join())).size })()""")
-        self.assertEqual(nothing, 1, "a picture less itself is one colour")
+            return [...new Set(Array.from({length: d.length / 4}, (_, i) => d.slice(4*i, 4*i+3).join()))] })()""")
+        self.assertEqual(len(set(colours) - {"96,96,96", "0,0,0"}), 1,
+                         f"a picture less itself is one colour where it is valid: {colours}")
         browser.key("g", "KeyG")
         self.assertNotEqual(self.shown(browser), signed)
         self.assertEqual(browser.messages, [])
@@ -134,7 +135,9 @@ class InTheBrowser(unittest.TestCase):
         browser = self.open()
         self.focus(browser)
         x, y, width, height = browser.box(".stage")
-        browser.mouse("mouseMoved", x + width * (10 + 0.5) / SIZE[0], y + height * (20 + 0.5) / SIZE[1])
+        scale = min(width / SIZE[0], height / SIZE[1])
+        browser.mouse("mouseMoved", x + width / 2 + scale * (10.5 - SIZE[0] / 2),
+                      y + height / 2 + scale * (20.5 - SIZE[1] / 2))
         browser.frame()
         told = self.text(browser, ".readout")
         self.assertIn("x 10, y 20", told)
@@ -179,9 +182,7 @@ class InTheBrowser(unittest.TestCase):
         browser = Browser()
         self.addCleanup(browser.__exit__)
         browser.call("Emulation.setScriptExecutionDisabled", value=True)
-        browser.call("Page.navigate", url=f"file://{self.file}")
-        browser.call("Emulation.setScriptExecutionDisabled", value=False)
-        browser.wait("document.readyState === 'complete'")
+        browser.open(self.file)
         self.assertEqual(browser.value("document.querySelectorAll('.viewer').length"), 0)
         self.assertTrue(browser.value("[...document.images].every(i => i.complete && i.naturalWidth > 0 && "
                                       "i.getBoundingClientRect().width > 200)"))

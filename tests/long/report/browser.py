@@ -110,7 +110,7 @@ class Browser:
         while not self.value(expression):
             if time.monotonic() > end:
                 raise TimeoutError(expression)
-            self.frame()
+            time.sleep(0.02)
 
     def frame(self):
         """Until what was changed is drawn."""
@@ -153,7 +153,6 @@ class Browser:
             return [b.x, b.y, b.width, b.height]; }})()""")
 
     def screenshot(self, file, whole=False):
-        self.frame()
         parameters = {"captureBeyondViewport": whole}
         if whole:
             size = self.call("Page.getLayoutMetrics")["cssContentSize"]

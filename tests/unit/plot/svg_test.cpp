@@ -32,7 +32,7 @@ TEST(PlotSvg, PointsStandWhereTheScalesPutThem) {
     const auto svg = plot_svg(sample(), 640, 400, true);
     // Within the axes, from left to right as their times.
     const std::regex circle(
-        R"re(<g><title>(\w)</title><(?:circle cx="([\d.]+)" cy="([\d.]+)"|polygon points="([\d.]+),([\d.]+))re");
+        R"re(<g><title>(\w)</title><(?:circle cx="([\d.]+)" cy="([\d.]+)"|polygon points="([\d.]+),([\d.]+)))re");
     std::map<std::string, std::pair<double, double>> places;
     for (std::sregex_iterator it(svg.begin(), svg.end(), circle), end; it != end; ++it)
         places[(*it)[1]] = {std::stod((*it)[2].length() ? (*it)[2] : (*it)[4]),
