@@ -24,6 +24,7 @@ void add_plot(CLI::App& app, Run& run) {
         ->expected(0, 1)
         ->default_str("-");
     command->add_option("--csv", job.csv, "File for the numbers of one plot as a table");
+    command->add_option("--svg", job.svg, "File for the drawing of one plot");
     command->add_flag("--no-keep", flags->no_keep, "Do not store the numbers in the project's results");
     add_shard_flags(*command, flags->shard, "plot");
     add_quiet_flag(*command, flags->quiet);

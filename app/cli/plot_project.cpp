@@ -13,15 +13,18 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/error_study.h"
 #include "app/engine/kept_study.h"
+#include "app/engine/study_plot.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/metrics.h"
+#include "renderers/plot/plot_svg.h"
 
 namespace ir::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using engine::value_text;
 
 std::vector<projects::ErrorPlot> chosen_plots(const projects::Project& project, const ProjectPlots& job) {
     std::vector<projects::ErrorPlot> plots;
@@ -34,18 +37,15 @@ std::vector<projects::ErrorPlot> chosen_plots(const projects::Project& project, 
     }
     if (job.plots.empty()) plots = project.plots;
     if (plots.empty()) throw UsageError("the project has no plots");
-    if (!job.csv.empty() && plots.size() > 1)
-        throw UsageError("--csv holds one plot; give its id behind the project");
+    for (const auto& [option, file] : {std::pair("--csv", job.csv), std::pair("--svg", job.svg)})
+        if (!file.empty() && plots.size() > 1)
+            throw UsageError(std::string(option) + " holds one plot; give its id behind the project");
     const auto& metrics = metric_names();
     if (!job.metric.empty() && std::find(metrics.begin(), metrics.end(), job.metric) == metrics.end())
         throw UsageError("--metric '" + job.metric + "' is unknown" + known_are(job.metric, metrics));
     for (auto& plot : plots)
         if (!job.metric.empty()) plot.metric = job.metric;
     return part_of(plots, job.shard);
-}
-
-std::string value_text(const projects::Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.is_null() ? "" : value.dump();
 }
 
 /// "12.34", five digits that count.
@@ -92,6 +92,12 @@ void print_study(std::ostream& out, const projects::ErrorPlot& plot, const engin
     for (const auto& note : study.notes) out << "note: " << note << "\n";
 }
 
+std::string svg_of(const projects::Project& project, const projects::ErrorPlot& plot,
+                   const engine::ErrorStudy& study) {
+    const auto drawn = engine::draw_study(project, engine::registry(), plot, study, {plot.over, true, true});
+    return plot_svg(drawn.data, plot_svg_width, plot_svg_height, true);
+}
+
 /// What is wrong with one plot, by whose fault.
 int refuse(const ProjectPlots& job, const projects::ErrorPlot& plot, const Error& error) {
     std::string line = error.what();
@@ -123,6 +129,7 @@ int plot_project(const ProjectPlots& job) {
     files.reads(loaded);
     files.writes("--json", job.json);
     files.writes("--csv", job.csv);
+    files.writes("--svg", job.svg);
     if (job.keep) require_results(job.project, loaded.folder);
     engine::Machine machine(machine_options(job.machine));
     const auto options = frame_options(job.machine);
@@ -145,6 +152,7 @@ int plot_project(const ProjectPlots& job) {
             print_study(table, plot, study);
             all[plot.id] = Json::parse(engine::study_json(study));
             if (!job.csv.empty()) write_file(job.csv, engine::study_csv(study));
+            if (!job.svg.empty()) write_file(job.svg, svg_of(loaded.project, plot, study));
             if (job.keep) engine::keep_study(loaded.project, plot, loaded.folder, study);
             require_numbers(plot, study);
         } catch (const Error& error) {

@@ -15,6 +15,7 @@ struct ProjectPlots {
     std::vector<std::string> plots = {};  ///< ids; all where it is empty
     std::string json = {};                ///< file for all numbers, by plot; "-": standard output
     std::string csv = {};                 ///< file for the numbers of the only plot
+    std::string svg = {};                 ///< file for the drawing of the only plot
     std::string metric = {};              ///< instead of the plots' own
     int repeats = 1;
     projects::Shard shard = {};  ///< of the plots

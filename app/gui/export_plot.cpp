@@ -5,9 +5,9 @@
 
 #include "app/engine/interruption.h"
 #include "app/engine/kept_study.h"
+#include "app/engine/study_plot.h"
 #include "app/gui/exports.h"
 #include "app/gui/known_projects.h"
-#include "app/gui/plot_points.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
@@ -61,8 +61,9 @@ void export_plot(const PlotExport& job) {
     auto study = numbers_of(loaded, plot, job);
     engine::mark_front(study.points, plot.metric);
     if (ends_with(job.file, ".csv")) return write_file(job.file, engine::study_csv(study));
-    const auto drawn = draw_study(loaded.project, engine::registry(), plot, study, {plot.over, true, true});
-    const auto& style = job.dark ? widgets::PlotStyle::screen() : widgets::PlotStyle::paper();
+    const auto drawn =
+        engine::draw_study(loaded.project, engine::registry(), plot, study, {plot.over, true, true});
+    const auto& style = job.dark ? PlotStyle::screen() : PlotStyle::paper();
     write_picture(QString::fromStdString(job.file),
                   widgets::plot_picture(drawn.data, job.size, job.scale, style));
 }

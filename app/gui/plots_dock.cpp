@@ -298,12 +298,12 @@ void PlotsDock::fail(const std::string& id, const QString& error, bool cancelled
 
 void PlotsDock::load_point(const QString& id) {
     const auto numbers = shown_numbers();
-    const auto* point = numbers ? find_point(numbers->study, id) : nullptr;
+    const auto* point = numbers ? engine::find_point(numbers->study, id.toStdString()) : nullptr;
     if (!point) return;
     const auto* experiment = session_.experiment(point->experiment);
     if (!experiment) return emit said(tr("The experiment of this point is gone."));
     const auto key = look_of(*numbers).over;
-    const auto setting = tr("%1 = %2").arg(text_of(key), value_text(point->value));
+    const auto setting = tr("%1 = %2").arg(text_of(key), text_of(engine::value_text(point->value)));
     if (session_.open_project().is_read_only())
         return emit failed(tr("%1 is not loaded: the project is open read-only: %2")
                                .arg(setting, text_of(session_.open_project().read_only_reason())));
@@ -345,7 +345,7 @@ std::shared_ptr<const KeptStudy> PlotsDock::shown_numbers() const {
     return found->second.numbers;
 }
 
-PlotLook PlotsDock::look_of(const KeptStudy& numbers) const {
+engine::PlotLook PlotsDock::look_of(const KeptStudy& numbers) const {
     return {field_or(numbers.inputs, "over", plot() ? plot()->over : std::string()), log_x_, log_y_};
 }
 
@@ -376,10 +376,11 @@ void PlotsDock::update() {
     const auto numbers = shown_numbers();
     const auto& document = session_.document();
     const KeptStudy nothing;
-    DrawnStudy drawn =
-        draw_study(document, session_.registry(), *plot(), (numbers ? *numbers : nothing).study,
-                   look_of(numbers ? *numbers : nothing));
-    if (const auto& problem = state().problem; !problem.isEmpty()) drawn.data.problems.push_front(problem);
+    auto drawn =
+        engine::draw_study(document, session_.registry(), *plot(), (numbers ? *numbers : nothing).study,
+                           look_of(numbers ? *numbers : nothing));
+    if (const auto& problem = state().problem; !problem.isEmpty())
+        drawn.data.problems.insert(drawn.data.problems.begin(), problem.toStdString());
     panel_->show_data(drawn.data, waiting_text());
     show_header(drawn);
 }
@@ -424,7 +425,7 @@ widgets::PlotChoices PlotsDock::plot_lists() const {
     return choices;
 }
 
-void PlotsDock::show_header(const DrawnStudy& drawn) {
+void PlotsDock::show_header(const engine::DrawnStudy& drawn) {
     auto choices = plot_lists();
     const auto& now = *plot();
     const auto& known = state();
@@ -437,8 +438,8 @@ void PlotsDock::show_header(const DrawnStudy& drawn) {
     choices.against_time = now.against_time;
     choices.log_x = log_x_;
     choices.log_y = log_y_;
-    choices.why_no_log_x = drawn.why_no_log_x;
-    choices.why_no_log_y = drawn.why_no_log_y;
+    choices.why_no_log_x = text_of(drawn.why_no_log_x);
+    choices.why_no_log_y = text_of(drawn.why_no_log_y);
     choices.why_not_run = why_not_run();
     choices.has_numbers = shown_numbers() != nullptr;
     choices.is_running = known.is_running;
@@ -457,7 +458,7 @@ engine::ErrorStudy PlotsDock::study_with_front() const {
 }
 
 void PlotsDock::write_picture(const QString& file, const QSize& size, int scale, bool on_paper) const {
-    const auto& style = on_paper ? widgets::PlotStyle::paper() : widgets::PlotStyle::screen();
+    const auto& style = on_paper ? PlotStyle::paper() : PlotStyle::screen();
     gui::write_picture(file, widgets::plot_picture(panel_->data(), size, scale, style));
 }
 
@@ -476,7 +477,7 @@ QString PlotsDock::ask_for_file(const QString& suffix, const QString& filter) {
 void PlotsDock::export_picture(int scale, bool on_paper, bool to_clipboard) {
     const QSize size = on_paper ? QSize(paper_width, paper_height) : panel_->view().size();
     if (to_clipboard) {
-        const auto& style = on_paper ? widgets::PlotStyle::paper() : widgets::PlotStyle::screen();
+        const auto& style = on_paper ? PlotStyle::paper() : PlotStyle::screen();
         QApplication::clipboard()->setImage(widgets::plot_picture(panel_->data(), size, scale, style));
         return emit said(tr("Copied the plot"));
     }

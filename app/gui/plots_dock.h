@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/gui/plot_points.h"
+#include "app/engine/study_plot.h"
 #include "app/gui/preferences.h"
 #include "app/gui/session.h"
 #include "app/gui/studies.h"
@@ -74,7 +74,7 @@ class PlotsDock : public QWidget {
     const projects::ErrorPlot* plot() const;
     const projects::ErrorPlot* plot(const std::string& id) const;
     std::shared_ptr<const engine::KeptStudy> shown_numbers() const;
-    PlotLook look_of(const engine::KeptStudy& numbers) const;
+    engine::PlotLook look_of(const engine::KeptStudy& numbers) const;
     void connect_panel();
     void connect_studies();
     void forget_all();
@@ -82,7 +82,7 @@ class PlotsDock : public QWidget {
     void update();
     void read_if_needed();
     void show_empty();
-    void show_header(const DrawnStudy& drawn);
+    void show_header(const engine::DrawnStudy& drawn);
     widgets::PlotChoices plot_lists() const;
     QString waiting_text() const;
     QString stale_text() const;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "renderers/core/bytes_text.h"
+
 namespace ir::widgets {
 namespace {
 
@@ -115,20 +117,7 @@ Cell queue_cell(const PassReport& pass) {
 }  // namespace
 
 QString bytes_text(std::uint64_t bytes) {
-    if (bytes < 1024) return QStringLiteral("%1 B").arg(bytes);
-    double value = double(bytes);
-    const char* unit = "B";
-    for (const char* next : {"KiB", "MiB", "GiB"}) {
-        if (value < 1024) break;
-        value /= 1024;
-        unit = next;
-    }
-    return QStringLiteral("%1 %2")
-        .arg(value, 0, 'f',
-             value < 10    ? 2
-             : value < 100 ? 1
-                           : 0)
-        .arg(QLatin1String(unit));
+    return text_of(ir::bytes_text(bytes));
 }
 
 QString milliseconds_text(double ms) {

@@ -9,29 +9,14 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ir::widgets {
 namespace {
 
-constexpr int tick_width = 64, tick_height = 30;  ///< logical pixels that a label wants
-constexpr double farthest_level = 30;             ///< below the least value, as a factor
 /// Of the height below the legend: what Qt Charts gives to the axis below at most. It cuts the title off
 /// then.
 constexpr double axis_share = 0.4;
 constexpr int rings_entry = -1, rest_entry = -2;  ///< of the legend, in place of a series
-
-int max_ticks(double pixels, int each) {
-    return std::clamp(int(pixels) / each, 3, 10);
-}
-
-std::vector<double> values_of(const PlotData& data, double PlotPoint::*member) {
-    std::vector<double> values;
-    for (const auto& series : data.series)
-        for (const auto& point : series.points)
-            if (!std::isnan(point.x) && !std::isnan(point.y)) values.push_back(point.*member);
-    return values;
-}
 
 /// Stands above axes and lines; the chart paints.
 class Painted : public QGraphicsItem {
@@ -53,14 +38,13 @@ class Painted : public QGraphicsItem {
 PlotChart::PlotChart(const PlotStyle& style, QGraphicsItem* parent)
     : QChart(parent),
       style_(style),
-      x_(PlotAxis(), {}),
-      y_(PlotAxis(), {}),
+      placed_(place_plot({}, 0, 0)),
       font_(QApplication::font()),
       title_font_(font_),
       painted_(new Painted(*this)) {
     title_font_.setBold(true);
     setAnimationOptions(NoAnimation);
-    setBackgroundBrush(style.background);
+    setBackgroundBrush(colour_of(style.background));
     setBackgroundPen(Qt::NoPen);
     setBackgroundRoundness(0);
     legend()->hide();
@@ -70,19 +54,21 @@ PlotChart::PlotChart(const PlotStyle& style, QGraphicsItem* parent)
 }
 
 const PlotChart::Mark* PlotChart::mark(const QString& id) const {
+    const auto wanted = id.toStdString();
     const auto found =
-        std::find_if(marks_.begin(), marks_.end(), [&](const Mark& each) { return each.id == id; });
-    return id.isEmpty() || found == marks_.end() ? nullptr : &*found;
+        std::find_if(marks().begin(), marks().end(), [&](const Mark& each) { return each.id == wanted; });
+    return id.isEmpty() || found == marks().end() ? nullptr : &*found;
 }
 
 double PlotChart::y_at(double place) const {
     const QRectF area = plotArea();
-    return area.bottom() - (place - y_.low()) / (y_.high() - y_.low()) * area.height();
+    return area.bottom() - (place - placed_.y.low()) / (placed_.y.high() - placed_.y.low()) * area.height();
 }
 
 QPointF PlotChart::position(const Mark& mark) const {
     const QRectF area = plotArea();
-    return {area.left() + (mark.x - x_.low()) / (x_.high() - x_.low()) * area.width(), y_at(mark.y)};
+    return {area.left() + (mark.x - placed_.x.low()) / (placed_.x.high() - placed_.x.low()) * area.width(),
+            y_at(mark.y)};
 }
 
 void PlotChart::set_data(const PlotData& data) {
@@ -110,58 +96,20 @@ void PlotChart::resizeEvent(QGraphicsSceneResizeEvent* event) {
 }
 
 void PlotChart::rebuild() {
-    make_scales();
+    placed_ = place_plot(data_, size().width() - 80, size().height() - 90);
     lay_out_legend();
     removeAllSeries();
-    show_axis(*x_axis_, x_, data_.x);
-    show_axis(*y_axis_, y_, data_.y);
+    show_axis(*x_axis_, placed_.x, data_.x);
+    show_axis(*y_axis_, placed_.y, data_.y);
     make_lines();
     painted_->update();
-}
-
-void PlotChart::make_scales() {
-    auto heights = values_of(data_, &PlotPoint::y);
-    remarks_.clear();
-    shows_level_ = data_.level.has_value();
-    if (data_.level && data_.y.log) {
-        double lowest = std::numeric_limits<double>::infinity();
-        for (const double y : heights)
-            if (y > 0) lowest = std::min(lowest, y);
-        shows_level_ = data_.level->y > 0 && (std::isinf(lowest) || data_.level->y * farthest_level > lowest);
-        if (!shows_level_)
-            remarks_
-                << tr("%1: %2, far below all points").arg(data_.level->label, plot_number(data_.level->y));
-    }
-    if (shows_level_ && !heights.empty()) heights.push_back(data_.level->y);
-    x_ = PlotScale(data_.x, values_of(data_, &PlotPoint::x), max_ticks(size().width() - 80, tick_width));
-    y_ = PlotScale(data_.y, heights, max_ticks(size().height() - 90, tick_height));
-    marks_.clear();
-    int displaced = 0, unknown = 0;
-    for (std::size_t s = 0; s < data_.series.size(); ++s)
-        for (const auto& point : data_.series[s].points) {
-            if (std::isnan(point.x) || std::isnan(point.y)) {
-                ++unknown;
-                continue;
-            }
-            const bool is_displaced = x_.is_displaced(point.x) || y_.is_displaced(point.y);
-            displaced += is_displaced ? 1 : 0;
-            marks_.push_back(
-                {point.id, int(s), x_.place(point.x), y_.place(point.y), point.ring, is_displaced});
-        }
-    if (displaced > 0)
-        remarks_ << (displaced == 1
-                         ? tr("1 point is zero or infinite, and stands hollow at the edge")
-                         : tr("%1 points are zero or infinite, and stand hollow at the edge").arg(displaced));
-    if (unknown > 0)
-        remarks_ << (unknown == 1 ? tr("1 point has no such number")
-                                  : tr("%1 points have no such number").arg(unknown));
 }
 
 /// Entries after one another, below the title, in as many lines as they need and the axes leave.
 void PlotChart::lay_out_legend() {
     const QFontMetricsF metrics(font_);
     const double line = metrics.height() + 4, width = std::max(120.0, size().width() - 24);
-    const double top = data_.title.isEmpty() ? 8 : 10 + QFontMetricsF(title_font_).height() + 4;
+    const double top = data_.title.empty() ? 8 : 10 + QFontMetricsF(title_font_).height() + 4;
     const double lowest = size().height() - (2 * line + 6) / axis_share - 24;
     legend_.clear();
     double x = 12, y = top;
@@ -178,9 +126,10 @@ void PlotChart::lay_out_legend() {
         legend_.push_back({shown, series, {x, y + line / 2}});
         x += needed;
     };
-    for (std::size_t s = 0; s < data_.series.size(); ++s) add(data_.series[s].name, int(s));
-    const bool rings = std::any_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return mark.ring; });
-    if (rings && !data_.ring_name.isEmpty()) add(data_.ring_name, rings_entry);
+    for (std::size_t s = 0; s < data_.series.size(); ++s)
+        add(QString::fromStdString(data_.series[s].name), int(s));
+    if (placed_.has_rings() && !data_.ring_name.empty())
+        add(QString::fromStdString(data_.ring_name), rings_entry);
     if (rest > 0) {
         const auto text = [&] { return tr("and %1 more").arg(rest); };
         for (; x > 12 && x + metrics.horizontalAdvance(text()) > width + 12; ++rest) {
@@ -196,12 +145,12 @@ void PlotChart::lay_out_legend() {
 QCategoryAxis* PlotChart::make_axis(Qt::Alignment side) {
     auto* made = new QCategoryAxis;
     made->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    made->setLinePen(QPen(style_.dim, 1));
-    made->setGridLinePen(QPen(style_.grid, 1));
+    made->setLinePen(QPen(colour_of(style_.dim), 1));
+    made->setGridLinePen(QPen(colour_of(style_.grid), 1));
     made->setLabelsFont(font_);
-    made->setLabelsBrush(style_.text);
+    made->setLabelsBrush(colour_of(style_.text));
     made->setTitleFont(font_);
-    made->setTitleBrush(style_.text);
+    made->setTitleBrush(colour_of(style_.text));
     addAxis(made, side);
     return made;
 }
@@ -209,10 +158,10 @@ QCategoryAxis* PlotChart::make_axis(Qt::Alignment side) {
 void PlotChart::show_axis(QCategoryAxis& shown, const PlotScale& scale, const PlotAxis& axis) {
     for (const auto& label : shown.categoriesLabels()) shown.remove(label);
     shown.setStartValue(scale.low() - (scale.high() - scale.low()));
-    for (const auto& tick : scale.ticks()) shown.append(tick.text, tick.place);
+    for (const auto& tick : scale.ticks()) shown.append(QString::fromStdString(tick.text), tick.place);
     shown.setRange(scale.low(), scale.high());
-    shown.setTruncateLabels(!axis.names.isEmpty());
-    shown.setTitleText(axis.title);
+    shown.setTruncateLabels(!axis.names.empty());
+    shown.setTitleText(QString::fromStdString(axis.title));
 }
 
 void PlotChart::add_line(const std::vector<QPointF>& points, const QPen& pen) {
@@ -227,30 +176,30 @@ void PlotChart::add_line(const std::vector<QPointF>& points, const QPen& pen) {
 void PlotChart::make_lines() {
     std::vector<std::vector<QPointF>> lines(data_.series.size());
     std::vector<QPointF> front;
-    for (const auto& mark : marks_) {
+    for (const auto& mark : marks()) {
         lines[std::size_t(mark.series)].push_back({mark.x, mark.y});
         if (mark.ring) front.push_back({mark.x, mark.y});
     }
     for (std::size_t s = 0; s < lines.size(); ++s) {
-        QColor colour = style_.series(int(s));
+        QColor colour = colour_of(style_.series(int(s)));
         colour.setAlphaF(0.75f);
         add_line(lines[s], QPen(colour, 1.5));
     }
     std::sort(front.begin(), front.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
-    QPen pen(style_.front, 1.2);
+    QPen pen(colour_of(style_.front), 1.2);
     pen.setDashPattern({2, 3});
     if (data_.join_rings && front.size() > 1) add_line(front, pen);
-    if (shows_level_ && !marks_.empty()) {
-        QPen dashes(style_.level, 1.2);
+    if (placed_.shows_level && !marks().empty()) {
+        QPen dashes(colour_of(style_.level), 1.2);
         dashes.setDashPattern({7, 4});
-        const double y = y_.place(data_.level->y);
-        add_line({{x_.low(), y}, {x_.high(), y}}, dashes);
+        const double y = placed_.y.place(data_.level->y);
+        add_line({{placed_.x.low(), y}, {placed_.x.high(), y}}, dashes);
     }
 }
 
 void PlotChart::paint_marks(QPainter& painter) const {
     paint_header(painter);
-    if (marks_.empty()) return;
+    if (marks().empty()) return;
     painter.save();
     painter.setClipRect(plotArea().adjusted(-9, -9, 9, 9));
     paint_level(painter);
@@ -259,68 +208,70 @@ void PlotChart::paint_marks(QPainter& painter) const {
 }
 
 void PlotChart::paint_header(QPainter& painter) const {
-    painter.setPen(style_.text);
+    painter.setPen(colour_of(style_.text));
     painter.setFont(title_font_);
     const QFontMetricsF bold(title_font_);
-    painter.drawText(QRectF(12, 8, size().width() - 24, bold.height() + 2), Qt::AlignLeft | Qt::AlignTop,
-                     bold.elidedText(data_.title, Qt::ElideRight, size().width() - 24));
+    painter.drawText(
+        QRectF(12, 8, size().width() - 24, bold.height() + 2), Qt::AlignLeft | Qt::AlignTop,
+        bold.elidedText(QString::fromStdString(data_.title), Qt::ElideRight, size().width() - 24));
     painter.setFont(font_);
     const QFontMetricsF metrics(font_);
     for (const auto& entry : legend_) {
         const double baseline = entry.at.y() + (metrics.ascent() - metrics.descent()) / 2;
         if (entry.series == rest_entry) {
-            painter.setPen(style_.dim);
+            painter.setPen(colour_of(style_.dim));
             painter.drawText(QPointF(entry.at.x(), baseline), entry.text);
             continue;
         }
         const QPointF centre = entry.at + QPointF(12, 0);
         const bool is_series = entry.series != rings_entry;
-        QPen pen(is_series ? style_.series(entry.series) : style_.front, 1.5);
+        QPen pen(is_series ? colour_of(style_.series(entry.series)) : colour_of(style_.front), 1.5);
         if (!is_series) pen.setDashPattern({2, 3});
         painter.setPen(pen);
         if (is_series || data_.join_rings) painter.drawLine(centre - QPointF(12, 0), centre + QPointF(12, 0));
         if (is_series) {
             draw_mark(painter, centre, entry.series, 4.5, style_);
         } else {
-            painter.setPen(QPen(style_.front, 1.5));
-            painter.setBrush(style_.background);
+            painter.setPen(QPen(colour_of(style_.front), 1.5));
+            painter.setBrush(colour_of(style_.background));
             painter.drawEllipse(centre, 6, 6);
         }
-        painter.setPen(style_.text);
+        painter.setPen(colour_of(style_.text));
         painter.drawText(QPointF(centre.x() + 18, baseline), entry.text);
     }
 }
 
 void PlotChart::paint_level(QPainter& painter) const {
-    if (!shows_level_) return;
+    if (!placed_.shows_level) return;
     const QRectF area = plotArea();
     const QFontMetricsF metrics(font_);
-    const QString text = metrics.elidedText(data_.level->label, Qt::ElideRight, area.width() - 16);
-    const double width = metrics.horizontalAdvance(text), y = y_at(y_.place(data_.level->y));
+    const QString text =
+        metrics.elidedText(QString::fromStdString(data_.level->label), Qt::ElideRight, area.width() - 16);
+    const double width = metrics.horizontalAdvance(text), y = y_at(placed_.y.place(data_.level->y));
     const bool above = y - metrics.height() - 2 > area.top();
     painter.setFont(font_);
-    painter.setPen(style_.dim);
+    painter.setPen(colour_of(style_.dim));
     painter.drawText(QPointF(area.right() - width - 6, above ? y - 5 : y + metrics.ascent() + 4), text);
 }
 
 void PlotChart::paint_points(QPainter& painter) const {
-    const double size = mark_size();
+    const double size = mark_radius(marks().size());
     const auto ring = [&](const Mark& mark, double radius, const QPen& pen) {
         painter.setPen(pen);
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(position(mark), radius, radius);
     };
-    for (const auto& mark : marks_) {
+    for (const auto& mark : marks()) {
         draw_mark(painter, position(mark), mark.series, size, style_, mark.displaced);
-        if (mark.ring) ring(mark, size + 3, QPen(style_.front, 1.5));
+        if (mark.ring) ring(mark, size + 3, QPen(colour_of(style_.front), 1.5));
     }
     if (const auto* hovered = mark(hovered_)) {
         draw_mark(painter, position(*hovered), hovered->series, size + 2, style_, hovered->displaced);
-        if (hovered->ring) ring(*hovered, size + 5, QPen(style_.front, 1.5));
+        if (hovered->ring) ring(*hovered, size + 5, QPen(colour_of(style_.front), 1.5));
     }
     if (const auto* selected = mark(selected_)) {
         draw_mark(painter, position(*selected), selected->series, size + 1.5, style_, selected->displaced);
-        ring(*selected, size + 7, QPen(style_.selection, 2.5));
+        ring(*selected, size + 7, QPen(colour_of(style_.selection), 2.5));
     }
 }
 
@@ -334,7 +285,7 @@ QImage plot_picture(const PlotData& data, const QSize& size, double scale, const
     const QRectF area(0, 0, size.width(), size.height());
     scene.setSceneRect(area);
     QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
-    image.fill(style.background);
+    image.fill(colour_of(style.background));
     QPainter painter(&image);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     scene.render(&painter, QRectF(QPointF(), QSizeF(image.size())), area);

@@ -3,9 +3,8 @@
 #include <QChart>
 #include <QImage>
 
-#include "widgets/plot/plot_data.h"
-#include "widgets/plot/plot_scale.h"
-#include "widgets/plot/plot_style.h"
+#include "renderers/plot/placed_plot.h"
+#include "widgets/plot/plot_marks.h"
 
 class QCategoryAxis;
 
@@ -16,25 +15,19 @@ namespace ir::widgets {
 class PlotChart : public QChart {
     Q_OBJECT
   public:
-    /// A point where it is drawn.
-    struct Mark {
-        QString id;
-        int series = 0;
-        double x = 0, y = 0;  ///< places on the axes
-        bool ring = false, displaced = false;
-    };
+    using Mark = PlacedPlot::Mark;
 
     explicit PlotChart(const PlotStyle& style, QGraphicsItem* parent = nullptr);
     void set_data(const PlotData& data);
     const PlotData& data() const { return data_; }
     const PlotStyle& colours() const { return style_; }
     /// Points that have a place, in the order of series, then points.
-    const std::vector<Mark>& marks() const { return marks_; }
+    const std::vector<Mark>& marks() const { return placed_.marks; }
     const Mark* mark(const QString& id) const;
     /// In the chart's coordinates.
     QPointF position(const Mark& mark) const;
     /// Points whose values the axes cannot show, and levels that lie far from all points: a line each.
-    const QStringList& remarks() const { return remarks_; }
+    const std::vector<std::string>& remarks() const { return placed_.remarks; }
     void set_selected(const QString& id);
     void set_hovered(const QString& id);
     const QString& selected() const { return selected_; }
@@ -53,7 +46,6 @@ class PlotChart : public QChart {
     };
     void rebuild();
     void lay_out_legend();
-    void make_scales();
     void make_lines();
     QCategoryAxis* make_axis(Qt::Alignment side);
     void show_axis(QCategoryAxis& shown, const PlotScale& scale, const PlotAxis& axis);
@@ -62,15 +54,11 @@ class PlotChart : public QChart {
     void paint_level(QPainter& painter) const;
     void paint_points(QPainter& painter) const;
     double y_at(double place) const;
-    double mark_size() const { return marks_.size() > 400 ? 3 : 4.5; }
 
     PlotStyle style_;
     PlotData data_;
-    PlotScale x_, y_;
-    std::vector<Mark> marks_;
+    PlacedPlot placed_;
     std::vector<Entry> legend_;
-    QStringList remarks_;
-    bool shows_level_ = false;
     QString selected_, hovered_;
     QFont font_, title_font_;
     QGraphicsItem* painted_;

@@ -167,22 +167,24 @@ void PlotPanel::select(const QString& id) {
 }
 
 void PlotPanel::show_point() {
-    const auto* point = data().find(selected());
-    auto text = point ? point->label : QString();
+    const auto* point = data().find(selected().toStdString());
+    auto text = point ? QString::fromStdString(point->label) : QString();
     text.replace(QLatin1Char('\n'), QStringLiteral(" · "));
     point_->setText(text);
     point_->setToolTip(text);
 }
 
 void PlotPanel::show_lines() {
-    QStringList lines = data().problems + view_->plot().remarks() + data().notes;
+    QStringList lines;
+    for (const auto* group : {&data().problems, &view_->plot().remarks(), &data().notes})
+        for (const auto& line : *group) lines << QString::fromStdString(line);
     QStringList shown;
     for (int i = 0; i < lines_->count(); ++i) shown << lines_->item(i)->text();
     if (lines != shown) {
         lines_->clear();
         for (int i = 0; i < lines.size(); ++i) {
-            auto* item =
-                new QListWidgetItem(icon(i < data().problems.size() ? "warning" : "note"), lines[i], lines_);
+            auto* item = new QListWidgetItem(
+                icon(std::size_t(i) < data().problems.size() ? "warning" : "note"), lines[i], lines_);
             item->setToolTip(lines[i]);
         }
     }

@@ -63,7 +63,7 @@ class PlotPanel : public QWidget {
     QLabel *empty_ = nullptr, *waiting_ = nullptr, *point_ = nullptr;
     QPushButton* button_ = nullptr;
     QListWidget* lines_ = nullptr;
-    QStringList column_widths_of_;
+    std::vector<std::string> column_widths_of_;
     bool linking_ = false;
 };
 

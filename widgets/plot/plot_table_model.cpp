@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include "widgets/plot/plot_style.h"
+#include "widgets/plot/plot_marks.h"
 
 namespace ir::widgets {
 namespace {
@@ -45,8 +45,9 @@ void PlotTableModel::set_data(const PlotData& data) {
 }
 
 QModelIndex PlotTableModel::index_of(const QString& id) const {
+    const auto wanted = id.toStdString();
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (rows_[i].point.id == id) return index(int(i), 0);
+        if (rows_[i].point.id == wanted) return index(int(i), 0);
     return {};
 }
 
@@ -61,16 +62,16 @@ int PlotTableModel::columnCount(const QModelIndex& parent) const {
 QVariant PlotTableModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const auto& row = rows_[std::size_t(index.row())];
-    if (role == id_role) return row.point.id;
-    if (role == Qt::ToolTipRole) return row.point.label;
+    if (role == id_role) return QString::fromStdString(row.point.id);
+    if (role == Qt::ToolTipRole) return QString::fromStdString(row.point.label);
     if (std::size_t(index.column()) >= row.point.cells.size()) return {};
     const auto& cell = row.point.cells[std::size_t(index.column())];
     const bool is_number = cell.number.has_value();
     switch (role) {
         case Qt::DisplayRole:
-            return cell.text;
+            return QString::fromStdString(cell.text);
         case sort_role:
-            return is_number ? QVariant(*cell.number) : QVariant(cell.text);
+            return is_number ? QVariant(*cell.number) : QVariant(QString::fromStdString(cell.text));
         case Qt::DecorationRole:
             return index.column() == 0 ? QVariant(mark_icon(row.series)) : QVariant();
         case Qt::TextAlignmentRole:
@@ -81,8 +82,9 @@ QVariant PlotTableModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant PlotTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= headings_.size()) return {};
-    return role == Qt::DisplayRole ? QVariant(headings_[section]) : QVariant();
+    if (orientation != Qt::Horizontal || section < 0 || std::size_t(section) >= headings_.size()) return {};
+    const auto& heading = headings_[std::size_t(section)];
+    return role == Qt::DisplayRole ? QVariant(QString::fromStdString(heading)) : QVariant();
 }
 
 }  // namespace ir::widgets

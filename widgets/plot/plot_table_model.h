@@ -2,7 +2,7 @@
 
 #include <QAbstractTableModel>
 
-#include "widgets/plot/plot_data.h"
+#include "renderers/plot/plot_data.h"
 
 namespace ir::widgets {
 
@@ -27,7 +27,7 @@ class PlotTableModel : public QAbstractTableModel {
         int series = 0;
         bool operator==(const Row&) const = default;
     };
-    QStringList headings_;
+    std::vector<std::string> headings_;
     std::vector<Row> rows_;
 };
 

@@ -29,7 +29,7 @@ PlotView::PlotView(QWidget* parent)
     viewport()->setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(220, 180);  // title, a line of the legend, both axes
-    setBackgroundBrush(chart_->colours().background);
+    setBackgroundBrush(colour_of(chart_->colours().background));
     setAccessibleName(tr("Plot"));
     setAccessibleDescription(
         tr("Left and right walk along a series, up and down go to another one, Enter "
@@ -64,7 +64,7 @@ QString PlotView::point_at(const QPointF& viewport) const {
         const double distance = std::hypot(apart.x(), apart.y());
         if (distance > nearest || (distance == nearest && !found.isEmpty())) continue;
         nearest = distance;
-        found = mark.id;
+        found = QString::fromStdString(mark.id);
     }
     return found;
 }
@@ -85,9 +85,9 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
     const auto id = point_at(event->position());
     chart_->set_hovered(id);
     setCursor(id.isEmpty() ? Qt::ArrowCursor : Qt::PointingHandCursor);
-    const auto* point = data().find(id);
+    const auto* point = data().find(id.toStdString());
     if (point)
-        QToolTip::showText(event->globalPosition().toPoint(), point->label, this);
+        QToolTip::showText(event->globalPosition().toPoint(), QString::fromStdString(point->label), this);
     else
         QToolTip::hideText();
 }
@@ -105,9 +105,11 @@ QString PlotView::neighbour(int steps) const {
         if (!now || mark.series == now->series) row.push_back(&mark);
     if (row.empty()) return {};
     std::stable_sort(row.begin(), row.end(), [](const Mark* a, const Mark* b) { return is_before(*a, *b); });
-    if (!now) return row.front()->id;
+    if (!now) return QString::fromStdString(row.front()->id);
     const auto at = std::find(row.begin(), row.end(), now) - row.begin();
-    return row[std::size_t(std::clamp<std::ptrdiff_t>(at + steps, 0, std::ptrdiff_t(row.size()) - 1))]->id;
+    const auto* to =
+        row[std::size_t(std::clamp<std::ptrdiff_t>(at + steps, 0, std::ptrdiff_t(row.size()) - 1))];
+    return QString::fromStdString(to->id);
 }
 
 /// The nearest point along x of the next series that has points.
@@ -122,9 +124,9 @@ QString PlotView::in_other_series(int steps) const {
             if (mark.series == series &&
                 (!nearest || std::abs(mark.x - now->x) < std::abs(nearest->x - now->x)))
                 nearest = &mark;
-        if (nearest) return nearest->id;
+        if (nearest) return QString::fromStdString(nearest->id);
     }
-    return now->id;
+    return QString::fromStdString(now->id);
 }
 
 void PlotView::keyPressEvent(QKeyEvent* event) {

@@ -96,9 +96,9 @@ TEST_F(PlotPanelTest, ProblemsRemarksAndNotesAreListed) {
     panel.show_data(data, {});
     ASSERT_EQ(lines->count(), 3);
     EXPECT_TRUE(lines->isVisible());
-    EXPECT_EQ(lines->item(0)->text(), data.problems[0]);
+    EXPECT_EQ(lines->item(0)->text().toStdString(), data.problems[0]);
     EXPECT_TRUE(lines->item(1)->text().contains("hollow"));
-    EXPECT_EQ(lines->item(2)->text(), data.notes[0]);
+    EXPECT_EQ(lines->item(2)->text().toStdString(), data.notes[0]);
 }
 
 TEST_F(PlotPanelTest, AnEmptyPanelSaysWhatAPlotIsAndOffersOne) {

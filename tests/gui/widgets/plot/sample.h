@@ -1,40 +1,41 @@
 #pragma once
 
 #include <QApplication>
+#include <QColor>
 #include <QImage>
 #include <QTest>
 #include <cstdlib>
 
-#include "widgets/plot/plot_data.h"
+#include "renderers/plot/plot_data.h"
+#include "renderers/plot/plot_scale.h"
 
 namespace ir::widgets {
 
-inline PlotPoint sample_point(const QString& id, double x, double y, bool ring = false) {
+inline PlotPoint sample_point(const std::string& id, double x, double y, bool ring = false) {
     PlotPoint point;
     point.id = id;
     point.x = x;
     point.y = y;
     point.ring = ring;
-    point.label = QStringLiteral("point %1\n%2 ms").arg(id).arg(x);
-    point.cells = {{id}, {QString::number(x), x}, {QString::number(y), y}};
+    point.label = "point " + id + "\n" + plot_number(x) + " ms";
+    point.cells = {{id}, {plot_number(x), x}, {plot_number(y), y}};
     return point;
 }
 
 /// Two series over four decades of time.
 inline PlotData sample_plot() {
     PlotData data;
-    data.title = QStringLiteral("Error over directions");
-    data.x = {QStringLiteral("Time of rendering (ms)"), true, {}, {}};
-    data.y = {QStringLiteral("RMSE"), true, {}, {}};
-    data.series = {{QStringLiteral("fast"),
+    data.title = "Error over directions";
+    data.x = {"Time of rendering (ms)", true, {}, {}};
+    data.y = {"RMSE", true, {}, {}};
+    data.series = {{"fast",
                     {sample_point("f1", 1, 0.2, true), sample_point("f2", 10, 0.1, true),
                      sample_point("f3", 100, 0.08)}},
-                   {QStringLiteral("good"),
-                    {sample_point("g1", 90, 0.05, true), sample_point("g2", 2000, 0.004, true)}}};
-    data.ring_name = QStringLiteral("front");
+                   {"good", {sample_point("g1", 90, 0.05, true), sample_point("g2", 2000, 0.004, true)}}};
+    data.ring_name = "front";
     data.join_rings = true;
-    data.level = PlotLevel{0.002, QStringLiteral("reference's own noise")};
-    data.headings = {QStringLiteral("Name"), QStringLiteral("ms"), QStringLiteral("RMSE")};
+    data.level = PlotLevel{0.002, "reference's own noise"};
+    data.headings = {"Name", "ms", "RMSE"};
     return data;
 }
 

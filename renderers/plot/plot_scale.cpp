@@ -1,19 +1,26 @@
-#include "widgets/plot/plot_scale.h"
+#include "renderers/plot/plot_scale.h"
 
-#include <QLocale>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
-namespace ir::widgets {
+namespace ir {
 namespace {
 
 constexpr double range_margin = 0.05;  ///< of the range, beside the outermost points
 constexpr double min_decades = 0.1;
 
-QString superscript(int exponent) {
-    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString text = exponent < 0 ? QStringLiteral("⁻") : QString();
-    for (const QChar digit : QString::number(std::abs(exponent))) text += digits[digit.digitValue()];
+std::string superscript(int exponent) {
+    static const std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(exponent))) text += digits[std::size_t(digit - '0')];
+    return text;
+}
+
+std::string printed(const char* format, int digits, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, digits, value);
     return text;
 }
 
@@ -28,32 +35,28 @@ double round_step(double range, int max_labels) {
 
 }  // namespace
 
-QString plot_number(double value) {
-    if (!std::isfinite(value))
-        return std::isnan(value) ? QStringLiteral("—")
-               : value > 0       ? QStringLiteral("∞")
-                                 : QStringLiteral("−∞");
+std::string plot_number(double value) {
+    if (!std::isfinite(value)) return std::isnan(value) ? "—" : value > 0 ? "∞" : "−∞";
     const double size = std::abs(value);
-    if (size == 0) return QStringLiteral("0");
+    if (size == 0) return "0";
     if (size >= 1e-3 && size < 1e6) {
-        const int digits = std::max(0, 2 - int(std::floor(std::log10(size))));
-        QString text = QString::number(value, 'f', digits);
-        if (text.contains(QLatin1Char('.'))) {
-            while (text.endsWith(QLatin1Char('0'))) text.chop(1);
-            if (text.endsWith(QLatin1Char('.'))) text.chop(1);
+        auto text = printed("%.*f", std::max(0, 2 - int(std::floor(std::log10(size)))), value);
+        if (text.find('.') != std::string::npos) {
+            text.resize(text.find_last_not_of('0') + 1);
+            if (text.back() == '.') text.pop_back();
         }
         return text;
     }
     int exponent = int(std::floor(std::log10(size)));
-    QString mantissa = QString::number(value / std::pow(10.0, exponent), 'g', 3);
-    if (mantissa == QLatin1String("10")) mantissa = QStringLiteral("1"), ++exponent;
-    const auto power = QStringLiteral("10") + superscript(exponent);
-    return mantissa == QLatin1String("1") ? power : mantissa + QStringLiteral("·") + power;
+    auto mantissa = printed("%.*g", 3, value / std::pow(10.0, exponent));
+    if (mantissa == "10") mantissa = "1", ++exponent;
+    const auto power = "10" + superscript(exponent);
+    return mantissa == "1" ? power : mantissa + "·" + power;
 }
 
 PlotScale::PlotScale(const PlotAxis& axis, const std::vector<double>& values, int max_ticks)
-    : log_(axis.log && axis.names.isEmpty()) {
-    if (!axis.names.isEmpty()) {
+    : log_(axis.log && axis.names.empty()) {
+    if (!axis.names.empty()) {
         name_all(axis.names, max_ticks);
         return;
     }
@@ -103,11 +106,12 @@ void PlotScale::fit(const std::vector<double>& values) {
     high_ = middle + half;
 }
 
-void PlotScale::name_all(const QStringList& names, int max_labels) {
+void PlotScale::name_all(const std::vector<std::string>& names, int max_labels) {
     low_ = -0.5;
     high_ = double(names.size()) - 0.5;
-    const int step = std::max(1, int((names.size() + max_labels - 1) / max_labels));
-    for (int i = 0; i < names.size(); i += step) ticks_.push_back({double(i), names[i]});
+    const auto most = static_cast<std::size_t>(max_labels);
+    const auto step = std::max<std::size_t>(1, (names.size() + most - 1) / most);
+    for (std::size_t i = 0; i < names.size(); i += step) ticks_.push_back({double(i), names[i]});
 }
 
 /// Only where they are few, and far enough apart to be read.
@@ -158,4 +162,4 @@ void PlotScale::label_log(int max_labels) {
         if (i * step > 0) ticks_.push_back({std::log10(i * step), plot_number(i * step)});
 }
 
-}  // namespace ir::widgets
+}  // namespace ir

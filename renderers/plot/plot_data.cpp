@@ -1,15 +1,15 @@
-#include "widgets/plot/plot_data.h"
+#include "renderers/plot/plot_data.h"
 
-namespace ir::widgets {
+namespace ir {
 
-const PlotPoint* PlotData::find(const QString& id) const {
+const PlotPoint* PlotData::find(const std::string& id) const {
     for (const auto& each : series)
         for (const auto& point : each.points)
             if (point.id == id) return &point;
     return nullptr;
 }
 
-int PlotData::series_of(const QString& id) const {
+int PlotData::series_of(const std::string& id) const {
     for (std::size_t s = 0; s < series.size(); ++s)
         for (const auto& point : series[s].points)
             if (point.id == id) return int(s);
@@ -22,4 +22,4 @@ std::size_t PlotData::count() const {
     return count;
 }
 
-}  // namespace ir::widgets
+}  // namespace ir

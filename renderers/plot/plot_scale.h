@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "widgets/plot/plot_data.h"
+#include "renderers/plot/plot_data.h"
 
-namespace ir::widgets {
+namespace ir {
 
 /// Where values stand along an axis: the values themselves, or their decimal logarithms. A value that has no
 /// place (zero on a logarithmic axis, infinity) stands at the end that it lies beyond.
@@ -12,7 +12,7 @@ class PlotScale {
   public:
     struct Tick {
         double place = 0;
-        QString text;
+        std::string text;
     };
     /// Of an axis that is to show these values; NaN has no place. At most `max_ticks` round numbers.
     PlotScale(const PlotAxis& axis, const std::vector<double>& values, int max_ticks = 8);
@@ -28,7 +28,7 @@ class PlotScale {
   private:
     double raw(double value) const;
     void fit(const std::vector<double>& values);
-    void name_all(const QStringList& names, int max_labels);
+    void name_all(const std::vector<std::string>& names, int max_labels);
     void label_wanted(const std::vector<double>& wanted, int max_labels);
     void label_linear(int max_labels);
     void label_log(int max_labels);
@@ -39,6 +39,6 @@ class PlotScale {
 };
 
 /// "0.02", "1500", "2·10⁻⁵": three digits that count.
-QString plot_number(double value);
+std::string plot_number(double value);
 
-}  // namespace ir::widgets
+}  // namespace ir

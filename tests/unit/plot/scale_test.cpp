@@ -5,9 +5,9 @@
 #include <set>
 
 #include "renderers/core/constants.h"
-#include "widgets/plot/plot_scale.h"
+#include "renderers/plot/plot_scale.h"
 
-namespace ir::widgets {
+namespace ir {
 namespace {
 
 PlotAxis log_axis() {
@@ -17,9 +17,9 @@ PlotAxis log_axis() {
 }
 
 std::string texts(const PlotScale& scale) {
-    QStringList all;
-    for (const auto& tick : scale.ticks()) all << tick.text;
-    return all.join(' ').toStdString();
+    std::string all;
+    for (const auto& tick : scale.ticks()) all += (all.empty() ? "" : " ") + tick.text;
+    return all;
 }
 
 TEST(PlotScale, DecadesAreEvenlySpaced) {
@@ -37,9 +37,9 @@ TEST(PlotScale, RangesOfAnyWidthHaveSomeTicksOfWhichNoTwoAreEqual) {
                 PlotAxis axis;
                 axis.log = log;
                 const PlotScale scale(axis, {low, low * factor});
-                std::set<QString> seen;
+                std::set<std::string> seen;
                 for (const auto& tick : scale.ticks()) {
-                    EXPECT_TRUE(seen.insert(tick.text).second) << tick.text.toStdString();
+                    EXPECT_TRUE(seen.insert(tick.text).second) << tick.text;
                     EXPECT_GE(tick.place, scale.low() - 1e-9);
                     EXPECT_LE(tick.place, scale.high() + 1e-9);
                 }
@@ -82,7 +82,7 @@ TEST(PlotScale, NamesHaveEvenPlaces) {
     EXPECT_EQ(texts(scale), "tangent-plane normal-offset none");
     EXPECT_DOUBLE_EQ(scale.low(), -0.5);
     EXPECT_DOUBLE_EQ(scale.high(), 2.5);
-    for (int i = 0; i < 60; ++i) axis.names << QString::number(i);
+    for (int i = 0; i < 60; ++i) axis.names.push_back(std::to_string(i));
     EXPECT_LE(PlotScale(axis, {0}).ticks().size(), 8u);
 }
 
@@ -92,12 +92,12 @@ TEST(PlotScale, NumbersAreShort) {
     EXPECT_EQ(plot_number(1), "1");
     EXPECT_EQ(plot_number(12.345), "12.3");
     EXPECT_EQ(plot_number(1500), "1500");
-    EXPECT_EQ(plot_number(2e-5), QStringLiteral("2·10⁻⁵"));
-    EXPECT_EQ(plot_number(1e-12), QStringLiteral("10⁻¹²"));
-    EXPECT_EQ(plot_number(3.2e7), QStringLiteral("3.2·10⁷"));
+    EXPECT_EQ(plot_number(2e-5), "2·10⁻⁵");
+    EXPECT_EQ(plot_number(1e-12), "10⁻¹²");
+    EXPECT_EQ(plot_number(3.2e7), "3.2·10⁷");
     EXPECT_EQ(plot_number(-0.5), "-0.5");
-    EXPECT_EQ(plot_number(infinity), QStringLiteral("∞"));
+    EXPECT_EQ(plot_number(infinity), "∞");
 }
 
 }  // namespace
-}  // namespace ir::widgets
+}  // namespace ir

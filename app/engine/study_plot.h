@@ -5,9 +5,9 @@
 #include "app/engine/error_study.h"
 #include "projects/document.h"
 #include "renderers/core/method.h"
-#include "widgets/plot/plot_data.h"
+#include "renderers/plot/plot_data.h"
 
-namespace ir::gui {
+namespace ir::engine {
 
 /// How a study is drawn: what of it the document does not say.
 struct PlotLook {
@@ -17,18 +17,21 @@ struct PlotLook {
 
 /// A study as a plot, and why an axis of it cannot be logarithmic.
 struct DrawnStudy {
-    widgets::PlotData data;
-    QString why_no_log_x, why_no_log_y;
+    PlotData data;
+    std::string why_no_log_x, why_no_log_y;
 };
 
 DrawnStudy draw_study(const projects::Project& project, const Registry& registry,
-                      const projects::ErrorPlot& plot, engine::ErrorStudy study, const PlotLook& look);
+                      const projects::ErrorPlot& plot, ErrorStudy study, const PlotLook& look);
 
 /// Of a point in its study: experiment and value.
-QString point_id(const engine::ErrorPoint& point);
-const engine::ErrorPoint* find_point(const engine::ErrorStudy& study, const QString& id);
+std::string point_id(const ErrorPoint& point);
+const ErrorPoint* find_point(const ErrorStudy& study, const std::string& id);
 
 /// A value as people write it: "256", "tangent-plane".
-QString value_text(const projects::Json& value);
+std::string value_text(const projects::Json& value);
 
-}  // namespace ir::gui
+/// "RMSE", "PSNR (dB)": for axes and headings.
+std::string metric_heading(const std::string& name);
+
+}  // namespace ir::engine

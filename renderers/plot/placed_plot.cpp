@@ -1,0 +1,78 @@
+#include "renderers/plot/placed_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ir {
+namespace {
+
+constexpr int tick_width = 64, tick_height = 30;  ///< logical pixels that a label wants
+constexpr double farthest_level = 30;             ///< below the least value, as a factor
+
+int max_ticks(double pixels, int each) {
+    return std::clamp(int(pixels) / each, 3, 10);
+}
+
+bool has_place(const PlotPoint& point) {
+    return !std::isnan(point.x) && !std::isnan(point.y);
+}
+
+std::vector<double> values_of(const PlotData& data, double PlotPoint::*member) {
+    std::vector<double> values;
+    for (const auto& series : data.series)
+        for (const auto& point : series.points)
+            if (has_place(point)) values.push_back(point.*member);
+    return values;
+}
+
+/// Not where it would make the points' own range small.
+bool is_level_near(const PlotLevel& level, const PlotAxis& axis, const std::vector<double>& heights) {
+    if (!axis.log) return true;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const double y : heights)
+        if (y > 0) lowest = std::min(lowest, y);
+    return level.y > 0 && (std::isinf(lowest) || level.y * farthest_level > lowest);
+}
+
+void add_remark(PlacedPlot& plot, int count, const std::string& one, const std::string& many) {
+    if (count > 0) plot.remarks.push_back(std::to_string(count) + (count == 1 ? one : many));
+}
+
+}  // namespace
+
+bool PlacedPlot::has_rings() const {
+    return std::any_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.ring; });
+}
+
+PlacedPlot place_plot(const PlotData& data, double width, double height) {
+    auto heights = values_of(data, &PlotPoint::y);
+    const bool shows_level = data.level && is_level_near(*data.level, data.y, heights);
+    if (shows_level && !heights.empty()) heights.push_back(data.level->y);
+    PlacedPlot plot{PlotScale(data.x, values_of(data, &PlotPoint::x), max_ticks(width, tick_width)),
+                    PlotScale(data.y, heights, max_ticks(height, tick_height)),
+                    {},
+                    shows_level,
+                    {}};
+    if (data.level && !shows_level)
+        plot.remarks.push_back(data.level->label + ": " + plot_number(data.level->y) +
+                               ", far below all points");
+    int displaced = 0, unknown = 0;
+    for (std::size_t s = 0; s < data.series.size(); ++s)
+        for (const auto& point : data.series[s].points) {
+            if (!has_place(point)) {
+                ++unknown;
+                continue;
+            }
+            const bool is_displaced = plot.x.is_displaced(point.x) || plot.y.is_displaced(point.y);
+            displaced += is_displaced ? 1 : 0;
+            plot.marks.push_back(
+                {point.id, int(s), plot.x.place(point.x), plot.y.place(point.y), point.ring, is_displaced});
+        }
+    add_remark(plot, displaced, " point is zero or infinite, and stands hollow at the edge",
+               " points are zero or infinite, and stand hollow at the edge");
+    add_remark(plot, unknown, " point has no such number", " points have no such number");
+    return plot;
+}
+
+}  // namespace ir

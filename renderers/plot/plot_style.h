@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ir {
+
+/// sRGB, as "#1b2c3d".
+using PlotColour = std::string;
+
+/// Colours of a plot. Series differ in colour and in the shape of their marks, so that they can be told apart
+/// without either.
+struct PlotStyle {
+    PlotColour background, text, dim, grid, front, level, selection;
+    std::vector<PlotColour> colours;
+    const PlotColour& series(int index) const { return colours[std::size_t(index) % colours.size()]; }
+
+    static const PlotStyle& screen();  ///< on the window's dark grey
+    static const PlotStyle& paper();   ///< on white
+};
+
+/// Corners of a series' mark about its centre, with a radius of about 1 and y downwards; empty: a circle. The
+/// shape goes on through eight; once the colours are used up, the same ones come with other shapes.
+std::vector<std::pair<double, double>> mark_corners(int series);
+
+}  // namespace ir

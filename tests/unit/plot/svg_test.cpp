@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "renderers/plot/placed_plot.h"
+#include "renderers/plot/plot_style.h"
+#include "renderers/plot/plot_svg.h"
+
+namespace ir {
+namespace {
+
+PlotData sample() {
+    PlotData data;
+    data.title = "Error <of> \"maps\"";
+    data.x = {"Time (ms)", true, {}, {}};
+    data.y = {"RMSE", true, {}, {}};
+    data.series = {{"fast & good", {{"a", 1, 0.2, "a", true, {}}, {"b", 100, 0.1, "b", false, {}}}},
+                   {"slow", {{"c", 90, 0.05, "c", true, {}}, {"d", 2000, 0.004, "d", true, {}}}}};
+    data.ring_name = "front";
+    data.join_rings = true;
+    data.level = PlotLevel{0.002, "noise"};
+    return data;
+}
+
+std::size_t count(const std::string& text, const std::string& expression) {
+    const std::regex pattern(expression);
+    return std::size_t(std::distance(std::sregex_iterator(text.begin(), text.end(), pattern), {}));
+}
+
+TEST(PlotSvg, PointsStandWhereTheScalesPutThem) {
+    const auto svg = plot_svg(sample(), 640, 400, true);
+    // Within the axes, from left to right as their times.
+    const std::regex circle(
+        R"re(<g><title>(\w)</title><(?:circle cx="([\d.]+)" cy="([\d.]+)"|polygon points="([\d.]+),([\d.]+)))re");
+    std::map<std::string, std::pair<double, double>> places;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), circle), end; it != end; ++it)
+        places[(*it)[1]] = {std::stod((*it)[2].length() ? (*it)[2] : (*it)[4]),
+                            std::stod((*it)[3].length() ? (*it)[3] : (*it)[5])};
+    ASSERT_EQ(places.size(), 4u) << svg;
+    EXPECT_LT(places["a"].first, places["c"].first);
+    EXPECT_LT(places["b"].first, places["d"].first);
+    EXPECT_LT(places["a"].second, places["b"].second) << "a larger error stands higher";
+    EXPECT_GT(places["d"].second, places["c"].second);
+    // A decade of error is everywhere as long.
+    const double decade = (places["b"].second - places["a"].second) / std::log10(2.0);
+    EXPECT_NEAR((places["c"].second - places["a"].second) / std::log10(4.0), decade, 0.15 * decade);
+    for (const auto& [id, place] : places) {
+        EXPECT_GT(place.first, 30) << id;
+        EXPECT_LT(place.first, 640 - 10) << id;
+        EXPECT_GT(place.second, 50) << id;
+        EXPECT_LT(place.second, 400 - 40) << id;
+    }
+}
+
+TEST(PlotSvg, NamesAreEscaped) {
+    const auto svg = plot_svg(sample(), 640, 400, true);
+    EXPECT_NE(svg.find("Error &lt;of&gt; &quot;maps&quot;"), std::string::npos);
+    EXPECT_NE(svg.find("fast &amp; good"), std::string::npos);
+    EXPECT_EQ(svg.find("<of>"), std::string::npos);
+}
+
+TEST(PlotSvg, RingsTheLevelAndEmptyPlotsAreDrawn) {
+    const auto svg = plot_svg(sample(), 640, 400, true);
+    EXPECT_EQ(count(svg, "class=\"ring\""), 3u);
+    EXPECT_EQ(count(svg, "class=\"level\""), 1u);
+    EXPECT_EQ(count(svg, "class=\"line s[01]\""), 4u) << "two of the legend, two of the series";
+    EXPECT_EQ(count(plot_svg({}, 640, 400, true), "<g>"), 0u);
+    auto alone = sample();
+    alone.series.resize(1);
+    alone.series[0].points = {{"x", 3, std::nan(""), "x", false, {}}};
+    EXPECT_EQ(count(plot_svg(alone, 640, 400, false), "<g>"), 0u);
+    EXPECT_EQ(plot_svg(sample(), 640, 400, false).find("Error &lt;of"),
+              plot_svg(sample(), 640, 400, false).rfind("Error &lt;of"))
+        << "a part of a page leaves the title to it";
+}
+
+TEST(PlotStyle, SeriesDifferInColourOrShape) {
+    for (int a = 0; a < 40; ++a)
+        for (int b = 0; b < a; ++b)
+            EXPECT_TRUE(PlotStyle::paper().series(a) != PlotStyle::paper().series(b) ||
+                        mark_corners(a) != mark_corners(b))
+                << a << " and " << b;
+}
+
+}  // namespace
+}  // namespace ir
