@@ -36,6 +36,7 @@ void add_project(CLI::App& app, Run& run);
 void add_reference(CLI::App& app, Run& run);
 void add_plot(CLI::App& app, Run& run);
 void add_sweep(CLI::App& app, Run& run);
+void add_report(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
 void add_shell(CLI::App& app, Run& run);
 

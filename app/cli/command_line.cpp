@@ -65,6 +65,7 @@ int run_command_line(int argc, char** argv) {
     add_reference(app, run);
     add_plot(app, run);
     add_sweep(app, run);
+    add_report(app, run);
     add_bench(app, run);
     add_shell(app, run);
     try {

@@ -6,14 +6,13 @@
 
 #include "app/cli/command.h"
 #include "app/cli/compare_difference.h"
-#include "app/cli/compare_sides.h"
 #include "app/cli/output_files.h"
+#include "app/engine/compared_files.h"
 #include "app/engine/interruption.h"
 #include "app/engine/number_text.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
-#include "renderers/image/channels.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/image/metrics.h"
 
@@ -21,6 +20,8 @@ namespace ir::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using engine::Mismatch, engine::Side, engine::load_side, engine::load_mask, engine::mismatch_kinds,
+    engine::semantic_of;
 
 struct CompareFlags {
     std::string image, reference, layer, metrics = "mean,reference-mean,bias,relbias,rmse,mae,psnr",
@@ -114,14 +115,6 @@ void require_same_shape(const Side& image, const Side& reference) {
         throw InputError(image.file, "", "cannot be compared with " + reference.file + ": " + look.why);
 }
 
-/// 'all' leaves out what needs colours or greys.
-void drop_colour_metrics(const Image& image, Semantic semantic, std::vector<std::string>& names) {
-    const int channels = value_channels(semantic, image.channels);
-    if (channels == 1 || channels == 3) return;
-    std::erase_if(names, [](const auto& name) { return name == "flip" || name == "hdr-flip"; });
-    std::cerr << "warning: flip and hdr-flip are left out: they need colours or greys\n";
-}
-
 bool exceeds(const std::string& name, double value, double limit) {
     return !(badness(metric(name), value) <= badness(metric(name), limit));
 }
@@ -188,19 +181,22 @@ int compare(CompareFlags flags) {
     auto names = chosen_metrics(flags);
     const auto limits = parse_limits(flags, names);
     const auto allowed = parse_allowed(flags.allowed);
-    MetricOptions options;
-    options.flip.pixels_per_degree = flags.pixels_per_degree;
-    if (!flags.rectangle.empty()) options.rectangle = parse_rectangle(flags.rectangle);
+    std::optional<Rectangle> rectangle;
+    if (!flags.rectangle.empty()) rectangle = parse_rectangle(flags.rectangle);
 
     const auto image = load_side(flags.image, flags.layer),
                reference = load_side(flags.reference, flags.layer);
     const auto mask = flags.mask.empty() ? Image() : load_mask(flags.mask);
     require_same_shape(image, reference);
     const auto found = checked_mismatches(image, reference, allowed);
-    options.semantic = semantic_of(image, reference);
-    if (flags.metrics == "all") drop_colour_metrics(image.image, options.semantic, names);
-    options.valid_image = image.mask();
-    options.valid_reference = reference.mask();
+    if (flags.metrics == "all") {
+        names = engine::metrics_that_apply(image, reference);
+        if (names.size() < metric_names().size())
+            std::cerr << "warning: flip and hdr-flip are left out: they need colours or greys\n";
+    }
+    auto options = engine::metric_options(image, reference);
+    options.flip.pixels_per_degree = flags.pixels_per_degree;
+    options.rectangle = rectangle;
     options.mask = mask.empty() ? nullptr : &mask;
     options.cancel = &engine::interruption();
     const auto result = compute_metrics(image.image, reference.image, names, options);

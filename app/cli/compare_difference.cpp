@@ -11,6 +11,9 @@
 #include "renderers/image/colour_map.h"
 
 namespace ir::cli {
+
+using engine::Side, engine::semantic_of;
+
 namespace {
 
 const DifferenceText& kind_named(const std::string& name) {

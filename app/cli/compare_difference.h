@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/compare_sides.h"
+#include "app/engine/compared_files.h"
 #include "renderers/image/difference.h"
 
 /// Difference pictures of `compare`.
@@ -33,7 +33,7 @@ struct WrittenDifference {
 void require_writable(const DifferenceRequest& request);
 
 /// Throws UsageError and Error.
-WrittenDifference write_difference(const Side& image, const Side& reference,
+WrittenDifference write_difference(const engine::Side& image, const engine::Side& reference,
                                    const DifferenceRequest& request);
 
 }  // namespace ir::cli

@@ -4,8 +4,7 @@
 #include <set>
 
 #include "app/cli/command.h"
-#include "app/engine/pictures.h"
-#include "projects/json.h"
+#include "app/engine/told_by.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {
@@ -13,23 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// All that a file says of its picture, by place.
+/// Throws InputError where the file says nothing.
 std::map<std::string, Json> told_by(const std::string& file) {
-    std::map<std::string, Json> told;
-    for (const auto& [key, value] : read_exr_attributes(file)) {
-        if (!key.starts_with(engine::attribute_prefix)) continue;
-        if (key != engine::recipe_attribute) {
-            told[key.substr(engine::attribute_prefix.size())] = value;
-            continue;
-        }
-        const auto recipe = projects::parse_json(value, file);
-        // The other lists repeat what attributes tell one by one.
-        for (const char* list : {"scenes", "lights", "motion"})
-            if (const auto found = recipe.find(list); found != recipe.end()) {
-                const auto leaves = found->flatten();
-                for (const auto& [place, leaf] : leaves.items()) told[list + place] = leaf;
-            }
-    }
+    auto told = engine::told_by(read_exr_attributes(file), file);
     if (told.empty()) throw InputError(file, "", "does not say how it was rendered");
     return told;
 }

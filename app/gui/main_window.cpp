@@ -73,6 +73,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       docks_(*this, workspace_.area(), actions_),
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
       export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
+      report_(*this, session_, notices_, actions_),
       edits_(session_, *document_, actions_),
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
@@ -186,7 +187,8 @@ void MainWindow::make_menus() {
     file->addMenu(files_.recent_menu());
     actions_.fill(file, "| save save-as |");
     actions_.fill(file->addMenu(tr("&Export")), "export-view export-buffer export-values | export-all");
-    actions_.fill(file, "| close quit");
+    actions_.fill(file, "report | close quit");
+    file->setToolTipsVisible(true);
     add_menu(
         tr("&Edit"),
         "undo redo find | experiment-add experiment-duplicate experiment-rename experiment-remove match | "

@@ -17,6 +17,7 @@
 #include "app/gui/plots_dock.h"
 #include "app/gui/preferences.h"
 #include "app/gui/project_banners.h"
+#include "app/gui/report_controller.h"
 #include "app/gui/result_controller.h"
 #include "app/gui/scene_dock.h"
 #include "app/gui/timeline_dock.h"
@@ -58,6 +59,7 @@ class MainWindow : public QMainWindow {
     TimelineDock& timeline() { return *timeline_; }
     References& references() { return references_; }
     Exports& exports() { return exports_; }
+    ReportController& reports() { return report_; }
     DockLayout& docks() { return docks_; }
     /// The picture of the active view.
     widgets::ImageView& view() { return workspace_.active_pane().compare().main_view(); }
@@ -134,6 +136,7 @@ class MainWindow : public QMainWindow {
     DockLayout docks_;
     FileController files_;
     ExportController export_;
+    ReportController report_;
     EditController edits_;
     ResultController result_actions_;
     TimelineDock* timeline_;

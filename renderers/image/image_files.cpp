@@ -77,13 +77,23 @@ Image read_image(const std::filesystem::path& file, const std::string& layer) {
     return decoded(file);
 }
 
-void write_png(const std::filesystem::path& file, const Image& linear, double exposure) {
-    if (linear.empty()) throw Error(file.string() + ": the image is empty; there is nothing to write");
+std::string png_of(const Image& linear, double exposure) {
+    if (linear.empty()) throw Error("the image is empty; there is nothing to write");
     const int channels = linear.channels == 1 ? 1 : linear.channels >= 4 ? 4 : 3;
     const auto bytes = encoded_pixels(linear, channels, static_cast<float>(std::exp2(exposure)));
     const auto [png, error] = image_codecs().png(linear.width, linear.height, channels, bytes);
-    if (!error.empty()) throw Error(file.string() + ": " + error);
-    write_file(file, {reinterpret_cast<const char*>(png.data()), png.size()});
+    if (!error.empty()) throw Error(error);
+    return {reinterpret_cast<const char*>(png.data()), png.size()};
+}
+
+void write_png(const std::filesystem::path& file, const Image& linear, double exposure) {
+    std::string png;
+    try {
+        png = png_of(linear, exposure);
+    } catch (const Error& error) {
+        throw Error(file.string() + ": " + error.what());
+    }
+    write_file(file, png);
 }
 
 }  // namespace ir

@@ -7,9 +7,10 @@
 #include "renderers/core/output.h"
 #include "renderers/image/exr.h"
 #include "renderers/image/image.h"
+#include "renderers/image/metrics.h"
 
-/// What `compare` reads, and whether it may be compared.
-namespace ir::cli {
+/// Two files that are compared, what they say of their pictures, and whether that may be.
+namespace ir::engine {
 
 /// One of the two pictures, with what its file says of it.
 struct Side {
@@ -44,7 +45,12 @@ const std::vector<std::string>& mismatch_kinds();
 /// Of both sides: four values in either are four in both.
 Semantic semantic_of(const Side& image, const Side& reference);
 
+/// What metrics of the two look at; it must not outlive them.
+MetricOptions metric_options(const Side& image, const Side& reference);
+/// All that apply: ꟻLIP needs colours or greys.
+std::vector<std::string> metrics_that_apply(const Side& image, const Side& reference);
+
 /// By the attributes that both files have, and by the look of the pictures.
 std::vector<Mismatch> mismatches(const Side& image, const Side& reference);
 
-}  // namespace ir::cli
+}  // namespace ir::engine

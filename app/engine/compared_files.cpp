@@ -1,4 +1,4 @@
-#include "app/cli/compare_sides.h"
+#include "app/engine/compared_files.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +14,10 @@
 #include "renderers/image/channels.h"
 #include "renderers/image/metrics.h"
 
-namespace ir::cli {
+namespace ir::engine {
 namespace {
 
-const std::string prefix = engine::attribute_prefix, setting_prefix = prefix + "set.",
+const std::string prefix = attribute_prefix, setting_prefix = prefix + "set.",
                   camera_prefix = prefix + "camera.", lights_key = prefix + "lights";
 
 const std::string* find(const ImageAttributes& attributes, const std::string& key) {
@@ -216,6 +216,22 @@ Semantic semantic_of(const Side& image, const Side& reference) {
     return image.semantic == Semantic::generic ? image.semantic : reference.semantic;
 }
 
+MetricOptions metric_options(const Side& image, const Side& reference) {
+    MetricOptions options;
+    options.semantic = semantic_of(image, reference);
+    options.valid_image = image.mask();
+    options.valid_reference = reference.mask();
+    return options;
+}
+
+std::vector<std::string> metrics_that_apply(const Side& image, const Side& reference) {
+    auto names = metric_names();
+    const int channels = value_channels(semantic_of(image, reference), image.image.channels);
+    if (channels != 1 && channels != 3)
+        std::erase_if(names, [](const auto& name) { return name == "flip" || name == "hdr-flip"; });
+    return names;
+}
+
 std::vector<Mismatch> mismatches(const Side& image, const Side& reference) {
     std::vector<Mismatch> result;
     add_transport(image.attributes, reference.attributes, result);
@@ -228,4 +244,4 @@ std::vector<Mismatch> mismatches(const Side& image, const Side& reference) {
     return result;
 }
 
-}  // namespace ir::cli
+}  // namespace ir::engine

@@ -1,0 +1,107 @@
+#include "app/gui/report_controller.h"
+
+#include <QAction>
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QProgressDialog>
+#include <QUrl>
+
+#include "app/gui/dialog_folder.h"
+#include "app/gui/text_of.h"
+#include "app/report/write_html.h"
+
+namespace ir::gui {
+
+ReportController::ReportController(QWidget& window, Session& session, Notices& notices, Actions& actions)
+    : window_(window), session_(session), notices_(notices) {
+    action_ = actions.add("report", tr("&Report …"), nullptr, {}, [this] { ask(); });
+    action_->setData(
+        tr("One HTML file of the kept results: pictures to wipe and flip, metrics, plots, settings"));
+    follow(session_, this, &ReportController::update);
+    update();
+}
+
+ReportController::~ReportController() {
+    cancel_.cancel();
+    if (thread_.joinable()) thread_.join();
+}
+
+void ReportController::update() {
+    set_reason(*action_, is_writing()              ? tr("A report is being written.")
+                         : !session_.has_project() ? tr("No project is open.")
+                         : session_.open_project().folder().empty()
+                             ? tr("Save the project first: results are kept in its folder.")
+                             : QString());
+}
+
+void ReportController::ask() {
+    const QString suffix = QStringLiteral(".html");
+    QString file = QFileDialog::getSaveFileName(&window_, tr("Report"),
+                                                export_proposal(text_of(session_.document().name), suffix),
+                                                tr("Web page (*.html)"));
+    if (file.isEmpty()) return;
+    remember_export(file);
+    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
+    write_to(file);
+}
+
+void ReportController::write_to(const QString& file) {
+    write_to(file, [project = session_.document(), folder = session_.open_project().folder()](
+                       const std::string& path, const report::Work& work) {
+        const auto half = [&work](double from) {
+            return report::Work{work.cancel, [&work, from](const std::string& what, double fraction) {
+                                    work.progress(what, from + fraction / 2);
+                                }};
+        };
+        report::write_html(path, report::report_of(project, folder, half(0)), {}, half(0.5));
+    });
+}
+
+void ReportController::write_to(const QString& file, const Maker& make) {
+    if (is_writing()) return;
+    if (thread_.joinable()) thread_.join();
+    cancel_.reset();
+    dialog_ = new QProgressDialog(tr("Reading …"), tr("Cancel"), 0, 1000, &window_);
+    dialog_->setObjectName(QStringLiteral("report-progress"));
+    dialog_->setWindowTitle(tr("Report"));
+    dialog_->setAutoClose(false);
+    dialog_->setAutoReset(false);
+    connect(dialog_, &QProgressDialog::canceled, this, [this] { cancel_.cancel(); });
+    update();
+    thread_ = std::thread([this, file, make] { run(file, make); });
+}
+
+/// On the report's thread.
+void ReportController::run(const QString& file, const Maker& make) {
+    QString error;
+    bool cancelled = false;
+    try {
+        make(file.toStdString(), {&cancel_, [this](const std::string& what, double fraction) {
+                                      QMetaObject::invokeMethod(
+                                          this, [this, what, fraction] { show_progress(what, fraction); });
+                                  }});
+    } catch (const Cancelled&) {
+        cancelled = true;
+    } catch (const std::exception& failure) {
+        error = QString::fromUtf8(failure.what());
+    }
+    QMetaObject::invokeMethod(this, [this, file, error, cancelled] { finish(file, error, cancelled); });
+}
+
+void ReportController::show_progress(const std::string& what, double fraction) {
+    if (!dialog_ || dialog_->wasCanceled()) return;
+    dialog_->setLabelText(text_of(what));
+    dialog_->setValue(int(1000 * fraction));
+}
+
+void ReportController::finish(const QString& file, const QString& error, bool cancelled) {
+    dialog_->deleteLater();
+    dialog_ = nullptr;
+    update();
+    if (cancelled) return notices_.say(tr("Cancelled the report"));
+    if (!error.isEmpty()) return notices_.fail(QStringLiteral("file"), "report", error);
+    notices_.say(tr("Wrote %1").arg(file));
+    QDesktopServices::openUrl(QUrl::fromLocalFile(file));
+}
+
+}  // namespace ir::gui

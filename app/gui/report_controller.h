@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "app/gui/actions.h"
+#include "app/gui/notices.h"
+#include "app/gui/session.h"
+#include "app/report/make_report.h"
+#include "renderers/core/progress.h"
+
+class QProgressDialog;
+
+namespace ir::gui {
+
+/// Writes a report of the open project on a thread of its own, with progress and a way to stop, and opens it.
+class ReportController : public QObject {
+    Q_OBJECT
+  public:
+    ReportController(QWidget& window, Session& session, Notices& notices, Actions& actions);
+    ~ReportController() override;
+
+    /// Writes a report into a file, on the report's thread.
+    using Maker = std::function<void(const std::string& file, const report::Work& work)>;
+    /// Asks nothing. Of the document as it is now, saved or not.
+    void write_to(const QString& file);
+    /// With another way to make it, for tests.
+    void write_to(const QString& file, const Maker& make);
+    bool is_writing() const { return dialog_ != nullptr; }
+
+  private:
+    void ask();
+    void run(const QString& file, const Maker& make);
+    void show_progress(const std::string& what, double fraction);
+    void finish(const QString& file, const QString& error, bool cancelled);
+    void update();
+
+    QWidget& window_;
+    Session& session_;
+    Notices& notices_;
+    QAction* action_;
+    CancelToken cancel_;
+    QProgressDialog* dialog_ = nullptr;  ///< while a report is written
+    std::thread thread_;
+};
+
+}  // namespace ir::gui
