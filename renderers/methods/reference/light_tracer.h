@@ -58,6 +58,7 @@ class LightTracer {
     void connect(const Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
                  std::vector<Splat>& splats, Counts& counts) const;
     bool go_on(Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf, Counts& counts) const;
+    /// What the event adds to the weight; false where the path is the camera's alone.
     bool compare(Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
                  const passes::BsdfSample& sample) const;
     int medium_behind(const Path& path, const passes::Surface& surface) const;
