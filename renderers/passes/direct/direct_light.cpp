@@ -53,7 +53,7 @@ ExtendedLightOptions extended_light_options(const LightParameters& parameters, c
 DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                          const DirectLightOptions& options) {
     note_many_materials(builder);
-    const auto extended = extended_light(builder, gbuffer, options.extended);
+    const auto extended = extended_light(builder, scene, gbuffer, options.extended);
     const auto shadow = shadow_maps(builder, scene, options.shadow_resolution);
     const DirectLight result{
         builder.image({.text = graph::text_of(direct_output()), .format = gl::Format::rgba32f}), shadow};

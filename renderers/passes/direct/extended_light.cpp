@@ -8,7 +8,9 @@
 #include "renderers/core/half_float.h"
 #include "renderers/core/parallel_for.h"
 #include "renderers/passes/a_trous/a_trous.h"
+#include "renderers/passes/direct/device/sample_on_device.h"
 #include "renderers/passes/direct/light_estimate.h"
+#include "renderers/passes/direct/sampled_images.h"
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/scene/stands_still.h"
@@ -18,23 +20,8 @@ namespace {
 
 /// Pixels along a side of an item of work.
 constexpr int light_tile = 16;
-/// A frame's samples are dealt to so many independent randomisations, whose differences tell the variance.
-constexpr int most_groups = 4;
 /// Of the filter: with fewer the noise of few samples stays.
 constexpr int filter_passes = 4;
-/// Surfaces that reflect less are filtered as if they did not: black ones show nothing of the light.
-constexpr float least_reflectance = 0.02f;
-
-struct SampledResults {
-    graph::ImageRef radiance, unfiltered, variance;  ///< as extended_light_outputs() lists them
-};
-
-struct SampledImages {
-    graph::ImageRef sums;  ///< rgba32f, history: Σ of the groups' means; a: Σ of their squared luminance
-    graph::BufferRef progress;  ///< history: how many groups, and which frame
-    SampledResults results;
-    graph::ImageRef even, reflectance;  ///< what is filtered, without materials
-};
 
 SampledResults declare_sampled_results(graph::GraphBuilder& builder) {
     const auto outputs = extended_light_outputs();
@@ -212,14 +199,14 @@ class LightSampling {
     std::span<std::uint64_t> reflectance_;
 };
 
-SampledImages sample_sources(graph::GraphBuilder& builder, const GBuffer& gbuffer,
-                             const ExtendedLightOptions& options) {
-    const auto images = declare_sampled_images(builder);
+void sample_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, const SampledImages& images,
+                    const ExtendedLightOptions& options) {
     const auto bvh = passes::bvh(builder);
     const auto sources = extended_emitters(builder, options);
     const auto& view = builder.inputs().view;
     auto pass = builder.pass("light samples", graph::Queue::cpu);
-    pass.reads(bvh, sources)
+    pass.has_two_bodies()
+        .reads(bvh, sources)
         .reads_previous(images.sums, images.progress)
         .writes(images.sums, images.progress, images.results.unfiltered, images.results.variance, images.even,
                 images.reflectance);
@@ -230,6 +217,15 @@ SampledImages sample_sources(graph::GraphBuilder& builder, const GBuffer& gbuffe
             LightSampling(context, gbuffer, images, bvh, sources, options).run(slice);
         },
         2);
+}
+
+SampledImages sample_sources(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                             const ExtendedLightOptions& options) {
+    const auto images = declare_sampled_images(builder);
+    if (builder.inputs().processor == Processor::host)
+        sample_on_host(builder, gbuffer, images, options);
+    else
+        sample_on_device(builder, scene, gbuffer, images, options);
     return images;
 }
 
@@ -245,9 +241,9 @@ graph::ImageRef filter_light(graph::GraphBuilder& builder, const GBuffer& gbuffe
         .value;
 }
 
-graph::ImageRef sample_and_filter(graph::GraphBuilder& builder, const GBuffer& gbuffer,
-                                  const ExtendedLightOptions& options) {
-    const auto images = sample_sources(builder, gbuffer, options);
+graph::ImageRef sample_and_filter(graph::GraphBuilder& builder, const SceneBuffers& scene,
+                                  const GBuffer& gbuffer, const ExtendedLightOptions& options) {
+    const auto images = sample_sources(builder, scene, gbuffer, options);
     const auto result = images.results.radiance;
     gl::ProgramSource source{{"passes/direct/extended_light.comp"}};
     if (!options.parameters.light_filter) {
@@ -347,11 +343,11 @@ std::vector<OutputDescription> extended_light_outputs() {
                 "each frame; of a single sample its square."}};
 }
 
-std::optional<graph::ImageRef> extended_light(graph::GraphBuilder& builder, const GBuffer& gbuffer,
-                                              const ExtendedLightOptions& options) {
+std::optional<graph::ImageRef> extended_light(graph::GraphBuilder& builder, const SceneBuffers& scene,
+                                              const GBuffer& gbuffer, const ExtendedLightOptions& options) {
     const auto sources = extended_sources(builder.inputs(), options);
     if (sources.any() && options.parameters.light_samples > 0)
-        return sample_and_filter(builder, gbuffer, options);
+        return sample_and_filter(builder, scene, gbuffer, options);
     if (sources.any()) note_left_out(builder, sources);
     no_extended_light(builder);
     return {};

@@ -46,10 +46,10 @@ graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedL
 std::vector<OutputDescription> extended_light_outputs();
 
 /// Declares "direct.extended", rgba32f: light of rectangles, disks, emissive meshes and the environment that
-/// surfaces reflect towards the eye, W/(m² sr), by samples on the host, whatever the processor; their mean
+/// surfaces reflect towards the eye, W/(m² sr), by samples, with a body for either processor; their mean
 /// over the frames in which nothing moved; and the filter. None where no such source shines, or where there
 /// are no samples, which a note says: then the outputs are 0.
-std::optional<graph::ImageRef> extended_light(graph::GraphBuilder& builder, const GBuffer& gbuffer,
-                                              const ExtendedLightOptions& options);
+std::optional<graph::ImageRef> extended_light(graph::GraphBuilder& builder, const SceneBuffers& scene,
+                                              const GBuffer& gbuffer, const ExtendedLightOptions& options);
 
 }  // namespace ir::passes

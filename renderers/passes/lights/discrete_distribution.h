@@ -36,6 +36,8 @@ class DiscreteDistribution {
     }
 
     bool empty() const { return cumulative_.empty(); }
+    /// One more than there are items; the first is 0. Empty where the distribution is.
+    const std::vector<float>& cumulative() const { return cumulative_; }
     float probability(std::size_t index) const { return cumulative_[index + 1] - cumulative_[index]; }
 
     /// `u` uniform in [0, 1).

@@ -135,4 +135,22 @@ float EnvironmentLight::pdf(glm::vec3 normal_ws, glm::vec3 direction_ws) const {
     return std::max(glm::dot(normal_ws, direction_ws), 0.0f) / pi;
 }
 
+EnvironmentLight::Tables EnvironmentLight::tables() const {
+    if (!map_) return {};
+    Tables tables;
+    tables.width = map_->width, tables.height = map_->height;
+    tables.rows = rows_.cumulative();
+    tables.rows.resize(cos_edges_.size());  // of a black map they are empty
+    tables.rows.insert(tables.rows.end(), cos_edges_.begin(), cos_edges_.end());
+    for (int y = 0; y < tables.height; ++y) {
+        tables.rows.push_back(static_cast<float>(height_of(static_cast<std::size_t>(y))));
+        const auto& sums = columns_[static_cast<std::size_t>(y)].cumulative();
+        for (int x = 0; x < tables.width; ++x) {
+            tables.columns.push_back(sums.empty() ? 0 : sums[static_cast<std::size_t>(x) + 1]);
+            tables.texels.emplace_back(texel(x, y), 1);
+        }
+    }
+    return tables;
+}
+
 }  // namespace ir::passes

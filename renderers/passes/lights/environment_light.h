@@ -33,6 +33,16 @@ class EnvironmentLight {
     /// Density per solid angle with which sample() chooses the direction; above 0 wherever the map shines.
     float pdf(glm::vec3 normal_ws, glm::vec3 direction_ws) const;
 
+    /// A map's texels and distribution as shaders/passes/lights/environment_light.glsl reads them; empty
+    /// without a map.
+    struct Tables {
+        int width = 0, height = 0;
+        std::vector<glm::vec4> texels;
+        std::vector<float> columns;  ///< of each row the sums after its texels
+        std::vector<float> rows;
+    };
+    Tables tables() const;
+
   private:
     glm::vec3 texel(int x, int y) const;
     void build_distribution();

@@ -25,7 +25,11 @@ class FlatLight {
     glm::vec3 normal_ws() const { return normal_; }
     glm::vec3 half_width_ws() const { return half_size_.x * width_; }
     glm::vec3 half_height_ws() const { return half_size_.y * height_; }
-    float area() const { return area_; }  ///< m²
+    float area() const { return area_; }             ///< m²
+    glm::vec3 width_ws() const { return width_; }    ///< unit
+    glm::vec3 height_ws() const { return height_; }  ///< unit
+    glm::vec2 half_size() const { return half_size_; }
+    bool is_disk() const { return is_disk_; }
 
     /// A point of it by u in [0, 1)², uniformly in area.
     glm::vec3 point_ws(glm::vec2 u) const;

@@ -34,6 +34,9 @@ class LightChoice {
     bool may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
         return tree_.may_meet(origin_ws, direction_ws);
     }
+    const LightTree& tree() const { return tree_; }
+    float tree_weight() const { return tree_weight_; }
+    float environment_weight() const { return environment_weight_; }
 
   private:
     struct Sun {

@@ -169,6 +169,24 @@ bool LightSampler::may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const {
     return meets_flat;
 }
 
+const LightChoice& LightSampler::choice() const {
+    return *impl_->choice;
+}
+
+std::vector<FlatLight> LightSampler::lamps() const {
+    std::vector<FlatLight> lamps;
+    for (const auto& flat : impl_->flat) lamps.push_back(flat.light);
+    return lamps;
+}
+
+const TriangleLights* LightSampler::triangles() const {
+    return impl_->triangles ? &*impl_->triangles : nullptr;
+}
+
+const EnvironmentLight* LightSampler::environment_light() const {
+    return impl_->environment ? &*impl_->environment : nullptr;
+}
+
 int LightSampler::extended_lights() const {
     return static_cast<int>(impl_->flat.size());
 }

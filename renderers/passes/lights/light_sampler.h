@@ -3,11 +3,17 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "renderers/passes/lights/light_tree.h"
 #include "renderers/passes/surface/surface.h"
 
 namespace ir::passes {
+
+class EnvironmentLight;
+class FlatLight;
+class LightChoice;
+class TriangleLights;
 
 /// One direction towards the light of a scene.
 struct LightSample {
@@ -87,6 +93,12 @@ class LightSampler {
         for (int i = 0; i < extended_lights(); ++i)
             if (const auto hit = intersect(i, origin_ws, direction_ws, far)) visit(*hit);
     }
+
+    // What it is made of, for the device.
+    const LightChoice& choice() const;
+    std::vector<FlatLight> lamps() const;
+    const TriangleLights* triangles() const;            ///< null where the options leave them out
+    const EnvironmentLight* environment_light() const;  ///< likewise
 
   private:
     int extended_lights() const;

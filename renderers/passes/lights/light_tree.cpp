@@ -230,4 +230,30 @@ bool LightTree::meets(std::uint32_t at, glm::vec3 origin_ws, glm::vec3 direction
     return false;
 }
 
+std::vector<LightNode> LightTree::flattened() const {
+    static_assert(LightGroup::capacity <= most_light_children);
+    std::vector<LightNode> result(1);
+    std::vector<std::uint32_t> nodes(groups_.size());  // of each group the node that stands for it
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        const auto& group = groups_[g];
+        result[nodes[g]].first_child = static_cast<std::uint32_t>(result.size());
+        result[nodes[g]].children = static_cast<std::uint32_t>(group.count);
+        for (std::size_t m = 0; m < static_cast<std::size_t>(group.count); ++m) {
+            if (group.children[m] != none)
+                nodes[group.children[m]] = static_cast<std::uint32_t>(result.size());
+            result.push_back({.centre = {group.centre[0][m], group.centre[1][m], group.centre[2][m]},
+                              .squared_radius = group.squared_radius[m],
+                              .axis = {group.axis[0][m], group.axis[1][m], group.axis[2][m]},
+                              .intensity = group.intensity[m],
+                              .cos_normals = group.cos_normals[m],
+                              .sin_normals = group.sin_normals[m],
+                              .cos_emission = group.cos_emission[m],
+                              .two_sided = group.two_sided[m] > 0 ? 1u : 0u,
+                              .parent = nodes[g],
+                              .source = group.lights[m]});
+        }
+    }
+    return result;
+}
+
 }  // namespace ir::passes

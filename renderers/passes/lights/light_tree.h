@@ -8,6 +8,7 @@
 
 #include "renderers/passes/lights/light_bounds.h"
 #include "renderers/passes/lights/light_group.h"
+#include "shaders/passes/lights/sources.glsl.h"
 
 namespace ir::passes {
 
@@ -49,6 +50,9 @@ class LightTree {
     /// False only where a ray along a unit direction meets none of the lights, nor does one that is moved
     /// aside as far as rays are that start anew at panes.
     bool may_meet(glm::vec3 origin_ws, glm::vec3 direction_ws) const;
+
+    /// The same tree for the device: the root first, which is no source itself, children next to each other.
+    std::vector<LightNode> flattened() const;
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "renderers/core/parallel_for.h"
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
-#include "renderers/passes/raytracing/device_bvh.h"
 
 namespace ir::passes {
 namespace {
@@ -71,20 +71,15 @@ void trace_with_embree(graph::GraphBuilder& builder, const std::string& name, co
 
 void trace_on_device(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,
                      const RayBuffers& buffers) {
-    const auto bvh = device_bvh(builder);
-    const auto unfinished = builder.counter(
-        {.key = "raytracing.unfinished",
-         .label = "Unfinished rays",
-         .doc = "Rays that met more nodes than a traversal may visit; their hit may not be the first one."});
-    builder.pass(name)
-        .reads("Rays", buffers.rays)
-        .reads("BvhNodes", bvh.nodes)
-        .reads("BvhTriangles", bvh.triangles)
-        .reads("BvhMasks", bvh.masks)
-        .reads(scene.opacity, scene.opacity_words)
+    const DeviceTracer tracer(builder, scene);
+    auto pass = builder.pass(name);
+    tracer.declare_reads(pass);
+    pass.reads("Rays", buffers.rays)
         .writes("Hits", buffers.hits)
-        .counts("Unfinished", unfinished)
-        .compute_sliced({{"passes/raytracing/trace.comp"}}, static_cast<std::int64_t>(buffers.capacity));
+        .execute_sliced(static_cast<std::int64_t>(buffers.capacity),
+                        [](graph::PassContext& context, graph::Slice slice) {
+                            DeviceTracer::trace(context, slice.begin, slice.end);
+                        });
 }
 
 }  // namespace
@@ -111,6 +106,27 @@ RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, st
                                   .fields = record_fields<RayHitRecord>(),
                                   .elements = rays});
     return result;
+}
+
+DeviceTracer::DeviceTracer(graph::GraphBuilder& builder, const SceneBuffers& scene)
+    : scene_(scene),
+      bvh_(device_bvh(builder)),
+      unfinished_(
+          builder.counter({.key = "raytracing.unfinished",
+                           .label = "Unfinished rays",
+                           .doc = "Rays that met more nodes than a traversal may visit; their hit may "
+                                  "not be the first one."})) {}
+
+void DeviceTracer::declare_reads(graph::PassBuilder& pass) const {
+    pass.reads("BvhNodes", bvh_.nodes)
+        .reads("BvhTriangles", bvh_.triangles)
+        .reads("BvhMasks", bvh_.masks)
+        .reads(scene_.opacity, scene_.opacity_words)
+        .counts("Unfinished", unfinished_);
+}
+
+void DeviceTracer::trace(const graph::PassContext& context, std::int64_t begin, std::int64_t end) {
+    gl::dispatch_items(context.use({{"passes/raytracing/trace.comp"}}), begin, end);
 }
 
 void trace_rays(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,

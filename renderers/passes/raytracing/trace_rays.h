@@ -4,6 +4,7 @@
 
 #include "renderers/core/record.h"
 #include "renderers/graph/builder.h"
+#include "renderers/passes/raytracing/device_bvh.h"
 #include "renderers/passes/scene/scene_buffers.h"
 #include "shaders/passes/raytracing/rays.glsl.h"
 
@@ -20,6 +21,20 @@ struct RayBuffers {
 };
 RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, std::uint64_t rays,
                         const std::string& fingerprint = {});
+
+/// For a pass that traces on the device between other work of its own: it declares "Rays" and "Hits" itself.
+class DeviceTracer {
+  public:
+    DeviceTracer(graph::GraphBuilder& builder, const SceneBuffers& scene);
+    void declare_reads(graph::PassBuilder& pass) const;
+    /// The rays [begin, end), after a barrier.
+    static void trace(const graph::PassContext& context, std::int64_t begin, std::int64_t end);
+
+  private:
+    SceneBuffers scene_;
+    DeviceBvh bvh_;
+    graph::CounterRef unfinished_;
+};
 
 /// Declares the pass NAME: the first hit of each ray of the buffer, alpha masks respected. `compute` walks a
 /// BVH on the device ("scene.bvh", built on the host once per world), `embree` asks the oracle on the host.

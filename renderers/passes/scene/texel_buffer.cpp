@@ -17,8 +17,9 @@ constexpr std::size_t levels = 256, words_per_entry = 4;
 std::vector<bool> textures_of_surfaces(const scene::Scene& scene) {
     std::vector<bool> needed(scene.textures.size());
     for (const auto& material : scene.materials)
-        for (const auto* slot : {&material.base_colour_texture, &material.metallic_roughness_texture,
-                                 &material.normal_texture, &material.transmission_texture})
+        for (const auto* slot :
+             {&material.base_colour_texture, &material.metallic_roughness_texture, &material.normal_texture,
+              &material.emission_texture, &material.transmission_texture})
             if (slot->texture >= 0) needed.at(static_cast<std::size_t>(slot->texture)) = true;
     return needed;
 }
@@ -138,7 +139,7 @@ graph::BufferRef texel_buffer(graph::GraphBuilder& builder) {
                  .label = "Textures in one array",
                  .doc =
                      "What rays that hit anything look up: base colours, metallic and roughness, normals, "
-                     "transmission."};
+                     "emission, transmission."};
     desc.name = "Texels";
     desc.fields = {{"word", graph::FieldType::u32}};
     desc.elements = layout.words;

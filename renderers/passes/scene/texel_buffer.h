@@ -27,8 +27,7 @@ constexpr int max_texels_a_side = 1024;
 /// Textures are halved further until all of them take no more.
 constexpr std::uint64_t max_texel_bytes = std::uint64_t{256} << 20;
 
-/// Base colour, metallic-roughness, normal and transmission textures of the scene's materials; emission is
-/// left out.
+/// Base colour, metallic-roughness, normal, emission and transmission textures of the scene's materials.
 TexelLayout texel_layout(const scene::Scene& scene, std::uint64_t max_bytes = max_texel_bytes,
                          int max_side = max_texels_a_side);
 /// Reduced textures are averages of equal areas, of decoded values where they are sRGB-encoded.

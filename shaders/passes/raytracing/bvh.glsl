@@ -87,7 +87,7 @@ bool find_first_hit(Ray ray, out RayHit result) {
             ++steps;
             ask_triangle(place, ray, hit);
         }
-        next = stack[--top];
+        next = ray.any_hit != 0.0 && hit.triangle != 0xffffffffu ? BVH_NO_CHILD : stack[--top];
     }
     result = hit.triangle == 0xffffffffu ? no_hit() : hit;
     return next == BVH_NO_CHILD;

@@ -15,6 +15,7 @@ class ExtendedLightTest : public PassTest {
   protected:
     enum class Source { rectangle, disk, mesh, constant, map };
     static constexpr int size = 48;
+    Processor body = Processor::host;  ///< that samples
 
     /// A glossy floor and a metal wall, a plate and one with a hole above the floor, lit by one source.
     static scene::Scene room(Source source) {
@@ -58,6 +59,7 @@ class ExtendedLightTest : public PassTest {
         inputs.frame = frame;
         inputs.seed = seed;
         inputs.threads = threads;
+        inputs.processor = body;
         return run(inputs, [&](graph::GraphBuilder& builder) {
             const auto scene = passes::upload_scene(builder);
             passes::direct_light(builder, scene, passes::gbuffer(builder, scene), options);

@@ -163,9 +163,9 @@ TEST(TexelLayout, LeavesOutWhatNoSurfaceAsks) {
     scene.materials[0].emission_texture.texture = 2;
     const auto layout = passes::texel_layout(scene);
     EXPECT_EQ(layout.textures[0].width, 0);
-    EXPECT_EQ(layout.textures[2].width, 0);
+    EXPECT_EQ(layout.textures[2].width, 8);
     EXPECT_EQ(layout.textures[1].width, 8);
-    EXPECT_EQ(layout.words, 256u + 3 * 4 + 32);
+    EXPECT_EQ(layout.words, 256u + 3 * 4 + 2 * 32);
     EXPECT_EQ(layout.reduced, 0);
     std::uint32_t texel;
     std::memcpy(&texel, &scene.textures[1].rgba[4 * 9], 4);

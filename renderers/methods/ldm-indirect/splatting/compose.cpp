@@ -24,7 +24,7 @@ std::optional<graph::ImageRef> direct_of(graph::GraphBuilder& builder, const pas
     auto options = passes::extended_light_options(parameters.light, parameters.transport);
     options.environment = options.environment && parameters.environment_by == EnvironmentBy::samples;
     const auto light = parameters.direct == DirectBy::photons
-                           ? passes::extended_light(builder, gbuffer, options)
+                           ? passes::extended_light(builder, scene, gbuffer, options)
                            : passes::direct_light(builder, scene, gbuffer, {.extended = options}).radiance;
     if (parameters.transport.paths == Paths::indirect) return {};
     return light;

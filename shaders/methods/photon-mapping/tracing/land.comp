@@ -53,7 +53,7 @@ void store(uint index, Photon photon) {
 /// ray's origin.
 bool is_own_surface(HitSurface surface, Path path, vec3 origin_ws) {
     if (surface_number > 1u || scatterings_of(path) == 0u) return false;
-    return abs(dot(surface.geometric_normal_ws, origin_ws - surface.position_ws)) < 2.0 * offset_of_rays(origin_ws);
+    return abs(dot(surface.geometric_normal_ws, origin_ws - surface.position_ws)) < 2.0 * ray_offset(origin_ws);
 }
 
 Glass glass_of(HitSurface surface) {
@@ -96,7 +96,7 @@ Ray go_on(inout Path path, HitSurface surface, Glass glass, vec3 from_ws) {
     float side = scattered.is_transmitted ? -1.0 : 1.0;
     if (scattered.is_transmitted && !glass.is_sheet) path.medium = surface.is_front ? surface.material : NO_MEDIUM;
     vec3 origin_ws =
-        surface.position_ws + side * offset_of_rays(surface.position_ws) * surface.geometric_normal_ws;
+        surface.position_ws + side * ray_offset(surface.position_ws) * surface.geometric_normal_ws;
     return Ray(origin_ws, far_of(path), scattered.direction_ws, 0.0);
 }
 

@@ -46,7 +46,7 @@ Ray leave(uint index) {
         return no_ray();
     }
     paths[index] = path;
-    vec3 origin_ws = point.position_ws + offset_of_rays(point.position_ws) * geometric_n;
+    vec3 origin_ws = point.position_ws + ray_offset(point.position_ws) * geometric_n;
     return Ray(origin_ws, far_of(path), scattered.direction_ws, 0.0);
 }
 

@@ -5,6 +5,7 @@
 #include "lib/scattering.glsl"
 #include "methods/photon-mapping/records.glsl"
 #include "methods/photon-mapping/survival.glsl"
+#include "passes/raytracing/ray_offset.glsl"
 #include "passes/raytracing/rays.glsl"
 
 /// Between two surfaces. The ray is in the buffer of rays; one with far <= 0: the path has ended.
@@ -54,12 +55,6 @@ void correct_shading_normals(inout Scattered scattered, Scatterer s, vec3 from) 
     scattered.weight *= is_mirrored && dot(s.n, from) <= 0.0
                             ? 0.0
                             : shading_normal_correction(s.n, s.geometric_n, from, scattered.direction_ws, MAX_CORRECTION);
-}
-
-float offset_of_rays(vec3 position_ws) {
-    vec3 size = abs(position_ws);
-    // min_ray_offset_m and relative_ray_offset of renderers/passes/raytracing/ray_offset.h
-    return 1e-6 + 32.0 / 8388608.0 * max(size.x, max(size.y, size.z));
 }
 
 /// How far the path may go on; 0: nowhere.

@@ -1,0 +1,142 @@
+// Light samples by the device's body against the host's, which draws the same ones, and against the
+// reference.
+#include <map>
+
+#include "renderers/passes/sampling/point_sequence.h"
+#include "tests/unit/methods/extended_light_fixture.h"
+
+namespace ir::test {
+namespace {
+
+class LightOnDeviceTest : public ExtendedLightTest {
+  protected:
+    struct Apart {
+        double part = 0;   ///< of the values: farther from the other's than a twentieth of their mean
+        double ratio = 0;  ///< of the sums
+    };
+    static Apart apart(const Image& image, const Image& other) {
+        double sum = 0, other_sum = 0, far = 0;
+        for (const float value : image.pixels) sum += value;
+        const double tolerance = 0.05 * sum / static_cast<double>(image.pixels.size());
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            other_sum += other.pixels[i];
+            far += std::abs(image.pixels[i] - other.pixels[i]) > tolerance;
+        }
+        return {far / static_cast<double>(image.pixels.size()), other_sum / sum};
+    }
+
+    void expect_both_agree(const Shot& shot, const passes::DirectLightOptions& options, int frames = 1) {
+        const std::string keys[] = {"direct.extended.unfiltered", "direct.extended.variance", "direct.even",
+                                    "direct.reflectance"};
+        std::map<std::string, Image> device;
+        body = Processor::gl;
+        sampled(shot, options, frames);
+        for (const auto& key : keys) device[key] = read(key);
+        body = Processor::host;
+        sampled(shot, options, frames);
+        for (const auto& key : keys) {
+            const auto difference = apart(device[key], read(key));
+            EXPECT_LT(difference.part, 0.01) << key;
+            EXPECT_NEAR(difference.ratio, 1, key.ends_with("variance") ? 0.05 : 2e-3) << key;
+        }
+    }
+
+    /// A box without openings, with every source in it, a mirror, rough metal and a sheet of tinted glass.
+    static scene::Scene closed_room() {
+        SmallWorld small;
+        for (int axis = 0; axis < 3; ++axis)
+            for (const float side : {-1.0f, 1.0f}) {
+                glm::vec3 normal(0);
+                normal[axis] = -side;
+                small.square(-2.0f * normal + glm::vec3(0, 2, 0), normal, 2);
+            }
+        small.square({-0.8f, 0.8f, -1}, {0.5f, 0.5f, 0.7f}, 0.6f, static_cast<SmallWorld::Material>(2));
+        small.square({0.8f, 0.8f, -1}, {-0.5f, 0.5f, 0.7f}, 0.6f, static_cast<SmallWorld::Material>(3));
+        small.square({0.4f, 1, 0.3f}, {0, 1, 0.2f}, 0.5f, static_cast<SmallWorld::Material>(4));
+        small.square({-0.5f, 0.4f, 0.5f}, {0.3f, 1, 0}, 0.2f, static_cast<SmallWorld::Material>(5));
+        auto scene = small.scene();
+        scene.materials.resize(6);
+        for (auto& material : scene.materials) {
+            material.base_colour = {0.7f, 0.6f, 0.5f, 1};
+            material.metallic = 0;
+            material.roughness = 0.6f;
+        }
+        scene.materials[2].metallic = scene.materials[3].metallic = 1;
+        scene.materials[2].roughness = 0;
+        scene.materials[3].roughness = 0.25f;
+        scene.materials[4].transmission = 0.9f;
+        scene.materials[4].roughness = 0;
+        scene.materials[5].emission = {3, 2, 1};
+        scene.environment.constant = glm::vec3(5);
+        for (const auto type : {scene::LightType::rectangle, scene::LightType::disk}) {
+            scene::Light lamp;
+            lamp.type = type;
+            lamp.position = {type == scene::LightType::disk ? -1 : 1, 2.5f, 0};
+            lamp.direction = glm::normalize(glm::vec3(0.1f, -1, 0.2f));
+            lamp.size = {0.8f, 0.4f};
+            lamp.intensity = 5;
+            scene.lights.push_back(lamp);
+        }
+        return scene;
+    }
+};
+
+TEST_F(LightOnDeviceTest, RandomNumbersAreTheHosts) {
+    constexpr std::uint32_t count = 1000;
+    run(shot_of(Source::disk), [&](graph::GraphBuilder& builder) {
+        const auto pairs = builder.buffer({.text = {.key = "pairs", .label = "Pairs"},
+                                           .fields = {{"pair", FieldType::f32, 2}},
+                                           .elements = count});
+        builder.pass("pairs")
+            .writes("Pairs", pairs)
+            .compute({{SOURCE_ROOT "/tests/data/shaders/path_pairs.comp"}}, count);
+    });
+    const auto pairs = elements<glm::vec2>("pairs");
+    ASSERT_EQ(pairs.size(), count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto key = passes::pixel_key(std::uint64_t{0xfffffff0u + i} << 32 | 7, i % 5, i) + i;
+        ASSERT_EQ(pairs[i], passes::PathSampler(key, i / 3).pair(i % 3)) << i;
+    }
+}
+
+TEST_F(LightOnDeviceTest, TheDeviceSamplesAsTheHostDoes) {
+    for (const auto source : {Source::rectangle, Source::disk, Source::mesh, Source::constant, Source::map}) {
+        SCOPED_TRACE(static_cast<int>(source));
+        expect_both_agree(shot_of(source), unfiltered(5));
+    }
+}
+
+TEST_F(LightOnDeviceTest, ClosedRoomsWithMirrorsAndPanesToo) {
+    const auto shot = Shot(closed_room(), looking({0, 1.6f, 1.9f}, {0, 1, -1}), size, size);
+    for (const auto model :
+         {Transport::Materials::gltf, Transport::Materials::metalness_blend, Transport::Materials::lambert}) {
+        SCOPED_TRACE(static_cast<int>(model));
+        auto options = unfiltered(6);
+        options.extended.materials = model;
+        options.extended.mirrors = true;
+        expect_both_agree(shot, options, 2);
+    }
+}
+
+TEST_F(LightOnDeviceTest, EqualsTheReference) {
+    body = Processor::gl;
+    const auto shot = Shot(closed_room(), looking({0, 1.6f, 1.9f}, {0, 1, -1}), size, size);
+    const auto expected = reference(shot, 256);
+    auto found = sampled(shot, unfiltered(16), 8);
+    EXPECT_LT(largest_z(found, expected), 4);
+    for (auto& value : found.radiance.pixels) value *= 1.1f;
+    EXPECT_GT(largest_z(found, expected), 4) << "what is wrong by a tenth is seen";
+}
+
+TEST_F(LightOnDeviceTest, NothingOfThePictureIsReadBack) {
+    body = Processor::gl;
+    const auto report = sample_anew(shot_of(Source::rectangle), unfiltered(4));
+    for (const auto& pass : report.passes) {
+        if (pass.queue == "cpu") {
+            EXPECT_EQ(pass.name, "device BVH");
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
