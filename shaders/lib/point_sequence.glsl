@@ -2,14 +2,16 @@
 // are uvec2, the lower half first.
 
 uvec2 sum64(uvec2 a, uvec2 b) {
-    uint carry;
-    uint low = uaddCarry(a.x, b.x, carry);
-    return uvec2(low, a.y + b.y + carry);
+    uint low = a.x + b.x;
+    return uvec2(low, a.y + b.y + (low < a.x ? 1u : 0u));
 }
+/// Not by umulExtended(), which Mesa 22 gets wrong where both factors are constant.
 uvec2 product64(uvec2 a, uvec2 b) {
-    uint high, low;
-    umulExtended(a.x, b.x, high, low);
-    return uvec2(low, high + a.x * b.y + a.y * b.x);
+    uint low = (a.x & 0xffffu) * (b.x & 0xffffu);
+    uint middle = (a.x >> 16) * (b.x & 0xffffu) + (low >> 16);
+    uint other = (a.x & 0xffffu) * (b.x >> 16) + (middle & 0xffffu);
+    uint high = (a.x >> 16) * (b.x >> 16) + (middle >> 16) + (other >> 16);
+    return uvec2(a.x * b.x, high + a.x * b.y + a.y * b.x);
 }
 /// x ^ x >> bits, bits from 1 to 31.
 uvec2 folded64(uvec2 x, int bits) { return x ^ uvec2(x.x >> bits | x.y << (32 - bits), x.y >> bits); }

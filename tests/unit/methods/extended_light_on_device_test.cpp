@@ -119,13 +119,19 @@ TEST_F(LightOnDeviceTest, ClosedRoomsWithMirrorsAndPanesToo) {
 }
 
 TEST_F(LightOnDeviceTest, EqualsTheReference) {
-    body = Processor::gl;
-    const auto shot = Shot(closed_room(), looking({0, 1.6f, 1.9f}, {0, 1, -1}), size, size);
+    auto scene = closed_room();
+    scene.materials[2].roughness = 0.5f;  // samples leave mirrors out as the reference's direct light,
+    scene.materials[4].transmission = 0;  // and its picture is seen through panes
+    const Shot shot(std::move(scene), looking({0, 1.6f, 1.9f}, {0, 1, -1}), size, size);
     const auto expected = reference(shot, 256);
-    auto found = sampled(shot, unfiltered(16), 8);
+    body = Processor::gl;
+    auto found = sampled(shot, unfiltered(16), 4);
+    const auto emission = read("gbuffer.emission");
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) found.radiance.at(x, y) += emission.at(x, y);
     EXPECT_LT(largest_z(found, expected), 4);
-    for (auto& value : found.radiance.pixels) value *= 1.1f;
-    EXPECT_GT(largest_z(found, expected), 4) << "what is wrong by a tenth is seen";
+    for (auto& value : found.radiance.pixels) value *= 1.05f;
+    EXPECT_GT(largest_z(found, expected), 4) << "what is wrong by a twentieth is seen";
 }
 
 TEST_F(LightOnDeviceTest, NothingOfThePictureIsReadBack) {

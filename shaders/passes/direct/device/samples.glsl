@@ -40,6 +40,9 @@ struct SeenSurface {
     Glass glass;
 };
 
+/// frame_around() is discontinuous at n.z = 0, where on the host −0 counts as negative.
+vec3 with_sign_of_zero(vec3 n) { return floatBitsToUint(n.z) == 0x80000000u ? vec3(n.xy, -1e-30) : n; }
+
 SeenSurface seen_surface(ivec2 pixel) {
     SeenSurface seen;
     vec4 position = texelFetch(gbuffer_position, pixel, 0), material = texelFetch(gbuffer_material, pixel, 0);
@@ -48,9 +51,9 @@ SeenSurface seen_surface(ivec2 pixel) {
     vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
     vec3 normal = texelFetch(gbuffer_normal, pixel, 0).xyz;
     seen.position_ws = position.xyz;
-    seen.geometric_n = normalize(texelFetch(gbuffer_geometric_normal, pixel, 0).xyz);
+    seen.geometric_n = with_sign_of_zero(normalize(texelFetch(gbuffer_geometric_normal, pixel, 0).xyz));
     float size = length(normal);  // half floats: not quite 1
-    vec3 n = size > 0.5 ? normal / size : seen.geometric_n;
+    vec3 n = size > 0.5 ? with_sign_of_zero(normal / size) : seen.geometric_n;
     // a half float, which is exact only up to 2048
     Material m = materials[uint(clamp(material.w + 0.5, 0.0, float(materials.length() - 1)))];
     seen.scatterer = make_scatterer(n, seen.geometric_n, albedo.rgb, material.x, material.y, m.ior, MATERIALS);
