@@ -90,8 +90,8 @@ LightSample sample_sky(SourceTotals sources, vec3 normal_ws, vec2 u) {
         float across = rest_of(u.x, column_below(column, row), column_below(column + 1, row));
         float down = rest_of(u.y, environment_rows[row], environment_rows[row + 1]);
         int edges = sources.map_height + 1;
-        s.direction_ws = equirectangular_direction((float(column) + across) / float(sources.map_width),
-                                                   environment_rows[edges + row] - down * environment_rows[2 * edges + row]);
+        float cos_theta = environment_rows[edges + row] - down * environment_rows[2 * edges + row];
+        s.direction_ws = equirectangular_direction((float(column) + across) / float(sources.map_width), cos_theta);
         s.pdf = texel_pdf(sources, column, row);
     }
     s.radiance = environment_radiance(sources, s.direction_ws);

@@ -1,5 +1,5 @@
-// Chooses among many sources by what they may send to a point: passes::LightTree (renderers/passes/lights/light_tree.h).
-// [Conty18]
+// Chooses among many sources by what they may send to a point: passes::LightTree
+// (renderers/passes/lights/light_tree.h).  [Conty18]
 #include "passes/lights/sources.glsl"
 #include "passes/raytracing/ray_offset.glsl"
 
@@ -10,8 +10,8 @@ vec2 reduced(vec2 a, vec2 b) {
 }
 vec2 with_cosine(float cosine) { return vec2(cosine, sqrt(max(1.0 - cosine * cosine, 0.0))); }
 
-/// Bound of the irradiance from the group: intensity * cos θ' * cos θi' / distance², the angles the least that any of
-/// its sources may have.  [Conty18 §5]
+/// Bound of the irradiance from the group: intensity * cos θ' * cos θi' / distance², the angles the least that any
+/// of its sources may have.  [Conty18 §5]
 float importance(LightNode node, vec3 position_ws, vec3 normal_ws) {
     const float min_squared_distance = 1e-16;  // keeps the quotient finite
     vec3 offset = position_ws - node.centre;

@@ -91,6 +91,7 @@ class ExtendedLightTest : public PassTest {
                               {"samples", samples}};
         auto inputs = shot.inputs();
         inputs.seed = 5;
+        inputs.processor = body;  // the same G-buffer
         graph::FrameOptions options;
         options.wanted = {"radiance", "reference.variance"};
         graph().run(method, completed(method.description.parameters, chosen), inputs, options);

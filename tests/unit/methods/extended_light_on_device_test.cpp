@@ -107,15 +107,38 @@ TEST_F(LightOnDeviceTest, TheDeviceSamplesAsTheHostDoes) {
 }
 
 TEST_F(LightOnDeviceTest, ClosedRoomsWithMirrorsAndPanesToo) {
-    const auto shot = Shot(closed_room(), looking({0, 1.6f, 1.9f}, {0, 1, -1}), size, size);
+    const auto shot = Shot(closed_room(), looking({0, 1.6f, 1.9f}, {0, 1, -1}), 32, 32);
     for (const auto model :
          {Transport::Materials::gltf, Transport::Materials::metalness_blend, Transport::Materials::lambert}) {
         SCOPED_TRACE(static_cast<int>(model));
-        auto options = unfiltered(6);
+        auto options = unfiltered(5);
         options.extended.materials = model;
         options.extended.mirrors = true;
         expect_both_agree(shot, options, 2);
     }
+}
+
+TEST_F(LightOnDeviceTest, AndTreesOfManyTexturedSourcesWithHoles) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 2);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (int i = 0; i < 40; ++i)  // 80 triangles: groups within groups
+        small.square({1.5f * unit(random), 1 + 0.6f * unit(random), 1.5f * unit(random)},
+                     glm::normalize(glm::vec3(unit(random), unit(random), 0.5f)), 0.08f,
+                     i % 2 == 0 ? SmallWorld::masked : static_cast<SmallWorld::Material>(2));
+    auto scene = small.scene();
+    scene.materials.resize(3);
+    for (auto& material : scene.materials) material.metallic = 0;
+    scene::Texture colours;
+    colours.width = colours.height = 2;
+    colours.rgba = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
+    scene.textures.push_back(colours);
+    for (const std::size_t emitter : {1, 2}) {
+        scene.materials[emitter].emission = glm::vec3(10);
+        scene.materials[emitter].emission_texture.texture = 1;
+    }
+    expect_both_agree(shot_of(std::move(scene)), unfiltered(8));
 }
 
 TEST_F(LightOnDeviceTest, EqualsTheReference) {

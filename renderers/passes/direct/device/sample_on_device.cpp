@@ -19,7 +19,7 @@ namespace {
 
 const std::string sample_folder = "passes/direct/device/";
 
-/// Of which a sample is drawn at once: what fills a device, and needs 25 MiB.
+/// Of which a sample is drawn at once: what fills a device, and takes 36 MiB.
 constexpr std::int64_t pixels_at_once = 1 << 18;
 /// Panes that light passes one behind the other, as on the host.
 constexpr int most_panes = 8;
@@ -176,15 +176,6 @@ class DeviceSampling {
     bool has_panes_ = false;
 };
 
-graph::BufferRef declare_part_buffer(graph::GraphBuilder& builder, const std::string& key,
-                                     const std::string& label, std::vector<graph::Field> fields,
-                                     std::int64_t elements) {
-    return builder.buffer({.text = {.key = "direct." + key, .label = label},
-                           .fields = std::move(fields),
-                           .elements = static_cast<std::uint64_t>(elements),
-                           .cleared = true});
-}
-
 }  // namespace
 
 void sample_on_device(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
@@ -197,10 +188,15 @@ void sample_on_device(graph::GraphBuilder& builder, const SceneBuffers& scene, c
     const auto surfaces = hit_surfaces(builder, scene);
     const auto at_once = sampling.parts().at_once();
     const auto rays = declare_rays(builder, "direct", static_cast<std::uint64_t>(2 * at_once));
-    const auto paths = declare_part_buffer(builder, "paths", "What rays carry of the direct light",
-                                           record_fields<LightPathRecord>(), 2 * at_once);
-    const auto group = declare_part_buffer(builder, "group", "Direct light of a group of samples",
-                                           {{"light", graph::FieldType::f32, 4}}, at_once);
+    const auto paths =
+        builder.buffer({.text = {.key = "direct.paths", .label = "What rays carry of the direct light"},
+                        .fields = record_fields<LightPathRecord>(),
+                        .elements = static_cast<std::uint64_t>(2 * at_once)});
+    const auto group =
+        builder.buffer({.text = {.key = "direct.group", .label = "Direct light of a group of samples"},
+                        .fields = {{"light", graph::FieldType::f32, 4}},
+                        .elements = static_cast<std::uint64_t>(at_once),
+                        .cleared = true});
     const DeviceTracer tracer(builder, scene);
     auto pass = builder.pass("light samples");
     pass.has_two_bodies();

@@ -65,7 +65,8 @@ void main() {
         uvec2 key = sum64(pixel_key(uvec2(seed_low, seed_high), uvec2(pixel)), uvec2(group, 0u));
         vec2 choices = path_pair(key, number, OF_CHOICES);
         if (has_smooth_part(surface.scatterer, surface.glass))
-            source_ray = towards_source(surface, seen, origin_ws, choices.x, path_pair(key, number, OF_SOURCE), radiance);
+            source_ray =
+                towards_source(surface, seen, origin_ws, choices.x, path_pair(key, number, OF_SOURCE), radiance);
         drawn_ray = by_direction(surface, seen, origin_ws, choices.y, path_pair(key, number, OF_DIRECTION), drawn);
     }
     rays[place] = source_ray;

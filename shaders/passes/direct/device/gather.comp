@@ -80,7 +80,8 @@ bool goes_on(uint index, Ray ray, RayHit hit) {
     vec3 passed = passed_by(hit, s, ray.direction_ws);
     if (passed == vec3(0)) return false;
     light_paths[index].weight *= passed;
-    rays[index] = Ray(offset_origin(s.position_ws, -s.geometric_normal_ws), ray.far - hit.distance, ray.direction_ws, 0.0);
+    vec3 origin_ws = offset_origin(s.position_ws, -s.geometric_normal_ws);
+    rays[index] = Ray(origin_ws, ray.far - hit.distance, ray.direction_ws, 0.0);
     return true;
 }
 #else
