@@ -105,15 +105,16 @@ LightSample sample_lamp(LampData lamp, vec3 position_ws, vec2 u) {
     return LightSample(offset / distance, distance, lamp.radiance, pdf_of_lamp(lamp, seen, distance));
 }
 
+const float NOT_MET = uintBitsToFloat(0x7f800000u);
+
 /// Distance along the unit direction to the side that sends light; infinite where it is not met.
 float lamp_distance(LampData lamp, vec3 origin_ws, vec3 direction_ws) {
-    const float infinite = uintBitsToFloat(0x7f800000u);
     vec3 offset = origin_ws - lamp.centre_ws;
     float height = dot(offset, lamp.normal_ws), fall = -dot(direction_ws, lamp.normal_ws);
-    if (!(height > 0.0) || !(fall > 0.0)) return infinite;
+    if (!(height > 0.0) || !(fall > 0.0)) return NOT_MET;
     float distance = height / fall;
     vec3 at = offset + distance * direction_ws;
     vec2 p = vec2(dot(at, lamp.width_ws) / lamp.half_width, dot(at, lamp.height_ws) / lamp.half_height);
     bool inside = lamp.is_disk != 0u ? dot(p, p) <= 1.0 : abs(p.x) <= 1.0 && abs(p.y) <= 1.0;
-    return inside ? distance : infinite;
+    return inside ? distance : NOT_MET;
 }

@@ -19,7 +19,7 @@ float pdf_of_triangle(SourceTotals sources, vec3 position_ws, vec3 normal_ws, Em
 }
 float pdf_of_lamp(SourceTotals sources, vec3 position_ws, vec3 normal_ws, LampData lamp, vec3 direction_ws) {
     float distance = lamp_distance(lamp, position_ws, direction_ws);
-    if (isinf(distance) || !(lamp.area > 0.0)) return 0.0;
+    if (!(distance < NOT_MET) || !(lamp.area > 0.0)) return 0.0;
     return probability_in_tree(position_ws, normal_ws, lamp.node) * share_of(sources, sources.tree_weight) *
            pdf_of_lamp(lamp, seen_lamp(lamp, position_ws), distance);
 }

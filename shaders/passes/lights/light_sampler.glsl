@@ -59,6 +59,6 @@ bool may_meet(SourceTotals sources, vec3 origin_ws, vec3 direction_ws) {
     if (has_environment(sources)) return true;
     if (sources.triangles > 0u && may_meet_in_tree(origin_ws, direction_ws)) return true;
     for (uint i = 0u; i < sources.lamps; ++i)
-        if (!isinf(lamp_distance(lamps[i], origin_ws, direction_ws))) return true;
+        if (lamp_distance(lamps[i], origin_ws, direction_ws) < NOT_MET) return true;
     return false;
 }
