@@ -42,31 +42,19 @@ void require_comparable(const Side& image, const Side& reference, const std::vec
                              "'] compares them all the same)");
 }
 
-/// Those of colours and greys are left out of all metrics where there are other channels.
-std::vector<std::string> metrics_for(const py::object& asked, const Image& image) {
-    if (!asked.is_none()) return to_texts(asked);
-    auto names = metric_names();
-    if (image.channels == 2)
-        std::erase_if(names, [](const auto& name) { return name == "flip" || name == "hdr-flip"; });
-    return names;
-}
-
 py::dict compare(const py::object& image, const py::object& reference, const py::object& metrics,
                  const std::string& layer, const py::object& mask,
                  const std::optional<std::array<int, 4>>& rectangle, const py::object& allow_different,
                  std::optional<double> pixels_per_degree) {
     const auto a = side_of(image, "image", layer), b = side_of(reference, "reference", layer);
     const auto allowed = to_texts(allow_different);
-    MetricOptions options;
-    options.semantic = engine::semantic_of(a, b);
-    options.valid_image = a.mask();
-    options.valid_reference = b.mask();
+    auto options = engine::metric_options(a, b);
     if (pixels_per_degree) options.flip.pixels_per_degree = *pixels_per_degree;
     if (rectangle)
         options.rectangle = Rectangle{(*rectangle)[0], (*rectangle)[1], (*rectangle)[2], (*rectangle)[3]};
     const auto mask_image = mask.is_none() ? Image() : to_image(mask, "mask");
     options.mask = mask_image.empty() ? nullptr : &mask_image;
-    const auto names = metrics_for(metrics, a.image);
+    const auto names = metrics.is_none() ? engine::metrics_that_apply(a, b) : to_texts(metrics);
     MetricResult result;
     {
         const py::gil_scoped_release unlocked;

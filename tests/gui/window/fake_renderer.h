@@ -135,7 +135,8 @@ inline const MethodDescription& fake_light() {
         auto m = fake_method();
         m.id = "light";
         m.title = "Fake light";
-        m.parameters.push_back(transport_parameters({.paths = {"direct", "full"}}).descriptions().front());
+        m.parameters.push_back(
+            transport_parameters({.paths = {"direct", "full"}, .keys = {}}).descriptions().front());
         m.parameters.back().default_value = "direct";
         return m;
     }();

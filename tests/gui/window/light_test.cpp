@@ -97,8 +97,9 @@ MethodDescription sampling_method() {
                              {LightKind::lamp, LightKind::surface, LightKind::environment},
                              {{"light_samples", {std::int64_t{0}}}}},
                             {{LightPart::indirect}, {LightKind::surface, LightKind::environment}}};
-    method.outputs = {{.key = "ao", .semantic = Semantic::accessibility, .active_when = only_ao},
-                      {.key = "radiance", .semantic = Semantic::radiance, .active_when = only_light}};
+    method.outputs = {
+        {.key = "ao", .label = "AO", .semantic = Semantic::accessibility, .active_when = only_ao},
+        {.key = "radiance", .label = "Radiance", .semantic = Semantic::radiance, .active_when = only_light}};
     return method;
 }
 
