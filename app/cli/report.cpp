@@ -68,6 +68,9 @@ class ReportCommand {
             return write_project(flags_.what);
         if (is_picture())
             throw UsageError("a report of '" + flags_.what + "' needs a second picture, the reference");
+        if (flags_.render)
+            throw UsageError("--render keeps what it renders, and '" + flags_.what +
+                             "' is packed; unpack it (`project --unpack`) and report the folder");
         files_.reads("P", flags_.what);
         const TemporaryFolder folder;
         return write_project(
@@ -111,6 +114,15 @@ class ReportCommand {
         if (flags_.render)
             throw UsageError("--render is for projects; `sweep PROJECT NAME --out " + flags_.what +
                              " --resume` renders what a sweep lacks");
+        const fs::path folder = flags_.what;
+        for (const auto& list : engine::sweep_lists(folder)) {
+            files_.reads("P", list.string());
+            for (const auto& row : engine::read_table(list).rows) {
+                if (!row.image.empty()) files_.reads("P", (folder / row.image).string());
+                if (!row.reference.empty())
+                    files_.reads("P", (folder / "references" / (row.reference + ".exr")).string());
+            }
+        }
         check_out();
         line_.begin("Report", 1);
         return write(report::report_of_sweep(flags_.what, flags_.pictures, work()));

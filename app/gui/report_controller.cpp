@@ -14,7 +14,8 @@ namespace ir::gui {
 
 ReportController::ReportController(QWidget& window, Session& session, Notices& notices, Actions& actions)
     : window_(window), session_(session), notices_(notices) {
-    action_ = actions.add("report", tr("&Report …"), nullptr, {}, [this] { ask(); });
+    action_ = actions.add("report", tr("&Report …"), nullptr, {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_R)},
+                          [this] { ask(); });
     action_->setData(
         tr("One HTML file of the kept results: pictures to wipe and flip, metrics, plots, settings"));
     follow(session_, this, &ReportController::update);

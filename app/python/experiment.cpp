@@ -125,7 +125,7 @@ PicturePtr render(const Experiment& experiment, const py::object& outputs, const
     options.cancel = watch.token();
     options.progress = watch.callback();
     return watch.around([&] {
-        return machine->use([&](engine::Machine& m) {
+        return machine->use(watch, [&](engine::Machine& m) {
             engine::Execution execution(m, resolved);
             execution.inspect(inspection);
             const auto report = engine::run_frames(execution, options);
@@ -281,9 +281,14 @@ Experiment Experiment::match(std::uint64_t samples, const std::shared_ptr<Machin
         result.item() = projects::ground_truth(item(), registry);
     } else {
         const auto chosen = machine ? machine : Machine::standard();
-        result.item() = chosen->use([&](engine::Machine& m) {
-            const auto facts = engine::scene_facts(m.scenes(), project_, folder_);
-            return projects::matching_reference(project_, item(), registry, facts.is_animated);
+        Watch watch(py::none(), py::none());
+        const auto before = *this;  // another thread may change this one meanwhile
+        result.item() = watch.around([&] {
+            return chosen->use(watch, [&](engine::Machine& m) {
+                const auto facts = engine::scene_facts(m.scenes(), before.project_, before.folder_);
+                return projects::matching_reference(before.project_, before.item(), registry,
+                                                    facts.is_animated);
+            });
         });
         result.item().id = id_;
     }

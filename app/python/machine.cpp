@@ -12,6 +12,15 @@ std::shared_ptr<Machine>& standard_machine() {
     return machine;
 }
 
+/// Machines that render on this thread: a function that is told the progress of one may use another.
+thread_local std::vector<gl::Context*> in_use;
+
+/// The context that renders on this thread is current again, or none.
+void leave(gl::Context& context) {
+    context.release();
+    if (!in_use.empty()) in_use.back()->make_current();
+}
+
 std::string setting_doc(const char* key) {
     return find(engine::machine_settings().descriptions(), key)->doc;
 }
@@ -59,12 +68,13 @@ Machine::Machine(const engine::MachineOptions& options, std::uint64_t memory_bud
     const auto& info = machine_->context().info();
     device_ = info.renderer;
     backend_ = gl::to_string(info.backend);
-    machine_->context().release();
+    leave(machine_->context());
 }
 
 Machine::~Machine() {
     machine_->context().make_current();
     machine_.reset();
+    if (!in_use.empty()) in_use.back()->make_current();
 }
 
 std::shared_ptr<Machine> Machine::standard() {
@@ -79,16 +89,22 @@ void Machine::forget_standard() {
     standard_machine().reset();
 }
 
-Machine::Use::Use(Machine& machine) : machine_(machine) {
+Machine::Use::Use(Machine& machine, const ProgressCallback& look, const CancelToken* cancel)
+    : machine_(machine) {
     if (machine_.user_ == std::this_thread::get_id())
         throw UsageError("this machine is rendering, and tells its progress: render with another Machine()");
-    machine_.mutex_.lock();
+    while (!machine_.mutex_.try_lock_for(std::chrono::milliseconds(50))) {
+        look("waiting for the machine", 0);
+        cancel->check();
+    }
     machine_.user_ = std::this_thread::get_id();
-    machine_.machine_->context().make_current();
+    in_use.push_back(&machine_.machine_->context());
+    in_use.back()->make_current();
 }
 
 Machine::Use::~Use() {
-    machine_.machine_->context().release();
+    in_use.pop_back();
+    leave(machine_.machine_->context());
     machine_.user_ = std::thread::id();
     machine_.mutex_.unlock();
 }

@@ -35,7 +35,7 @@ class Watch {
             auto result = work();
             raise();
             return result;
-        } catch (const Cancelled&) {
+        } catch (const std::exception&) {
             raise();
             throw;
         }
@@ -65,25 +65,26 @@ class Machine {
     const std::string& device() const { return device_; }
     std::string backend() const { return backend_; }
 
-    /// Calls work(engine::Machine&) with the context current and without Python's lock. Throws UsageError
-    /// where this thread is using the machine already.
+    /// Calls work(engine::Machine&) with the context current and without Python's lock. While others use it,
+    /// `watch` is told, and ends the waiting. Throws UsageError where this thread is using the machine
+    /// already.
     template <class Work>
-    auto use(Work work) {
+    auto use(Watch& watch, Work work) {
         const py::gil_scoped_release unlocked;
-        const Use use(*this);
+        const Use use(*this, watch.callback(), watch.token());
         return work(*machine_);
     }
 
   private:
     class Use {
       public:
-        explicit Use(Machine& machine);
+        Use(Machine& machine, const ProgressCallback& look, const CancelToken* cancel);
         ~Use();
 
       private:
         Machine& machine_;
     };
-    std::mutex mutex_;
+    std::timed_mutex mutex_;
     std::atomic<std::thread::id> user_;
     std::unique_ptr<engine::Machine> machine_;
     const std::uint64_t memory_budget_;

@@ -13,9 +13,12 @@ using ScenePtr = std::shared_ptr<scene::Scene>;
 ScenePtr load(const py::object& source, const std::shared_ptr<Machine>& machine) {
     const auto name = to_path(source);
     const auto chosen = machine ? machine : Machine::standard();
-    const auto scene = chosen->use([&](engine::Machine& m) {
-        m.scenes().forget(name);
-        return m.scenes().load(name);
+    Watch watch(py::none(), py::none());
+    const auto scene = watch.around([&] {
+        return chosen->use(watch, [&](engine::Machine& m) {
+            m.scenes().forget(name);
+            return m.scenes().load(name);
+        });
     });
     return std::const_pointer_cast<scene::Scene>(scene);  // Python only reads it
 }

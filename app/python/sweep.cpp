@@ -45,10 +45,11 @@ engine::SweepOptions options_of(const Machine& machine, const Watch& watch,
 }
 
 /// The table as text of CSV. A variation that fails is a row.
-std::string sweep(const Experiment& experiment, const py::dict& axes, std::optional<std::int64_t> samples,
+std::string sweep(const Experiment& given, const py::dict& axes, std::optional<std::int64_t> samples,
                   int repeats, const py::object& references, const py::object& progress,
                   const py::object& cancel, const py::object& each, const std::shared_ptr<Machine>& chosen) {
     const auto machine = chosen ? chosen : Machine::standard();
+    const Experiment experiment = given;  // what Python changes meanwhile is not of this sweep
     const auto points =
         projects::sweep_points(experiment.project(), sweep_of(experiment, axes), engine::registry());
     Watch watch(progress, cancel);
@@ -60,7 +61,7 @@ std::string sweep(const Experiment& experiment, const py::dict& axes, std::optio
              (static_cast<double>(number) + part) / static_cast<double>(points.size()));
     };
     return watch.around([&] {
-        return machine->use([&](engine::Machine& m) {
+        return machine->use(watch, [&](engine::Machine& m) {
             engine::SweepRun run(m, experiment.project(), experiment.folder(), options);
             engine::SweepTable table;
             for (; number < points.size(); ++number) {

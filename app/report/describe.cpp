@@ -52,10 +52,15 @@ std::string without_folders(const std::string& scene) {
     return names;
 }
 
+/// Headers of files may hold any bytes.
+std::string dumped(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string text_of(const Told& told, const std::string& key) {
     const auto found = told.find(key);
     if (found == told.end() || found->second.is_null()) return {};
-    auto text = found->second.is_string() ? found->second.get<std::string>() : found->second.dump();
+    auto text = found->second.is_string() ? found->second.get<std::string>() : dumped(found->second);
     if (key == "scene") text = without_folders(text);
     return projects::printable(text, longest_value);
 }
@@ -90,7 +95,7 @@ Settings settings_of(const Gallery& gallery) {
         std::set<std::string> values;
         for (const auto& told : all) {
             const auto text = text_of(told, key);
-            if (!text.empty()) values.insert(told.at(key).dump());
+            if (!text.empty()) values.insert(dumped(told.at(key)));
             row.push_back({text.empty() ? "—" : text});
         }
         if (values.size() > 1) settings.differing.rows.push_back(row);

@@ -1,5 +1,7 @@
 #include "app/report/describe.h"
 #include "app/report/make_report.h"
+#include "renderers/core/error.h"
+#include "renderers/image/metrics.h"
 
 namespace ir::report {
 namespace {
@@ -28,6 +30,10 @@ Report report_of(const std::filesystem::path& image, const std::filesystem::path
     work.tell("Reading " + reference_name, 0.2);
     gallery.pictures.push_back(read_picture(reference_name, reference));
     gallery.pictures.back().caption = "Reference";
+    const auto &first = gallery.pictures[0].side, &second = gallery.pictures[1].side;
+    const auto look = comparability(first.image, second.image, engine::semantic_of(first, second));
+    if (look.misfit == Misfit::size || look.misfit == Misfit::channels)
+        throw UsageError(name + " and " + reference_name + ": " + look.why);
     gallery.shown = shown_range(gallery.pictures);
     gallery.pairs = {{.a = 0, .b = 1, .is_offered = false}};
     work.tell("Measuring", 0.4);

@@ -236,7 +236,9 @@ class ProjectReport {
             return lack("The kept numbers of the plot " + name_of(plot) + " cannot be read.");
         }
         if (!kept) return lack("The plot " + name_of(plot) + " has no kept numbers.");
-        const auto over = kept->inputs.value("over", plot.over);
+        const auto& told = kept->inputs;
+        const bool tells = told.is_object() && told.contains("over") && told["over"].is_string();
+        const auto over = tells ? told["over"].get<std::string>() : plot.over;
         Plot drawn{
             engine::draw_study(project_, engine::registry(), plot, kept->study, {over, true, true}).data,
             plot.notes, ""};

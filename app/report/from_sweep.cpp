@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -76,7 +77,7 @@ class SweepReport {
   private:
     /// By size; ground truths stand last.
     void add_pictures() {
-        std::map<std::pair<int, int>, Gallery> by_size;
+        std::map<std::array<int, 3>, Gallery> by_size;  // width, height, channels
         std::vector<Judged> judged;
         std::size_t there = 0, taken = 0;
         for (const auto& row : table_.rows) {
@@ -84,9 +85,11 @@ class SweepReport {
             if (++there > most_) continue;
             work_.tell("Reading " + row.id, 0.5 * double(there) / double(table_.rows.size()));
             try {
+                if (!is_own(row.image)) throw InputError(row.image, "", "is no picture of a sweep");
                 auto picture = read_picture(name_of(row), folder_ / row.image);
                 picture.caption = caption_of(row);
-                const std::pair size(picture.side.image.width, picture.side.image.height);
+                const auto& image = picture.side.image;
+                const std::array size{image.width, image.height, image.channels};
                 auto& gallery = by_size[size];
                 judged.push_back({&gallery, gallery.pictures.size(), row.reference});
                 gallery.pictures.push_back(std::move(picture));
@@ -103,13 +106,15 @@ class SweepReport {
                 "There are no pictures: sweeps that are measured keep them with --keep alone.");
         add_references(judged);
         for (auto& [size, gallery] : by_size) {
-            gallery.title = by_size.size() == 1
-                                ? "Pictures"
-                                : std::to_string(size.first) + " × " + std::to_string(size.second);
+            gallery.title =
+                by_size.size() == 1 ? "Pictures" : std::to_string(size[0]) + " × " + std::to_string(size[1]);
             gallery.shown = shown_range(gallery.pictures);
             report_.galleries.push_back(std::move(gallery));
         }
     }
+
+    /// What a list may name: the page takes along no other file of this computer.
+    static bool is_own(const fs::path& image) { return image.is_relative() && image.extension() == ".exr"; }
 
     /// A picture in its gallery, and the key of its ground truth; empty: it has none.
     struct Judged {
@@ -123,7 +128,8 @@ class SweepReport {
         for (const auto& [gallery, place, key] : judged) {
             const auto file = folder_ / "references" / (key + ".exr");
             std::error_code ignored;
-            if (key.empty() || !fs::is_regular_file(file, ignored)) continue;
+            if (key.empty() || fs::path(key).has_parent_path() || !fs::is_regular_file(file, ignored))
+                continue;
             if (!known.count(key)) {
                 const auto number = known.size() + 1;
                 try {
@@ -209,7 +215,7 @@ class SweepReport {
                        engine::metric_heading(metric) + " " + plot_number(at.y);
             has_log_x = has_log_x && at.x > 0;
             has_log_y = has_log_y && at.y >= 0;
-            const auto name = other_axes(row, over.empty() ? axes_.back() : over);
+            const auto name = other_axes(row, over.empty() && !axes_.empty() ? axes_.back() : over);
             const auto [found, is_new] = series.emplace(name, data.series.size());
             if (is_new) data.series.push_back({name.empty() ? table_.experiment : name, {}});
             data.series[found->second].points.push_back(std::move(at));
