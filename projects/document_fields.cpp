@@ -166,14 +166,10 @@ const Fields<Environment>& map_fields() {
 }
 
 const Fields<Motion>& motion_fields(Motion::Kind kind) {
-    const auto loop = [] {
-        return Field<Motion>{&Motion::loop, {.key = "loop", .writing = Writing::unless_default}};
-    };
-    static const Fields<Motion> camera{{&Motion::camera, {.key = "camera"}}, loop()};
-    static const Fields<Motion> light{{&Motion::lights, {.key = "lights"}}, loop()};
+    static const Fields<Motion> camera{{&Motion::camera, {.key = "camera"}}};
+    static const Fields<Motion> light{{&Motion::lights, {.key = "lights"}}};
     static const Fields<Motion> part{{&Motion::scene, {.key = "scene"}},
-                                     {&Motion::part, {.key = "part", .range = {0, max_moved}}},
-                                     loop()};
+                                     {&Motion::part, {.key = "part", .range = {0, max_moved}}}};
     static const std::array tables{&camera, &light, &part};
     return *tables.at(static_cast<std::size_t>(kind));
 }

@@ -15,7 +15,7 @@ const FieldText& quantity_text(LightSpec::Quantity quantity);
 const FieldText& constant_environment_text();
 /// Of an environment whose kind is map.
 const Fields<Environment>& map_fields();
-/// What a motion of this kind moves, but for a light's number or name; and how its time goes on.
+/// What a motion of this kind moves, but for a light's number or name.
 const Fields<Motion>& motion_fields(Motion::Kind kind);
 /// Of a motion's key: its time, and what things of this kind have.
 const Fields<Motion::Key>& key_fields(Motion::Kind kind);

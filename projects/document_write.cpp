@@ -91,6 +91,7 @@ Json write_motion(const Motion& motion) {
     write_fields(json, motion, motion_fields(motion.kind));
     if (motion.kind == Motion::Kind::light)
         json["light"] = motion.light_name.empty() ? Json(motion.light) : Json(motion.light_name);
+    if (motion.loop) json["loop"] = true;
     json["keys"] = list(motion.keys, [&](const Motion::Key& key) { return write_key(key, motion.kind); });
     return with_extra(json, motion.extra);
 }

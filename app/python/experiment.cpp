@@ -281,7 +281,7 @@ Experiment Experiment::match(std::uint64_t samples, const std::shared_ptr<Machin
         result.item() = projects::ground_truth(item(), registry);
     } else {
         const auto chosen = machine ? machine : Machine::standard();
-        Watch watch(py::none(), py::none());
+        Watch watch{py::none(), py::none()};
         const auto before = *this;  // another thread may change this one meanwhile
         result.item() = watch.around([&] {
             return chosen->use(watch, [&](engine::Machine& m) {

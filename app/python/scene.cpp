@@ -13,7 +13,7 @@ using ScenePtr = std::shared_ptr<scene::Scene>;
 ScenePtr load(const py::object& source, const std::shared_ptr<Machine>& machine) {
     const auto name = to_path(source);
     const auto chosen = machine ? machine : Machine::standard();
-    Watch watch(py::none(), py::none());
+    Watch watch{py::none(), py::none()};
     const auto scene = watch.around([&] {
         return chosen->use(watch, [&](engine::Machine& m) {
             m.scenes().forget(name);
