@@ -78,6 +78,7 @@ class IndirectTracingTest : public PassTest {
         return {{"directions", std::int64_t{32}},
                 {"resolution", std::int64_t{100}},
                 {"emission", std::int64_t{16}},
+                {"clipping", std::string("none")},
                 {"overhang", std::string("returned")},
                 {"reject_hidden", true}};
     }
