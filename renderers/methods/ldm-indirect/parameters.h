@@ -15,6 +15,7 @@ enum class Footprint { published, widened };
 enum class Senders { diffuse, whole };
 enum class LandingBy { centre, plane };
 enum class Overhang { lost, returned };
+enum class Clipping { none, maps };
 enum class Splatting { quads, tiles, image_atomics };
 enum class DirectBy { rasterisation, photons };
 enum class EnvironmentBy { samples, maps };
@@ -30,6 +31,7 @@ struct Parameters {
     Senders senders = Senders::diffuse;  ///< what first surfaces reflect
     Footprint footprint = Footprint::widened;
     LandingBy landing = LandingBy::plane;  ///< what a map's entries say of the surface that is hit
+    Clipping clipping = Clipping::none;    ///< what footprints light
     Overhang overhang = Overhang::lost;    ///< kernels beyond their surface
     bool reject_hidden = false;            ///< photons whose centre the camera does not see
     float visibility_tolerance = 0.005f;   ///< of the distance to the eye

@@ -19,6 +19,8 @@ struct Photons {
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
     /// How many there are to read, where the host stored some: passes on the device see no counter of its.
     std::optional<graph::BufferRef> stored = {};
+    /// "indirect.looks", where footprints are clipped.
+    std::optional<graph::BufferRef> looks = {};
     /// "ldm.sky", where the environment's direct light comes from the maps.
     std::optional<graph::ImageRef> sky = {};
 };

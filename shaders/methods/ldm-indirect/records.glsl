@@ -7,7 +7,7 @@ const uint LEG_MAP = 0xffffu, LEG_ALONG = 1u << 16, LEG_DIRECT = 1u << 17, LEG_B
 // C++: ir::methods::ldm_indirect::most_beyond
 const uint MOST_BEYOND = 48u;
 
-/// A photon where it arrived, with its differential. 64 bytes. Seen as glyphs, photons are their footprints.
+/// A photon where it arrived, with its differential. 80 bytes. Seen as glyphs, photons are their footprints.
 // C++: ir::methods::ldm_indirect::Photon
 struct Photon {
     vec3 centre_ws;
@@ -20,6 +20,8 @@ struct Photon {
     float path_length;  // m: from the light
     vec3 flux;    // W
     uint normal;  // geometric normal of the receiver, on the viewer's side; octahedral, 2 x 16 bits SNORM
+    float distance;  // m: from the first surface; 0: directly from the light
+    float unused0, unused1, unused2;
 };
 
 /// Of the kernel.

@@ -72,6 +72,31 @@ TEST_F(IndirectReachTest, BordersAreAsBrightAsTheSamePlaceInTheMiddle) {
     }
 }
 
+TEST_F(IndirectReachTest, LightStaysOnItsSideOfAThinWall) {
+    // From above: a wall without thickness divides the room, and a spot lights the ceiling far left of it.
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 4);
+    small.square({0, 2, 0}, {0, -1, 0}, 4);
+    small.quad({0, 0, -4}, {0, 0, 4}, {0, 2, 4}, {0, 2, -4});
+    const auto world = with(small.scene(), {spot({-2.5f, 0.5f, 0}, {0, 1, 0}, 20)}, glm::vec3(0.7f));
+    constexpr int size = 48;
+    const Shot shot(world, above({0, 1.4f, 0}, {0, 0, 0}, true), size, size);
+    const auto other_side = [&](const Settings& settings) {
+        const auto image = irradiance(shot, settings);
+        double left = 0, right = 0;
+        for (int x = 0; x < size / 2 - 1; ++x) {
+            left += column_mean(image, x);
+            right += column_mean(image, size - 1 - x);
+        }
+        return right / left;
+    };
+    const double published = other_side({});
+    EXPECT_GT(published, 0.02) << "a mutant here";
+    for (const std::string way : {"quads", "tiles", "image-atomics"})
+        EXPECT_LT(other_side({{"clipping", std::string("maps")}, {"splatting", way}}), 0.1 * published)
+            << way << ", published " << published;
+}
+
 TEST_F(IndirectReachTest, FloorBehindTheEyeLightsTheFloorBefore) {
     // Level with the floor's light in its back: photons behind the eye and under it reach what it sees.
     const auto world = planes({spot({0, 0.5f, 0}, {0, 1, 0}, 40)}, glm::vec3(0.7f));

@@ -44,8 +44,11 @@ struct Explain {
 };
 
 void gather(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
-    const auto& program = p.use({{"methods/ldm-indirect/splatting/explain.comp"}});
-    program.set(Explain{footprints(p.inputs(), photons.parameters), p.inputs().picked_pixel()});
+    gl::ProgramSource source{{"methods/ldm-indirect/splatting/explain.comp"}};
+    define_clipped(source, photons);
+    const auto& program = p.use(source);
+    program.set(Explain{footprints(p.inputs(), photons), p.inputs().picked_pixel()});
+    set_units(p, program, photons);
     passes::dispatch_photons(p, program, photons, slice);
 }
 
@@ -89,9 +92,11 @@ void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const
              const Splat& splat, const Parameters& parameters) {
     const int maps = parameters.maps.directions;
     const auto e = declare(builder, maps);
-    const StoredPhotons stored{{photons.records, splat.stored}, splat.arrivals, parameters};
+    const StoredPhotons stored{
+        {photons.records, splat.stored}, splat.arrivals, parameters, photons.count, photons.looks};
     auto pass = builder.pass("explain photons of the pixel");
     reads_footprints(pass, stored);
+    reads_looks(pass, stored);
     pass.reads(gbuffer.position, gbuffer.geometric_normal)
         .reads("irradiance_image", splat.irradiance)
         .writes("FoundPhotons", e.photons.elements)

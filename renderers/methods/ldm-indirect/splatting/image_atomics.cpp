@@ -33,6 +33,7 @@ void splat_atomically(const graph::PassContext& p, graph::Slice slice, const Spl
                       graph::ImageRef sums) {
     if (slice.first) p.clear(sums);
     gl::ProgramSource source{{folder + "atomic_splat.comp"}};
+    define_clipped(source, task.photons);
     const bool has_floats = p.api().NV_shader_atomic_float != 0;
     if (has_floats) {
         source.preamble = "#extension GL_NV_shader_atomic_float : require\n";
@@ -40,9 +41,10 @@ void splat_atomically(const graph::PassContext& p, graph::Slice slice, const Spl
     }
     if (has_floats) p.bind("sums", sums, gl::Format::r32f);
     const auto& program = p.use(source);
+    set_units(p, program, task.photons);
     const auto& view = p.inputs().view;
     const auto pixels = std::int64_t{view.width} * view.height;
-    const auto outlined = outlines(p.inputs(), task.photons.parameters);
+    const auto outlined = outlines(p.inputs(), task.photons);
     const auto range = passes::photons_of(p, task.photons, slice);
     for (std::int64_t pixel = 0; pixel < pixels; pixel += pixels_at_once) {
         for (auto first = range.first; first < range.end; first += groups_at_once) {
@@ -62,6 +64,7 @@ void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto sums = declare_sums(builder);
     auto pass = builder.pass("splat photons atomically");
     reads_task(pass, task);
+    reads_looks(pass, task.photons);
     pass.writes("sums", sums)
         .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             splat_atomically(p, slice, task, sums);

@@ -33,8 +33,11 @@ void splat_quads(const graph::PassContext& p, graph::Slice slice, const SplatTas
     if (range.first == range.end) return;
     write_command(p, range);
     p.bind_framebuffer({{task.irradiance}, {task.direction}});
-    const auto& program = p.use({{folder + "quads.vert", folder + "quads.geom", folder + "quads.frag"}});
-    program.set(outlines(p.inputs(), task.photons.parameters));
+    gl::ProgramSource source{{folder + "quads.vert", folder + "quads.geom", folder + "quads.frag"}};
+    define_clipped(source, task.photons);
+    const auto& program = p.use(source);
+    program.set(outlines(p.inputs(), task.photons));
+    set_units(p, program, task.photons);
     p.bind_empty_vertex_array();
     const auto& gl = p.api();
     gl.Enable(GL_BLEND);
@@ -52,6 +55,7 @@ void splat_quads(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto command = declare_command(builder);
     auto pass = builder.pass("splat photons");
     reads_task(pass, task);
+    reads_looks(pass, task.photons);
     pass.writes("Draw", command).writes(task.irradiance, task.direction);
     pass.execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         splat_quads(p, slice, task, command);

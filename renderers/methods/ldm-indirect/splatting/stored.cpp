@@ -1,5 +1,6 @@
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 
+#include "renderers/methods/ldm-indirect/looks.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/passes/ldm/directions.h"
 
@@ -28,9 +29,15 @@ graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters&
     return buffer;
 }
 
+/// Constants of clipping.glsl.
+struct Units {
+    float units_per_metre;
+    IR_FIELDS(units_per_metre)
+};
+
 void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
     const auto& program = p.use({{folder + "measure.comp"}});
-    program.set(footprints(p.inputs(), photons.parameters));
+    program.set(footprints(p.inputs(), photons));
     passes::dispatch_photons(p, program, photons, slice);
 }
 
@@ -68,9 +75,10 @@ MendedCounters declare_mended(graph::GraphBuilder& builder) {
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
                              const Parameters& parameters) {
     const auto arrivals = upload_arrivals(builder, parameters);
-    if (photons.stored) return {{photons.records, *photons.stored}, arrivals, parameters, photons.count};
+    if (photons.stored)
+        return {{photons.records, *photons.stored}, arrivals, parameters, photons.count, photons.looks};
     const StoredPhotons result{passes::photon_list(builder, photons.records), arrivals, parameters,
-                               photons.count};
+                               photons.count, photons.looks};
     builder.pass("stored photons")
         .reads(photons.records)
         .writes("Stored", result.stored)
@@ -99,19 +107,33 @@ void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons) {
         .reads("Arrivals", photons.arrivals);
 }
 
-Footprints footprints(const graph::FrameInputs& inputs, const Parameters& parameters) {
+void reads_looks(graph::PassBuilder& pass, const StoredPhotons& photons) {
+    if (photons.looks) pass.reads("Looks", *photons.looks);
+}
+
+void define_clipped(gl::ProgramSource& source, const StoredPhotons& photons) {
+    if (photons.looks) source.defines["CLIPPED"] = "1";
+}
+
+void set_units(const graph::PassContext& context, const gl::Program& program, const StoredPhotons& photons) {
+    if (photons.looks) program.set(Units{units_per_metre(*context.inputs().world)});
+}
+
+Footprints footprints(const graph::FrameInputs& inputs, const StoredPhotons& photons) {
+    const auto& parameters = photons.parameters;
     const bool by_photons = parameters.direct == DirectBy::photons;
     return {.ellipses = ellipses(inputs, parameters),
             .map_count = static_cast<unsigned>(parameters.maps.directions),
             .light_count = static_cast<unsigned>(inputs.world->lights.size()),
             .count_indirect = parameters.transport.paths != Paths::direct,
             .count_direct = by_photons && parameters.transport.paths != Paths::indirect,
-            .turns_receivers = parameters.landing == LandingBy::plane};
+            .turns_receivers = parameters.landing == LandingBy::plane,
+            .clips = photons.looks.has_value()};
 }
 
-Outlines outlines(const graph::FrameInputs& inputs, const Parameters& parameters) {
+Outlines outlines(const graph::FrameInputs& inputs, const StoredPhotons& photons) {
     const auto& view = inputs.view;
-    return {footprints(inputs, parameters), view.clip_from_world(), {view.width, view.height}};
+    return {footprints(inputs, photons), view.clip_from_world(), {view.width, view.height}};
 }
 
 }  // namespace ir::methods::ldm_indirect

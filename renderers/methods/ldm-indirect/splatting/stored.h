@@ -13,7 +13,8 @@ inline const std::string folder = "methods/ldm-indirect/splatting/";  ///< of it
 struct StoredPhotons : passes::PhotonList {
     graph::BufferRef arrivals;  ///< "splat.arrivals": where light comes from
     Parameters parameters;
-    graph::CounterRef count = {};  ///< of records; may exceed their capacity
+    graph::CounterRef count = {};                ///< of records; may exceed their capacity
+    std::optional<graph::BufferRef> looks = {};  ///< where footprints are clipped
 };
 
 /// Footprints that are not drawn as they are.
@@ -39,10 +40,15 @@ void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons);
 struct Footprints {
     Ellipses ellipses;
     unsigned map_count, light_count;
-    bool count_indirect, count_direct, turns_receivers;
-    IR_FIELDS(ellipses, map_count, light_count, count_indirect, count_direct, turns_receivers)
+    bool count_indirect, count_direct, turns_receivers, clips;
+    IR_FIELDS(ellipses, map_count, light_count, count_indirect, count_direct, turns_receivers, clips)
 };
-Footprints footprints(const graph::FrameInputs& inputs, const Parameters& parameters);
+Footprints footprints(const graph::FrameInputs& inputs, const StoredPhotons& photons);
+
+/// A pass whose program asks clipping.glsl: declares what that reads; its define; its constants.
+void reads_looks(graph::PassBuilder& pass, const StoredPhotons& photons);
+void define_clipped(gl::ProgramSource& source, const StoredPhotons& photons);
+void set_units(const graph::PassContext& context, const gl::Program& program, const StoredPhotons& photons);
 
 /// Constants of splatting/outline.glsl and what it includes.
 struct Outlines {
@@ -51,7 +57,7 @@ struct Outlines {
     glm::vec2 size_px;
     IR_FIELDS(footprints, clip_from_world, size_px)
 };
-Outlines outlines(const graph::FrameInputs& inputs, const Parameters& parameters);
+Outlines outlines(const graph::FrameInputs& inputs, const StoredPhotons& photons);
 
 /// What all forms of splatting have in common: photons, the surfaces that they light, and the picture of
 /// sums.

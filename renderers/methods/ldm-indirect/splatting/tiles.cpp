@@ -8,11 +8,14 @@ namespace ir::methods::ldm_indirect {
 namespace {
 
 constexpr int tile = gathered_tile;
-constexpr int rows = 8;                     ///< pixels of an invocation; divides tile
-constexpr unsigned columns = 1024;          ///< parts of the photons that are binned side by side
-constexpr int max_bins = 4096;              ///< so that counts take 16 MiB at most
-constexpr std::int64_t max_turns = 60000;   ///< llvmpipe ends all loops of an invocation after 65,535
-constexpr std::int64_t round_size = 49152;  ///< entries of a list that one dispatch sums
+constexpr int rows = 8;                    ///< pixels of an invocation; divides tile
+constexpr unsigned columns = 1024;         ///< parts of the photons that are binned side by side
+constexpr int max_bins = 4096;             ///< so that counts take 16 MiB at most
+constexpr std::int64_t max_turns = 60000;  ///< llvmpipe ends all loops of an invocation after 65,535
+/// Entries of a list that one dispatch sums. Compilers unroll the loop over rows only where it is short.
+std::int64_t round_size(const SplatTask& task) {
+    return task.photons.looks ? max_turns / (rows + 1) : 49152;
+}
 constexpr std::uint64_t expected_entries = 1 << 16;
 
 /// Squares of the picture: tiles of 16 pixels, or so many more that there are not too many of them.
@@ -63,7 +66,7 @@ struct GatherBins {
 void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, const Lists& lists,
          const std::string& file) {
     const auto& program = p.use({{folder + file}, defines_of(lists.bins)});
-    SortIntoBins constants{.outlines = outlines(p.inputs(), task.photons.parameters),
+    SortIntoBins constants{.outlines = outlines(p.inputs(), task.photons),
                            .bins_across = static_cast<unsigned>(lists.bins.across),
                            .first_of_column = 0,
                            .end_of_column = 0};
@@ -98,8 +101,7 @@ graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons&
     pass.counts("Count", photons.count).counts("KernelCount", count).writes("Kernels", kernels);
     pass.execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         const auto& program = p.use({{folder + "make_kernels.comp"}});
-        program.set(MakeKernels{footprints(p.inputs(), photons.parameters),
-                                static_cast<unsigned>(p.capacity(kernels))});
+        program.set(MakeKernels{footprints(p.inputs(), photons), static_cast<unsigned>(p.capacity(kernels))});
         passes::dispatch_photons(p, program, photons, slice);
     });
     return kernels;
@@ -150,15 +152,19 @@ void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& ta
     if (slice.first) p.clear(task.direction);
     auto defines = defines_of(lists.bins);
     defines["ROWS"] = std::to_string(rows);
-    const auto& program = p.use({{folder + "gather_bins.comp"}, defines});
+    gl::ProgramSource source{{folder + "gather_bins.comp"}, defines};
+    define_clipped(source, task.photons);
+    const auto& program = p.use(source);
+    set_units(p, program, task.photons);
     // a photon stands once in a list, so that no list is longer than there are photons
     const auto longest = static_cast<std::int64_t>(p.capacity(task.photons.records));
-    for (std::int64_t first = 0; first < longest; first += round_size) {
+    const auto round = round_size(task);
+    for (std::int64_t first = 0; first < longest; first += round) {
         program.set(GatherBins{.tiles_across = static_cast<unsigned>(tiles_across),
                                .bins_across = static_cast<unsigned>(lists.bins.across),
                                .first_tile = static_cast<unsigned>(slice.begin),
                                .round_first = static_cast<unsigned>(first),
-                               .round_size = static_cast<unsigned>(round_size)});
+                               .round_size = static_cast<unsigned>(round)});
         program.dispatch((slice.end - slice.begin) * tile, tile / rows);
         p.barrier();
     }
@@ -181,6 +187,7 @@ void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task) {
         .reads("Kernels", lists.kernels)
         .writes("sums", task.irradiance)
         .writes("directions", task.direction);
+    reads_looks(pass, task.photons);
     pass.execute_sliced(std::int64_t{across} * down, [=](graph::PassContext& p, graph::Slice slice) {
         gather(p, slice, task, lists, across);
     });

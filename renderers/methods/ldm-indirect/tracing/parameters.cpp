@@ -51,6 +51,19 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                           "On the plane through the entry and its neighbours, which has a normal, too."}},
              .since_version = 4,
              .value_in_older_projects = std::string("centre")})
+        .add(&Parameters::clipping,
+             {.key = "clipping",
+              .label = "Clipping",
+              .doc = "What a footprint lights.",
+              .citation = "Aalund15 eq. 5",
+              .choices = {{"none", "None",
+                           "As published: whatever lies in an ellipsoid about the receiver's plane, also "
+                           "behind a thin wall."},
+                          {"maps", "By the maps",
+                           "What a beam meets from the photon's first surface on, as far as pixels see back "
+                           "along it by its map."}},
+              .since_version = 4,
+              .value_in_older_projects = std::string("none")})
         .add(&Parameters::overhang,
              {.key = "overhang",
               .label = "Overhang",
@@ -60,6 +73,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                           {"returned", "Returned",
                            "The photon is as much brighter where its surface is. The map's entries say how "
                            "much of a footprint lies on it."}},
+              .active_when = {"clipping", {std::string("none")}},
               .since_version = 4,
               .value_in_older_projects = std::string("lost")})
         .add(&Parameters::reject_hidden,

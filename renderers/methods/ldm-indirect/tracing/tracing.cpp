@@ -5,6 +5,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/record.h"
+#include "renderers/methods/ldm-indirect/looks.h"
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 #include "renderers/methods/ldm-indirect/tracing/host/split_on_host.h"
@@ -99,6 +100,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     ldm::show_directions(builder, maps);
     const auto layers = ldm::declare_layers(builder, *maps);
     const auto points = ldm::declare_points(builder, *maps, chosen);
+    photons.looks = declare_looks(builder, parameters);
     std::optional<Splitter> splitter;
     if (on_host)
         split_on_host(builder, gbuffer, maps, primaries, photons, fates, parameters);
@@ -113,6 +115,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
         ldm::build_maps(builder, scene, maps, batch);
         if (splitter) splitter->split(builder, batch);
+        if (splitter && photons.looks) look_from_pixels(builder, gbuffer, maps, batch, *photons.looks);
         if (sky && !host_has_maps)
             ldm::trace_sky(builder, gbuffer, maps, batch, *sky, "methods/ldm-indirect/sky.comp");
         ldm::show_layers(builder, maps, batch, chosen, layers);
@@ -135,7 +138,7 @@ std::vector<OutputDescription> tracing_outputs() {
          .kind = OutputKind::glyphs,
          .unit = "m",
          .doc =
-             "The stored photons as they are splatted, 64 bytes each, with half of their differentials as "
+             "The stored photons as they are splatted, 80 bytes each, with half of their differentials as "
              "axes. leg: bits 0-15 map; bit 16: 1 along its direction, 0 against it; bit 17: directly "
              "from the light; bits 24-31: light, 254 an emissive mesh, 255 the environment. flux: W. normal: of the receiver, octahedral in 2 x 16 "
              "bits."}};

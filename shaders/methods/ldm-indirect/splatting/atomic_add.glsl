@@ -3,6 +3,9 @@
 // their rounding, is that in which invocations happen to run.
 #include "methods/ldm-indirect/splatting/kernel.glsl"
 #include "methods/ldm-indirect/splatting/outline.glsl"
+#ifdef CLIPPED
+#include "methods/ldm-indirect/splatting/clipping.glsl"
+#endif
 
 uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_geometric_normal;
@@ -23,8 +26,12 @@ void atomic_add(ivec3 texel, float value) {
 #endif
 
 void add_at(Kernel k, ivec2 pixel) {
+    vec3 position_ws = texelFetch(gbuffer_position, pixel, 0).xyz;
     vec3 normal_ws = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz, irradiance;
-    if (normal_ws == vec3(0) || !add_kernel(k, texelFetch(gbuffer_position, pixel, 0).xyz, normal_ws, irradiance)) return;
+    if (normal_ws == vec3(0) || !add_kernel(k, position_ws, normal_ws, irradiance)) return;
+#ifdef CLIPPED
+    if (!is_lit(k, pixel, textureSize(gbuffer_position, 0), position_ws)) return;
+#endif
     for (int c = 0; c < 3; ++c) atomic_add(ivec3(pixel, c), irradiance[c]);
     atomic_add(ivec3(pixel, 3), 1.0);
     vec3 direction = direction_of(k, irradiance);

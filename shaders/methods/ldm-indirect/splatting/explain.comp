@@ -1,6 +1,9 @@
 // Gathers one pixel over all photons: what splatting adds up, found the other way round and by M as printed.
 #include "lib/floats.glsl"
-#include "methods/ldm-indirect/splatting/footprint.glsl"
+#include "methods/ldm-indirect/splatting/kernel.glsl"
+#ifdef CLIPPED
+#include "methods/ldm-indirect/splatting/clipping.glsl"
+#endif
 
 layout(local_size_x = 256) in;
 
@@ -34,6 +37,7 @@ uniform ivec2 picked_pixel;  // negative: none
 
 /// ‖M (x - x_p)‖ with M as printed, and a = a' √|D_u x × D_v x|.  [Aalund15 eq. 7]
 float filter_length(Footprint f, vec3 x) {
+    if (f.distance > 0.0) return sqrt(squared_length(kernel_of(f), x));
     vec3 d_u = 2.0 * f.p_ws, d_v = 2.0 * f.q_ws, n = f.n_ws, d = x - f.centre_ws;
     float a = topological_bias * sqrt(length(cross(d_u, d_v)));
     float scale = 2.0 / dot(d_u, cross(d_v, n));
@@ -80,6 +84,9 @@ void main() {
     vec3 x = texelFetch(gbuffer_position, picked_pixel, 0).xyz;
     float facing = dot(normal_ws, f.to_source_ws);
     if (!f.counts || filter_length(f, x) >= 1.0 || facing <= 0.0) return;
+#ifdef CLIPPED
+    if (!is_lit(kernel_of(f), picked_pixel, textureSize(gbuffer_position, 0), x)) return;
+#endif
     atomicAdd(photon_count, 1u);
     uint place = atomicAdd(found_count, 1u);
     if (place < uint(found.length())) write(place, i, photon, f, x, facing);

@@ -11,6 +11,7 @@ layout(std430) readonly buffer Arrivals { vec4 arrivals[]; };
 uniform uint map_count, light_count;
 uniform bool count_indirect, count_direct;
 uniform bool turns_receivers;  // see turned()
+uniform bool clips;            // see Footprint::distance
 
 struct Footprint {
     bool counts;        // false: nothing to splat
@@ -20,7 +21,19 @@ struct Footprint {
     float height;       // of the ellipsoid along n, m
     vec3 irradiance;    // E_p, W/m²
     vec3 to_source_ws;  // where the light came from
+    /// m, from the sender: the footprint is a beam, with its ellipse across it, and lights what it meets between
+    /// BEAM_BEGINS and BEAM_ENDS times so far from the sender. 0: it is an ellipsoid.
+    float distance;
+    uint map;
 };
+
+/// DEVIATION [Aalund15 §3.4, eq. 5]: print lights whatever lies in an ellipsoid about the receiver's plane: surfaces
+/// behind thin walls, too, and it loses what bends away from the plane. A beam gives each surface that it meets first
+/// the same flux across it.
+// C++: ir::methods::ldm_indirect::beam_begins
+const float BEAM_BEGINS = 0.4;
+// C++: ir::methods::ldm_indirect::beam_ends
+const float BEAM_ENDS = 3.0;
 
 bool not_finite(vec3 v) { return any(isnan(v)) || any(isinf(v)); }
 
@@ -52,14 +65,16 @@ Footprint footprint_of(Photon photon) {
     }
     if (!f.counts) return f;
     f.centre_ws = photon.centre_ws;
-    f.n_ws = unpacked_direction(photon.normal);
+    f.to_source_ws = source_direction(photon);
+    f.map = photon.leg & LEG_MAP;
+    f.distance = clips && (photon.leg & LEG_DIRECT) == 0u ? photon.distance : 0.0;
+    f.n_ws = f.distance > 0.0 ? f.to_source_ws : unpacked_direction(photon.normal);
     Ellipse e = ellipse_of(f.centre_ws, f.n_ws, photon.axis_u, photon.axis_v);
     f.mended = e.mended;
     f.p_ws = e.p_ws;
     f.q_ws = e.q_ws;
     f.height = e.height;
     f.irradiance = photon.flux / (PI * e.area_part * part_on_surface(photon));
-    f.to_source_ws = source_direction(photon);
     return f;
 }
 
@@ -69,6 +84,7 @@ const float MAX_TURNED_COSINE = 0.9999, MIN_TURNED_COSINE = 1e-3;
 
 /// 0: as printed. So it is across the ray, too, where a photon's surface is not known.
 float per_cosine(Footprint f) {
+    if (f.distance > 0.0) return 1.0;  // its plane lies across the beam
     float cosine = dot(f.n_ws, f.to_source_ws);
     return turns_receivers && cosine < MAX_TURNED_COSINE ? 1.0 / max(cosine, MIN_TURNED_COSINE) : 0.0;
 }

@@ -2,6 +2,10 @@
 // kernel serves all of them, which is most of the time where buffers are read lane by lane.
 #include "methods/ldm-indirect/splatting/packed_kernel.glsl"
 
+#ifdef CLIPPED
+#include "methods/ldm-indirect/splatting/clipping.glsl"
+#endif
+
 // Pixels along a side.
 // C++: ir::methods::ldm_indirect::gathered_tile
 const uint GATHERED_TILE = 16u;
@@ -43,6 +47,9 @@ void main() {
         for (int i = 0; i < ROWS; ++i) {
             vec3 irradiance;
             if (!add_kernel(k, position_ws[i], normal_ws[i], irradiance)) continue;
+#ifdef CLIPPED
+            if (!is_lit(k, first + ivec2(0, i), size, position_ws[i])) continue;
+#endif
             sum[i] += vec4(irradiance, 1);
             direction[i] += direction_of(k, irradiance);
         }

@@ -48,9 +48,16 @@ Outline clipped_box(vec3 c, vec3 p, vec3 q, vec3 h) {
 /// The projection of an ellipsoid is an ellipse, whose centre and matrix are those of the dual conic
 /// p pᵀ + q qᵀ + h hᵀ - c cᵀ of homogeneous places; those taken from the projected centre keep small ones exact.
 Outline outline_of(Footprint f) {
-    vec3 c = homogeneous_px(vec4(f.centre_ws, 1));
-    vec3 p = homogeneous_px(vec4(f.p_ws, 0)), q = homogeneous_px(vec4(f.q_ws, 0));
-    vec3 h = homogeneous_px(vec4(f.height * f.n_ws, 0));
+    vec3 c_ws = f.centre_ws, h_ws = f.height * f.n_ws;
+    float wider = 1.0;
+    if (f.distance > 0.0) {  // the least ellipsoid around the cylinder
+        wider = sqrt(1.5);
+        c_ws += (1.0 - 0.5 * (BEAM_BEGINS + BEAM_ENDS)) * f.distance * f.to_source_ws;
+        h_ws = sqrt(3.0) * 0.5 * (BEAM_ENDS - BEAM_BEGINS) * f.distance * f.to_source_ws;
+    }
+    vec3 c = homogeneous_px(vec4(c_ws, 1));
+    vec3 p = homogeneous_px(vec4(wider * f.p_ws, 0)), q = homogeneous_px(vec4(wider * f.q_ws, 0));
+    vec3 h = homogeneous_px(vec4(h_ws, 0));
     vec3 reach = vec3(p.z, q.z, h.z);
     float w = c.z * c.z - dot(reach, reach);
     if (c.z <= 0.0 || w <= 0.02 * c.z * c.z) return clipped_box(c, p, q, h);

@@ -13,6 +13,7 @@ layout(location = 2) flat in vec3 q_axis[];
 layout(location = 3) flat in vec3 normal[];
 layout(location = 4) flat in vec3 irradiance[];
 layout(location = 5) flat in vec3 to_source[];
+layout(location = 6) flat in vec2 beam_of[];
 
 layout(location = 0) flat out vec3 centre_ws;
 layout(location = 1) flat out vec3 row_p;
@@ -20,6 +21,7 @@ layout(location = 2) flat out vec3 row_q;
 layout(location = 3) flat out vec3 row_n;
 layout(location = 4) flat out vec3 peak;
 layout(location = 5) flat out vec4 to_source_ws;  // w: per_cosine
+layout(location = 6) flat out vec2 beam;
 
 void emit(vec2 position_px, Kernel k) {
     vec2 ndc = position_px / size_px * 2.0 - 1.0;
@@ -30,13 +32,14 @@ void emit(vec2 position_px, Kernel k) {
     row_n = k.row_n;
     peak = k.peak;
     to_source_ws = vec4(k.to_source_ws, k.per_cosine);
+    beam = vec2(k.distance, float(k.map));
     EmitVertex();
 }
 
 void main() {
     if (centre[0].w == 0.0) return;
     Footprint f = Footprint(true, 0u, centre[0].xyz, normal[0], p_axis[0].xyz, q_axis[0], p_axis[0].w, irradiance[0],
-                            to_source[0]);
+                            to_source[0], beam_of[0].x, uint(beam_of[0].y));
     Outline o = outline_of(f);
     if (!is_in_view(o)) return;
     Kernel k = kernel_of(f);

@@ -11,6 +11,7 @@ layout(location = 2) flat out vec3 q_axis;
 layout(location = 3) flat out vec3 normal;
 layout(location = 4) flat out vec3 irradiance;
 layout(location = 5) flat out vec3 to_source;
+layout(location = 6) flat out vec2 beam_of;  // distance, map
 
 void main() {
     Footprint f = footprint_of(photons[gl_VertexID]);
@@ -23,4 +24,5 @@ void main() {
     normal = f.n_ws;
     irradiance = f.irradiance;
     to_source = f.to_source_ws;
+    beam_of = vec2(f.distance, float(f.map));
 }

@@ -37,6 +37,8 @@ Photon photon(Primary p, uint map, float t, uint packed_normal) {
     result.axis_v = axes.v;
     result.leg = map | (cosine > 0.0 ? LEG_ALONG : 0u) | p.light << LEG_LIGHT_SHIFT;
     result.path_length = p.path_length + t;
+    result.distance = t;
+    result.unused0 = result.unused1 = result.unused2 = 0.0;
     result.flux = reflected_flux(p) * (abs(cosine) / p.cosine_sum);
     result.normal = packed_normal;
     return result;
@@ -54,7 +56,7 @@ void main() {
         if (t < 0.0) continue;
         if (place < capacity) {
             Photon p = photon(primaries[first_primary + local], first_frame + map, t, hit.y);
-            if (params.overhang == OVERHANG_RETURNED)
+            if (params.overhang == OVERHANG_RETURNED && params.clipping == CLIPPING_NONE)
                 p.leg |= part_beyond(p, ldm_frames[first_frame + map], map, params.resolution) << LEG_BEYOND_SHIFT;
             photons[place] = p;
         }

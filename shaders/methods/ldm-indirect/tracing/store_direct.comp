@@ -18,5 +18,5 @@ void main() {
     float distance = uintBitsToFloat(hits[index].x);
     photons[places[index]] = Photon(p.position_ws + (distance - p.path_length) * p.direction_ws, p.source, p.axis_u,
                                     LEG_DIRECT | p.light << LEG_LIGHT_SHIFT, p.axis_v, distance, arrived_flux(p),
-                                    hits[index].y);
+                                    hits[index].y, 0.0, 0.0, 0.0, 0.0);
 }

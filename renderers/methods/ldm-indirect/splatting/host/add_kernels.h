@@ -39,6 +39,16 @@ struct TileSums {
     std::vector<float> channel[channels];
 };
 
+/// By tile, then by map: 64 looks of the tile's pixels. Empty: no kernel is a beam.
+struct TileLooks {
+    std::size_t maps = 0;
+    float units_per_metre = 0;
+    std::vector<std::uint8_t> looks;
+    const std::uint8_t* of(std::size_t tile, std::size_t map) const {
+        return looks.data() + (tile * maps + map) * PixelTiles::pixels;
+    }
+};
+
 /// Kernels that are added at once: 64 to a word.
 struct KernelRound {
     static constexpr std::size_t kernels = 8192, word = 64;
@@ -51,7 +61,7 @@ struct KernelRound {
 void find_groups(const TileGroups& groups, KernelRound& round, std::size_t word);
 
 /// Adds kernels of the round to the pixels of one group, in the order of the kernels.
-void add_to_group(const PixelTiles& tiles, const TileGroups& groups, const KernelRound& round,
-                  std::size_t group, TileSums& sums);
+void add_to_group(const PixelTiles& tiles, const TileGroups& groups, const TileLooks& looks,
+                  const KernelRound& round, std::size_t group, TileSums& sums);
 
 }  // namespace ir::methods::ldm_indirect

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderers/methods/ldm-indirect/host_math.h"
 #include "renderers/scene/frame.h"
 #include "shaders/methods/ldm-indirect/splatting/ellipse.glsl.h"
 #include "shaders/methods/ldm-indirect/splatting/footprint.glsl.h"
@@ -32,8 +31,9 @@ float EllipseMaker::pixel_at(glm::vec3 position_ws) const {
     return c_.pixel_size * std::max(glm::dot(position_ws - c_.eye_ws, c_.view_axis_ws), c_.near_plane);
 }
 
-HostEllipse EllipseMaker::make(const Photon& photon, MendedFootprints& mended) const {
-    const auto frame = scene::frame_around(unpacked_direction(photon.normal));
+HostEllipse EllipseMaker::make(const Photon& photon, const glm::vec3& normal,
+                               MendedFootprints& mended) const {
+    const auto frame = scene::frame_around(normal);
     const bool broken = is_nan(photon.axis_u) || is_nan(photon.axis_v);
     const glm::vec3 longest(max_half_axis);
     const auto u = broken ? glm::vec3(0) : glm::clamp(c_.splat_size * photon.axis_u, -longest, longest);
@@ -79,8 +79,14 @@ HostKernel KernelMaker::make(const Photon& photon, MendedFootprints& mended) con
         return {};
     }
     if (!counts) return {};
-    const auto e = ellipses_.make(photon, mended);
+    const bool is_direct = (photon.leg & leg_direct) != 0;
     HostKernel k;
+    k.to_source_ws = to_source(photon);
+    k.map = photon.leg & leg_map;
+    k.distance = c_.clips && !is_direct ? photon.distance : 0.0f;
+    const bool is_beam = k.distance > 0;
+    const auto e =
+        ellipses_.make(photon, is_beam ? k.to_source_ws : unpacked_direction(photon.normal), mended);
     k.centre_ws = photon.centre_ws;
     k.row_p = e.p / e.longer;
     k.row_q = e.q / e.shorter;
@@ -88,9 +94,10 @@ HostKernel KernelMaker::make(const Photon& photon, MendedFootprints& mended) con
     // E_p π times Silverman's 3/π, and A_p = π |p| |q|
     k.peak =
         photon.flux * (3 * std::numbers::inv_pi_v<float> / (e.longer * e.shorter * part_on_surface(photon)));
-    k.to_source_ws = to_source(photon);
     const float cosine = glm::dot(e.n, k.to_source_ws);
-    if (c_.turns_receivers && cosine < max_turned_cosine)
+    if (is_beam)
+        k.per_cosine = 1;
+    else if (c_.turns_receivers && cosine < max_turned_cosine)
         k.per_cosine = 1 / std::max(cosine, min_turned_cosine);
     k.directed = (k.peak.x + k.peak.y + k.peak.z) * k.to_source_ws;
     k.counts = true;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "renderers/methods/ldm-indirect/host_math.h"
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 
 namespace ir::methods::ldm_indirect {
@@ -15,7 +16,9 @@ struct HostKernel {
     glm::vec3 to_source_ws;
     glm::vec3 directed;    ///< to_source times R + G + B of the peak
     float per_cosine = 0;  ///< as Kernel::per_cosine
-    bool counts = false;   ///< else there is nothing to splat
+    float distance = 0;    ///< of a beam, m; 0: it is an ellipsoid
+    std::uint32_t map = 0;
+    bool counts = false;  ///< else there is nothing to splat
 };
 
 /// How many footprints are not drawn as they are, as measure.comp counts them.
@@ -35,7 +38,11 @@ struct HostEllipse {
 class EllipseMaker {
   public:
     explicit EllipseMaker(const Ellipses& constants) : c_(constants) {}
-    HostEllipse make(const Photon& photon, MendedFootprints& mended) const;
+    HostEllipse make(const Photon& photon, MendedFootprints& mended) const {
+        return make(photon, unpacked_direction(photon.normal), mended);
+    }
+    /// In the plane with this normal.
+    HostEllipse make(const Photon& photon, const glm::vec3& normal, MendedFootprints& mended) const;
 
   private:
     float pixel_at(glm::vec3 position_ws) const;

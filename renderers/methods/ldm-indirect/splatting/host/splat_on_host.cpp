@@ -6,6 +6,7 @@
 
 #include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/looks.h"
 #include "renderers/methods/ldm-indirect/splatting/host/add_kernels.h"
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 #include "renderers/passes/photons/photon_list.h"
@@ -31,16 +32,20 @@ class HostSplat {
         });
         groups_ = group_tiles(tiles_);
         for (auto& channel : sums_.channel) channel.assign(tiles_.count() * PixelTiles::pixels, 0.0f);
-        maker_.emplace(footprints(p.inputs(), task.photons.parameters),
+        maker_.emplace(footprints(p.inputs(), task.photons),
                        arrivals_of(task.photons.parameters, *p.inputs().world));
         mended_ = {};
+        looks_ = {};
+        if (task.photons.looks)
+            read_looks(p.elements<const std::uint8_t>(*task.photons.looks), *p.inputs().world,
+                       static_cast<std::size_t>(task.photons.parameters.maps.directions));
     }
 
     void add(std::span<const Photon> photons) {
         arena_.execute([&] {
             make_kernels(photons);
             tbb::parallel_for(std::size_t{0}, groups_.count(), [&](std::size_t group) {
-                add_to_group(tiles_, groups_, round_, group, sums_);
+                add_to_group(tiles_, groups_, looks_, round_, group, sums_);
             });
         });
     }
@@ -62,6 +67,25 @@ class HostSplat {
     const MendedFootprints& mended() const { return mended_; }
 
   private:
+    /// The order of the picture becomes that of the tiles.
+    void read_looks(std::span<const std::uint8_t> looks, const scene::World& world, std::size_t maps) {
+        looks_ = {maps, units_per_metre(world),
+                  std::vector<std::uint8_t>(tiles_.count() * maps * PixelTiles::pixels)};
+        const auto width = static_cast<std::size_t>(tiles_.width),
+                   height = static_cast<std::size_t>(tiles_.height);
+        arena_.execute([&] {
+            tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
+                for (std::size_t map = 0; map < maps; ++map)
+                    for (std::size_t x = 0; x < width; ++x) {
+                        const auto to = tiles_.place(static_cast<int>(x), static_cast<int>(y));
+                        looks_.looks[(to / PixelTiles::pixels * maps + map) * PixelTiles::pixels +
+                                     to % PixelTiles::pixels] =
+                            looks[look_place(y * width + x, width * height, map)];
+                    }
+            });
+        });
+    }
+
     void make_kernels(std::span<const Photon> photons) {
         const auto words = (photons.size() + KernelRound::word - 1) / KernelRound::word;
         round_.made.resize(photons.size());
@@ -82,6 +106,7 @@ class HostSplat {
     PixelTiles tiles_;
     TileGroups groups_;
     TileSums sums_;
+    TileLooks looks_;
     std::optional<KernelMaker> maker_;
     KernelRound round_;
     MendedFootprints mended_;
@@ -92,8 +117,9 @@ class HostSplat {
 void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const SplatTask& task) {
     const auto counters = declare_mended(builder);
     const auto splat = std::make_shared<HostSplat>(builder.inputs().threads);
-    builder.pass("splat photons", graph::Queue::cpu)
-        .has_two_bodies()
+    auto pass = builder.pass("splat photons", graph::Queue::cpu);
+    if (task.photons.looks) pass.reads(*task.photons.looks);
+    pass.has_two_bodies()
         .reads(task.photons.records, task.photons.stored, gbuffer.position, gbuffer.normal,
                gbuffer.geometric_normal)
         .writes(task.irradiance, task.direction)

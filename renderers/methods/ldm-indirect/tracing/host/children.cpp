@@ -80,6 +80,8 @@ Photon photon_of(const Primary& primary, const Child& child, const glm::vec3& ma
     result.leg = child.map | (along ? leg_along : 0u) | child.beyond << leg_beyond_shift |
                  primary.light << leg_light_shift;
     result.path_length = primary.path_length + child.distance;
+    result.distance = child.distance;
+    result.unused0 = result.unused1 = result.unused2 = 0;
     result.flux = reflected_flux(primary) * (std::abs(cosine) / primary.cosine_sum);
     result.normal = child.normal;
     return result;

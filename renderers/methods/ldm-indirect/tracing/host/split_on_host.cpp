@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/looks.h"
 #include "renderers/methods/ldm-indirect/tracing/host/children.h"
 #include "renderers/methods/ldm-indirect/tracing/host/landings.h"
 #include "renderers/methods/ldm-indirect/tracing/host/overhang.h"
@@ -100,16 +101,23 @@ class HostSplit {
         hits_.assign(maps_->frames.size(), {});
     }
 
+    /// What is seen, and where looks from there are written.
+    struct Seen {
+        std::span<const glm::vec4> position, geometric_normal;
+        std::span<std::uint8_t> looks;  ///< empty: nobody asks
+        float units_per_metre = 0;
+    };
+
     /// Maps begin … end - 1.
     void trace(const graph::PassContext& context, const ldm::HostScene& scene, const LandingView& view,
-               std::span<const Primary> primaries, graph::Slice slice) {
+               const Seen& seen, std::span<const Primary> primaries, graph::Slice slice) {
         std::atomic<std::int64_t> next{slice.begin};
         arena_.execute([&] {
             tbb::parallel_for(
                 std::size_t{0}, workers_.size(),
                 [&](std::size_t i) {
                     for (auto map = next++; map < slice.end && !context.cancel().is_cancelled(); map = next++)
-                        trace_map(scene, view, primaries, workers_[i], static_cast<std::size_t>(map));
+                        trace_map(scene, view, seen, primaries, workers_[i], static_cast<std::size_t>(map));
                 },
                 tbb::simple_partitioner());
         });
@@ -160,8 +168,8 @@ class HostSplit {
                 1 / p.cosine_sum, {axis, turn}};
     }
 
-    void trace_map(const ldm::HostScene& scene, const LandingView& view, std::span<const Primary> primaries,
-                   Worker& worker, std::size_t map) {
+    void trace_map(const ldm::HostScene& scene, const LandingView& view, const Seen& seen,
+                   std::span<const Primary> primaries, Worker& worker, std::size_t map) {
         const int resolution = maps_->layout.resolution, rows = ldm::StreamedMap::band_rows(resolution);
         auto& hits = hits_[map];
         for (int row = 0; row < resolution; row += rows) {
@@ -170,6 +178,7 @@ class HostSplit {
                            std::min(rows, resolution - row), worker.map, worker.scratch);
             const auto built = Clock::now();
             trace_band(view, primaries, worker, map);
+            if (!seen.looks.empty()) look(seen, worker, map);
             worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
             worker.ask_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
         }
@@ -206,6 +215,21 @@ class HostSplit {
         return a;
     }
 
+    /// As look.comp does.
+    void look(const Seen& seen, const Worker& worker, std::size_t map) const {
+        const ldm::PointTracer tracer(worker.map, rule_);
+        const glm::vec3 v(worker.map.frame.direction);
+        const float units = worker.map.frame.direction.w * seen.units_per_metre;
+        for (std::size_t pixel = 0; pixel < seen.position.size(); ++pixel) {
+            const glm::vec3 normal(seen.geometric_normal[pixel]);
+            if (normal == glm::vec3(0)) continue;
+            const auto hit = tracer.trace(glm::vec3(seen.position[pixel]), normal, glm::dot(normal, v) > 0);
+            if (hit.is_here)
+                seen.looks[look_place(pixel, seen.position.size(), map)] =
+                    static_cast<std::uint8_t>(hit.is_found ? packed_look(hit.distance * units) : open_look);
+        }
+    }
+
     void trace_band(const LandingView& view, std::span<const Primary> primaries, Worker& worker,
                     std::size_t map) {
         auto& hits = hits_[map];
@@ -230,7 +254,7 @@ class HostSplit {
             shares_.add(i, at.cause, std::abs(cosine) * s.per_cosine);
             if (at.cause < Cause::stored) continue;
             Hit stored{static_cast<std::uint32_t>(i), at.distance, packed_direction(at.normal_ws), 0};
-            if (parameters_.overhang == Overhang::returned) {
+            if (parameters_.overhang == Overhang::returned && parameters_.clipping == Clipping::none) {
                 MendedFootprints mended;  // counted where they are splatted
                 const Child child{static_cast<std::uint32_t>(map), stored.distance, stored.normal, 0};
                 const auto photon = photon_of(primaries[s.primary], child, v, half_turn_);
@@ -302,8 +326,9 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         .counts(counters.texels)
         .counts(counters.bytes);
     if (direct_fates) pass.reads(*direct_fates);
-    const auto run = [=, records = photons.records, count_of = photons.count](graph::PassContext& context,
-                                                                              graph::Slice slice) {
+    if (photons.looks) pass.writes(*photons.looks);
+    const auto run = [=, looks = photons.looks, records = photons.records, count_of = photons.count](
+                         graph::PassContext& context, graph::Slice slice) {
         const auto all = context.elements<const Primary>(primaries.records);
         if (slice.first) split->begin(context.inputs(), all);
         const auto& view = context.inputs().view;
@@ -311,7 +336,15 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                                   {view.width, view.height},
                                   context.pixels<const glm::vec4>(gbuffer.position),
                                   context.pixels<const glm::vec4>(gbuffer.geometric_normal));
-        split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, all, slice);
+        HostSplit::Seen seen{context.pixels<const glm::vec4>(gbuffer.position),
+                             context.pixels<const glm::vec4>(gbuffer.geometric_normal),
+                             {},
+                             0};
+        if (looks) {
+            seen.looks = context.elements<std::uint8_t>(*looks);
+            seen.units_per_metre = units_per_metre(*context.inputs().world);
+        }
+        split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, seen, all, slice);
         if (!slice.last) return;
         split->write_shares(context.elements<Shares>(primaries.shares));
         const auto before =
