@@ -106,6 +106,32 @@ class Work(unittest.TestCase):
         with self.assertRaisesRegex(ir.UsageError, "another Machine"):
             small.render(progress=lambda what, part: small.render())
 
+    def test_progress_may_render_on_another_machine(self):
+        small = ir.Experiment("ldm-ao", SCENE, size=(32, 24), directions=4)
+        other, inner = ir.Machine(), []
+
+        def look(what, part):
+            if len(inner) < 3:
+                inner.append(small.render(machine=other))
+
+        outer = small.render(progress=look)
+        self.assertEqual(len(inner), 3)
+        for picture in [outer, *inner]:
+            self.assertEqual(ir.compare(picture, small.render(), "rmse")["rmse"], 0)
+
+    def test_what_is_changed_during_a_sweep_is_not_of_it(self):
+        e = ir.Experiment("ldm-ao", SCENE, size=(16, 12), directions=4)
+        e_before = e.copy()
+
+        def change(coordinates, picture):
+            e["seed"] = e["seed"] + 1
+            e.set(size=(8, 8))
+
+        columns = ["rmse"]
+        table = ir.sweep(e, {"directions": [4, 8]}, reference=4, each=change)
+        again = ir.sweep(e_before, {"directions": [4, 8]}, reference=4)
+        self.assertEqual(table[columns].values.tolist(), again[columns].values.tolist())
+
 
 class Errors(InFolder):
     def expect(self, error, text, work):

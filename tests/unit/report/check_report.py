@@ -191,7 +191,7 @@ class Reports(unittest.TestCase):
         self.assertEqual(len(rows), 3)
         for row in rows[1:]:
             own = cells(row)
-            compared = expected.get(own[0]["text"], expected["many"])
+            compared = expected[HOSTILE if own[0]["text"] == HOSTILE else own[0]["text"].lower()]
             self.assertEqual(own[1]["text"], "Truth")
             told = [float(numbers(cell)[0]) for cell in own[2:]]
             self.assertEqual(told, [math.nan if v is None else v for v in compared["metrics"].values()])
@@ -273,9 +273,19 @@ class Reports(unittest.TestCase):
         told = {e["attributes"]["value"] for e in sweep.all("data")}
         for point in listed["points"]:
             self.assertIn(point["errors"]["rmse"], {float(value) for value in told})
+        for own in ("sweep.json", listed["points"][0]["image"]):
+            refused = self.cli("report", out, "--out", out / own, status=2)
+            self.assertEqual(refused.count("\n"), 1, refused)
+            self.assertTrue((out / own).exists())
+        private = self.folder / "private.exr"
+        private.write_bytes(self.kept("few").read_bytes())
+        listed["points"][0]["image"] = str(private)
+        (out / "sweep.json").write_text(json.dumps(listed), encoding="utf-8")
+        self.assertEqual(len(self.images(self.report(out))), 2, "a list takes along no file from elsewhere")
         packed = self.folder / "p.tar"
         self.cli("project", self.project, "--pack", packed)
         self.assertEqual(self.images(self.report(packed)), self.images(self.page))
+        self.assertIn("unpack", self.cli("report", packed, "--render", status=2))
 
     def test_where_files_lie_stays_at_home(self):
         scene = self.folder / "triangle.gltf"
@@ -309,6 +319,11 @@ class Reports(unittest.TestCase):
         self.assertEqual(nothing.count("\n"), 1, nothing)
         alone = self.cli("report", self.kept("few"), status=2)
         self.assertIn("second picture", alone)
+        larger = self.folder / "larger.exr"
+        self.cli("render", "--scene", "builtin:cornell", "--method", "view-normals", "--size", "24x20", "--out", larger,
+                 "--quiet")
+        unlike = self.cli("report", self.kept("few"), larger, "--out", self.folder / "unlike.html", status=2)
+        self.assertEqual(unlike.count("\n"), 1, unlike)
         own = self.cli("report", self.project, "--out", self.project / "project.json", status=2)
         self.assertIn("file of the project", own)
 
