@@ -9,11 +9,11 @@ namespace ir {
 /// As glm::packHalf1x16, bit by bit, but quick for the values that pictures hold.
 inline std::uint16_t half_from_float(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value), magnitude = bits & 0x7fffffffu;
-    constexpr std::uint32_t least_normal = 0x38800000, overflow = 0x47800000, below_all = 0x33000000;
+    constexpr std::uint32_t min_normal = 0x38800000, overflow = 0x47800000, below_all = 0x33000000;
     const std::uint32_t sign = bits >> 16 & 0x8000u;
     // Rounded to the nearest; the carry goes on into the exponent, up to infinity.
-    if (magnitude - least_normal < overflow - least_normal)
-        return static_cast<std::uint16_t>(sign | ((magnitude - (least_normal - 0x00800000) + 0x1000) >> 13));
+    if (magnitude - min_normal < overflow - min_normal)
+        return static_cast<std::uint16_t>(sign | ((magnitude - (min_normal - 0x00800000) + 0x1000) >> 13));
     if (magnitude < below_all) return static_cast<std::uint16_t>(sign);
     return glm::packHalf1x16(value);
 }
@@ -21,8 +21,8 @@ inline std::uint16_t half_from_float(float value) {
 /// As glm::unpackHalf1x16, bit by bit.
 inline float float_from_half(std::uint16_t half) {
     const std::uint32_t magnitude = half & 0x7fffu, sign = static_cast<std::uint32_t>(half & 0x8000) << 16;
-    constexpr std::uint32_t least_normal = 0x0400, infinite = 0x7c00;
-    if (magnitude - least_normal < infinite - least_normal)
+    constexpr std::uint32_t min_normal = 0x0400, infinite = 0x7c00;
+    if (magnitude - min_normal < infinite - min_normal)
         return std::bit_cast<float>(sign | ((magnitude << 13) + 0x38000000u));
     return magnitude == 0 ? std::bit_cast<float>(sign) : glm::unpackHalf1x16(half);
 }

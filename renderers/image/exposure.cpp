@@ -9,9 +9,9 @@ namespace {
 
 constexpr double middle_grey = 0.18;
 /// Parts of the lit pixels that may be clipped at most, and that may stay below near_white at most.
-constexpr double most_clipped = 1 / 7.0, brightest = 0.01, near_white = 0.7;
+constexpr double max_clipped = 1 / 7.0, brightest = 0.01, near_white = 0.7;
 /// Enough to know a percentile by.
-constexpr std::size_t most_samples = 100'000;
+constexpr std::size_t max_samples = 100'000;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ double automatic_exposure(const Image& image) {
     if (image.empty()) return 0;
     const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const auto channels = static_cast<std::size_t>(image.channels);
-    const auto step = std::max<std::size_t>(1, pixels / most_samples);
+    const auto step = std::max<std::size_t>(1, pixels / max_samples);
     std::vector<double> stops;  // log2 of luminance
     double sum = 0;
     for (std::size_t i = 0; i < pixels; i += step) {
@@ -37,7 +37,7 @@ double automatic_exposure(const Image& image) {
         return *at;
     };
     const double grey = std::log2(middle_grey) - sum / static_cast<double>(stops.size());
-    const double most = -percentile(most_clipped), least = std::log2(near_white) - percentile(brightest);
+    const double most = -percentile(max_clipped), least = std::log2(near_white) - percentile(brightest);
     const double exposure = std::clamp(grey, std::min(least, most), most);
     return std::clamp(std::round(exposure * 4) / 4, -40.0, 40.0) + 0.0;
 }

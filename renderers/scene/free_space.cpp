@@ -8,8 +8,8 @@
 namespace ir::scene {
 namespace {
 
-constexpr int most_cells = 64;         ///< along the longest side
-constexpr double most_samples = 3e6;   ///< on all surfaces: they take about 50 ms
+constexpr int max_cells = 64;          ///< along the longest side
+constexpr double max_samples = 3e6;    ///< on all surfaces: they take about 50 ms
 constexpr float samples_per_cell = 2;  ///< along a line, so that no surface has holes
 
 /// The longest edge of a triangle, and its height above that.
@@ -58,7 +58,7 @@ FreeSpace::FreeSpace(const Scene& scene) : bounds_(bounds_of(scene, 0)) {
     const auto extent = bounds_.max - bounds_.min;
     const float longest = std::max({extent.x, extent.y, extent.z});
     if (!(longest > 0) || !std::isfinite(longest)) return;
-    cell_size_ = longest / most_cells;
+    cell_size_ = longest / max_cells;
     double along = 0, over = 0, count = 0;  // samples at cells of this size
     for_each_triangle(scene, [&](const auto& corners, glm::vec3, int) {
         const auto [base, height] = extent_of(corners);
@@ -67,11 +67,11 @@ FreeSpace::FreeSpace(const Scene& scene) : bounds_(bounds_of(scene, 0)) {
         over += 0.5 * base * height * per_metre * per_metre;
         count += 1;
     });
-    while (cell_size_ < longest / 8 && count + along + over > most_samples) {
+    while (cell_size_ < longest / 8 && count + along + over > max_samples) {
         cell_size_ *= 1.25f;
         along /= 1.25;
         over /= 1.25 * 1.25;
-        if (count > most_samples) break;  // each triangle is looked at once in any case
+        if (count > max_samples) break;  // each triangle is looked at once in any case
     }
     origin_ = bounds_.min - glm::vec3(cell_size_);
     size_ = glm::ivec3(extent / cell_size_) + 3;

@@ -20,11 +20,11 @@ constexpr float aspect = 1.5f;
 /// Of a standing person, m; rooms that are lower are looked at from a little below the middle.
 constexpr float eye_height = 1.7f, part_of_low_rooms = 0.45f;
 /// A place is in a room if most rays around it end at fronts of surfaces, level ones more than others.
-constexpr float least_hits = 0.6f, least_level_hits = 0.6f, least_floor_hits = 0.85f;
+constexpr float min_hits = 0.6f, min_level_hits = 0.6f, min_floor_hits = 0.85f;
 /// Cosine from which on a cell shows its front or its back; between them it has both.
 constexpr float side = 0.2f;
 /// Of a picture into an open room.
-constexpr float least_good = 0.93f;
+constexpr float min_good = 0.93f;
 /// Places that are looked at first, evenly over the grid, and those around which others are tried.
 constexpr double first_places = 600;
 constexpr std::size_t best_places = 5;
@@ -75,9 +75,9 @@ float room_around(const FreeSpace& space, glm::vec3 eye, float extent) {
     const auto most = [](int count, int all, float part) {
         return static_cast<float>(count) >= part * static_cast<float>(all);
     };
-    const bool is_room = most(hits, static_cast<int>(directions.size()), least_hits) &&
-                         most(level_hits, level, least_level_hits) &&
-                         most(floor_hits, down, least_floor_hits) && fronts >= 2 * backs;
+    const bool is_room = most(hits, static_cast<int>(directions.size()), min_hits) &&
+                         most(level_hits, level, min_level_hits) && most(floor_hits, down, min_floor_hits) &&
+                         fronts >= 2 * backs;
     return is_room ? distances / static_cast<float>(directions.size()) : 0;
 }
 
@@ -105,7 +105,7 @@ class Panorama {
                     space.ray(eye, direction_of(static_cast<float>(column), static_cast<float>(row)));
                 // Backs of walls are no sight.
                 if (hit && hit->facing > -side)
-                    at(row, column) = {hit->distance, std::min(hit->detail, most_detail), hit->material};
+                    at(row, column) = {hit->distance, std::min(hit->detail, max_detail), hit->material};
             }
     }
 
@@ -180,7 +180,7 @@ class Panorama {
     /// than this the place is no better.
     static constexpr float close_part = 0.06f, far_part = 0.7f, wide_part = 0.3f;
     /// Things count more than plain walls, but a hedge no more than a chair.
-    static constexpr float most_detail = 4;
+    static constexpr float max_detail = 4;
     glm::vec3 eye_;
     float extent_;
     std::array<std::array<Seen, columns>, rows> seen_{};
@@ -190,12 +190,12 @@ class Panorama {
 /// but the room is seen.
 Sight stepped_back(const FreeSpace& space, const Sight& from, float extent) {
     const auto backward = -from.forward();
-    if (from.good < least_good || space.ray(from.eye, backward)) return from;
+    if (from.good < min_good || space.ray(from.eye, backward)) return from;
     Sight best = from;
     for (float back = space.cell_size(); back < extent; back += space.cell_size()) {
         const Panorama panorama(space, from.eye + back * backward, extent);
         const auto sight = panorama.judge(from.column, from.pitch);
-        if (sight.good < least_good) break;
+        if (sight.good < min_good) break;
         best = sight;
     }
     return best;
@@ -226,13 +226,13 @@ class Search {
         extent_ = std::max({extent.x, extent.y, extent.z});
         int widest = 0;
         for_each_cell(1, [&](glm::ivec3 cell) { widest = std::max(widest, space.clearance(cell)); });
-        least_clearance_ = std::min(std::clamp(widest / 4, 2, 3), widest);
+        min_clearance_ = std::min(std::clamp(widest / 4, 2, 3), widest);
     }
 
     /// Its score is 0 where there is no room.
     Sight run() {
         double free = 0;
-        for_each_cell(1, [&](glm::ivec3 cell) { free += space_.clearance(cell) >= least_clearance_; });
+        for_each_cell(1, [&](glm::ivec3 cell) { free += space_.clearance(cell) >= min_clearance_; });
         int stride = std::max(1, static_cast<int>(std::cbrt(free / first_places) + 0.5));
         std::vector<Found> found;
         for_each_cell(stride, [&](glm::ivec3 cell) { add(found, cell); });
@@ -269,7 +269,7 @@ class Search {
 
     void add(std::vector<Found>& found, glm::ivec3 cell) const {
         const auto eye = space_.centre_of(cell);
-        if (space_.clearance(cell) < least_clearance_) return;
+        if (space_.clearance(cell) < min_clearance_) return;
         const float room = room_around(space_, eye, extent_);
         if (room == 0) return;
         Found place{cell, Panorama(space_, eye, extent_).best()};
@@ -279,7 +279,7 @@ class Search {
 
     const FreeSpace& space_;
     float extent_ = 1;
-    int least_clearance_ = 1;
+    int min_clearance_ = 1;
 };
 
 }  // namespace

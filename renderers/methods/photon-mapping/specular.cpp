@@ -20,7 +20,7 @@ int events_at(const scene::Material& material, Transport::Materials model) {
 
 }  // namespace
 
-int most_specular_events(const scene::Scene& scene, Transport::Materials model) {
+int max_specular_events(const scene::Scene& scene, Transport::Materials model) {
     int most = 0;
     for (const auto& material : scene.materials) most = std::max(most, events_at(material, model));
     return most;

@@ -19,7 +19,7 @@ float min_green(const scene::Scene& scene, int texture) {
 }
 
 /// The smallest roughness².
-float least_alpha(const scene::Scene& scene, const scene::Material& material) {
+float min_alpha(const scene::Scene& scene, const scene::Material& material) {
     const float roughness =
         material.roughness * min_green(scene, material.metallic_roughness_texture.texture);
     return roughness * roughness;
@@ -42,7 +42,7 @@ SharpMaterials sharp_materials(const scene::Scene& scene, Transport::Materials m
     SharpMaterials result;
     for (const auto& material : scene.materials) {
         const bool reflects = has_interface(material, model);
-        const float alpha = reflects ? least_alpha(scene, material) : 1;
+        const float alpha = reflects ? min_alpha(scene, material) : 1;
         const bool is_specular = reflects && (is_clear(material) || alpha < passes::mirror_alpha);
         result.specular.push_back(is_specular);
         result.sharp.push_back(is_specular || (reflects && alpha < sharp_alpha));

@@ -50,8 +50,8 @@ class DirectLightOnHost {
     /// Pixels along a side of what shares a packet of rays, and of an item of work.
     static constexpr int block = 4, tile = 16;
     /// Mirrors have a highlight as wide: a little above the square root of mirror_alpha.
-    static constexpr float least_roughness = 0.03163f;
-    static_assert(least_roughness * least_roughness > mirror_alpha);
+    static constexpr float min_roughness = 0.03163f;
+    static_assert(min_roughness * min_roughness > mirror_alpha);
 
     /// A pixel that light may fall on.
     struct Receiver {
@@ -80,7 +80,7 @@ class DirectLightOnHost {
         }
         if (!extended_.empty()) radiance_[pixel] = glm::vec4(glm::vec3(extended_[pixel]), 0);
         surface.transmission = 0;
-        surface.roughness = std::max(surface.roughness, least_roughness);
+        surface.roughness = std::max(surface.roughness, min_roughness);
         const auto wo = viewer_.view_axis_ws == glm::vec3(0)
                             ? glm::normalize(viewer_.eye_ws - surface.position_ws)
                             : -viewer_.view_axis_ws;

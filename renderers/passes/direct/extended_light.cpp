@@ -92,7 +92,7 @@ class LightSampling {
               *bvh_, sources_->surfaces, sources_->lights,
               {.materials = options.materials, .between = options.materials, .mirrors = options.mirrors}),
           samples_(options.parameters.light_samples),
-          groups_(std::min(samples_, most_groups)),
+          groups_(std::min(samples_, max_groups)),
           progress_(context.elements<std::uint32_t>(images.progress)),
           sums_(context.pixels<glm::vec4>(images.sums)),
           unfiltered_(context.pixels<glm::vec4>(images.results.unfiltered)),
@@ -152,7 +152,7 @@ class LightSampling {
         const SampledMean mean(sums, groups_before_ + static_cast<std::uint32_t>(groups_));
         unfiltered_[i] = glm::vec4(mean.radiance, 1);
         variance_[i] = mean.variance;
-        const auto divisor = glm::max(reflectance, glm::vec3(least_reflectance));
+        const auto divisor = glm::max(reflectance, glm::vec3(min_reflectance));
         const float l = luminance(divisor);
         even_[i] = glm::vec4(mean.radiance / divisor, mean.variance / (l * l));
         reflectance_[i] = pack_halves(glm::vec4(divisor, 0));

@@ -5,9 +5,9 @@
 namespace ir::passes {
 
 /// A frame's samples are dealt to so many independent randomisations, whose differences tell the variance.
-inline constexpr int most_groups = 4;
+inline constexpr int max_groups = 4;
 /// Surfaces that reflect less are filtered as if they did not: black ones show nothing of the light.
-inline constexpr float least_reflectance = 0.02f;
+inline constexpr float min_reflectance = 0.02f;
 
 /// What extended_light() makes of light samples, on either processor.
 struct SampledResults {

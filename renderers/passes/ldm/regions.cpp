@@ -15,7 +15,7 @@ namespace {
 using std::numbers::pi;
 
 /// Points along a meridian at least: a region of 1024 directions has about 300 of them.
-constexpr int least_region_rows = 512;
+constexpr int min_region_rows = 512;
 /// Rows are added up in so many blocks, in their order.
 constexpr int region_blocks = 64;
 
@@ -64,7 +64,7 @@ std::vector<glm::vec3> region_radiance(const scene::Environment& environment, in
         return std::vector<glm::vec3>(regions.size(), light.radiance({0, 1, 0}));
     // Each texel's own centre, or as many points within it as make up for coarse maps.
     const int divided =
-        std::max(1, (least_region_rows + environment.map->height - 1) / environment.map->height);
+        std::max(1, (min_region_rows + environment.map->height - 1) / environment.map->height);
     const int height = divided * environment.map->height, width = divided * environment.map->width;
     std::vector<std::vector<RegionSum>> sums(region_blocks, std::vector<RegionSum>(regions.size()));
     const auto back = glm::transpose(rotation);

@@ -20,7 +20,7 @@ namespace ir::passes {
 namespace {
 
 /// The environment is chosen at most so many times as often as all other emitters.
-constexpr float most_environment = 3;
+constexpr float max_environment = 3;
 
 bool has_area(const scene::Light& light) {
     return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
@@ -99,7 +99,7 @@ EmissionSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& option
     if (options.environment) {
         sky.emplace(surfaces.scene().environment);
         powers.push_back(pi * sky->mean_luminance() * box.area());
-        const float most = sum > 0 ? static_cast<float>(most_environment * sum) : powers.back();
+        const float most = sum > 0 ? static_cast<float>(max_environment * sum) : powers.back();
         weights.push_back(std::min(powers.back(), most));
         sum += powers.back();
     }

@@ -13,9 +13,9 @@ namespace {
 
 /// Over the sphere.
 float mean_radiance(const Image& map) {
-    constexpr int most_rows = 256, most_columns = 512;
-    const int step_y = (map.height + most_rows - 1) / most_rows;
-    const int step_x = (map.width + most_columns - 1) / most_columns;
+    constexpr int max_rows = 256, max_columns = 512;
+    const int step_y = (map.height + max_rows - 1) / max_rows;
+    const int step_x = (map.width + max_columns - 1) / max_columns;
     double sum = 0, weights = 0;
     for (int y = step_y / 2; y < map.height; y += step_y) {
         const double weight = std::sin(pi * (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height));

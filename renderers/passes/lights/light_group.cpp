@@ -40,11 +40,11 @@ HWY_INLINE Angle with_cosine(Floats cosine) {
 /// Bound of the irradiance from a group: intensity * cos θ' * cos θi' / distance², the angles the least
 /// that any of its lights may have.  [Conty18 §5]
 HWY_INLINE Floats importance(const LightGroup& group, int at, glm::vec3 position_ws, glm::vec3 normal_ws) {
-    const auto least_squared = set(1e-16f);  // keeps the quotient finite
+    const auto min_squared = set(1e-16f);  // keeps the quotient finite
     const auto offset = minus(set(position_ws), load(group.centre, at));
     const auto squared = dot(offset, offset), squared_radius = load(group.squared_radius, at);
     const auto intensity = load(group.intensity, at);
-    const auto within = hn::Div(intensity, hn::Max(squared_radius, least_squared));
+    const auto within = hn::Div(intensity, hn::Max(squared_radius, min_squared));
     const auto is_within = hn::Le(squared, squared_radius);
 
     const auto direction = times(offset, hn::Div(set(1), hn::Sqrt(squared)));
@@ -56,7 +56,7 @@ HWY_INLINE Floats importance(const LightGroup& group, int at, glm::vec3 position
     const auto beyond_normals =
         reduced(with_cosine(hn::IfThenElse(is_two_sided, hn::Abs(cosine), cosine)), normals);
     const auto emitted = reduced(beyond_normals, box).cosine;
-    auto result = hn::Div(hn::Mul(intensity, emitted), hn::Max(squared, least_squared));
+    auto result = hn::Div(hn::Mul(intensity, emitted), hn::Max(squared, min_squared));
     if (normal_ws != glm::vec3(0)) {
         const auto received = reduced(with_cosine(hn::Neg(dot(direction, set(normal_ws)))), box).cosine;
         result = hn::Mul(result, hn::Max(received, hn::Zero(f)));

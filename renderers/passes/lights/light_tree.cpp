@@ -231,7 +231,7 @@ bool LightTree::meets(std::uint32_t at, glm::vec3 origin_ws, glm::vec3 direction
 }
 
 std::vector<LightNode> LightTree::flattened() const {
-    static_assert(LightGroup::capacity <= most_light_children);
+    static_assert(LightGroup::capacity <= max_light_children);
     std::vector<LightNode> result(1);
     std::vector<std::uint32_t> nodes(groups_.size());  // of each group the node that stands for it
     for (std::size_t g = 0; g < groups_.size(); ++g) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t tile_items = scan_tile, group_size = scan_group;
 /// So that every device takes the tiles in one dispatch.
-constexpr std::uint64_t most_items = 1 << 26;
+constexpr std::uint64_t max_items = 1 << 26;
 /// Tiles of the first slice of a pass, about 1 ms on two cores.
 constexpr std::int64_t first_slice = 512;
 
@@ -63,7 +63,7 @@ struct Scan {
     std::uint64_t items_of(const graph::PassContext& context) const {
         if (!in_place()) return items;
         const auto room = context.capacity(counts);
-        if (room > most_items) throw Error("'" + key + "': more than 2^26 items; lower " + lower);
+        if (room > max_items) throw Error("'" + key + "': more than 2^26 items; lower " + lower);
         return room;
     }
 
@@ -135,7 +135,7 @@ void declare_passes(graph::GraphBuilder& builder, const Scan& scan, graph::Count
 
 graph::BufferRef exclusive_scan(graph::GraphBuilder& builder, const std::string& key, graph::BufferRef counts,
                                 std::uint64_t items, graph::CounterRef total) {
-    if (items > most_items) throw std::logic_error("scan '" + key + "': more than 2^26 items");
+    if (items > max_items) throw std::logic_error("scan '" + key + "': more than 2^26 items");
     const auto bases = declare_bases(builder, key, items, counts);
     const auto places = declare(builder,
                                 {.key = key + ".places",
@@ -148,9 +148,9 @@ graph::BufferRef exclusive_scan(graph::GraphBuilder& builder, const std::string&
 
 void scan_in_place(graph::GraphBuilder& builder, const std::string& key, graph::BufferRef words,
                    graph::CounterRef total) {
-    const auto bases = declare_bases(builder, key, most_items, words);
+    const auto bases = declare_bases(builder, key, max_items, words);
     const auto lower = desc_of(builder, words).lower;
-    declare_passes(builder, {key, words, bases, words, most_items, lower}, total);
+    declare_passes(builder, {key, words, bases, words, max_items, lower}, total);
 }
 
 }  // namespace ir::passes

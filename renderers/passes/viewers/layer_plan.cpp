@@ -15,7 +15,7 @@ static_assert(static_cast<int>(FieldType::u32) == type_u32 && static_cast<int>(F
               static_cast<int>(FieldType::f32) == type_f32);
 
 /// A number of vertices that one draw takes on every device, at six for an element.
-constexpr std::uint64_t most_drawn = 200'000'000;
+constexpr std::uint64_t max_drawn = 200'000'000;
 /// Software drivers end loops silently after 65,535 iterations, and one texel may have to look at all.
 constexpr std::uint64_t max_regions = 32'768;
 
@@ -197,7 +197,7 @@ void choose_map(LayerPlan& plan) {
 
 void choose_step(LayerPlan& plan, std::uint64_t max_elements) {
     const auto limit = std::clamp<std::uint64_t>(
-        max_elements, 1, plan.primitive == Primitive::sphere ? max_regions : most_drawn);
+        max_elements, 1, plan.primitive == Primitive::sphere ? max_regions : max_drawn);
     const auto step = (plan.drawn.elements + limit - 1) / limit;
     plan.drawn.stride = step;
     plan.block.step = static_cast<std::uint32_t>(step);

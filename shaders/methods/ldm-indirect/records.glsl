@@ -4,8 +4,8 @@
 const uint LEG_MAP = 0xffffu, LEG_ALONG = 1u << 16, LEG_DIRECT = 1u << 17, LEG_BEYOND_SHIFT = 18u,
            LEG_BEYOND = 63u, LEG_LIGHT_SHIFT = 24u;
 /// What of a kernel may count as lost beyond its surface, in 1/64: what is left is at most so much brighter.
-// C++: ir::methods::ldm_indirect::most_beyond
-const uint MOST_BEYOND = 48u;
+// C++: ir::methods::ldm_indirect::max_beyond
+const uint MAX_BEYOND = 48u;
 
 /// A photon where it arrived, with its differential. 80 bytes. Seen as glyphs, photons are their footprints.
 // C++: ir::methods::ldm_indirect::Photon

@@ -66,6 +66,6 @@ vec3 ldm_normal(MapFrame frame, LdmPlane plane, vec3 direction) {
 /// Of a plane with normal n, as LdmPlane::slope.
 vec2 ldm_slope_of(MapFrame frame, vec3 n) {
     float facing = dot(n, frame.direction.xyz);
-    facing = facing < 0.0 ? min(facing, -LDM_LEAST_FACING) : max(facing, LDM_LEAST_FACING);
+    facing = facing < 0.0 ? min(facing, -LDM_MIN_FACING) : max(facing, LDM_MIN_FACING);
     return vec2(dot(n, frame.step_u.xyz), dot(n, frame.step_v.xyz)) / (-facing * frame.direction.w);
 }

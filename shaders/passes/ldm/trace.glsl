@@ -31,12 +31,12 @@ struct LdmHit {
 LdmHit ldm_no_hit(bool outside) { return LdmHit(false, 0.0, outside, false, 0, ivec2(0), 0.0); }
 
 /// Least |n·v| that slopes are computed with: they become infinite where a surface is seen edge on.
-// C++: ir::passes::ldm::least_facing
-const float LDM_LEAST_FACING = 0.02;
+// C++: ir::passes::ldm::min_facing
+const float LDM_MIN_FACING = 0.02;
 
 /// Most that the slope may add to the tolerance, in texels, so that grazing rays see walls of two texels.
-// C++: ir::passes::ldm::most_tolerance
-const float LDM_MOST_TOLERANCE = 1.5;
+// C++: ir::passes::ldm::max_tolerance
+const float LDM_MAX_TOLERANCE = 1.5;
 
 /// Quanta by which a storage may move entries; tolerances are no less.
 #ifndef LDM_ROUNDING
@@ -99,7 +99,7 @@ LdmQuestion ldm_question_tangent(MapFrame frame, int resolution, vec3 position_w
     vec3 p = ldm_project(frame, position_ws);
     ivec2 texel = ivec2(floor(p.xy));
     if (ldm_is_outside(texel, resolution)) return LdmQuestion(texel, true, p.z, 0.0, p.z);
-    float facing = max(abs(dot(normal_ws, frame.direction.xyz)), LDM_LEAST_FACING);
+    float facing = max(abs(dot(normal_ws, frame.direction.xyz)), LDM_MIN_FACING);
     // Depth along ω that the tangent plane gains per texel.
     vec2 slope = vec2(dot(normal_ws, frame.step_u.xyz), dot(normal_ws, frame.step_v.xyz)) /
                  (-facing * frame.direction.w);
@@ -118,7 +118,7 @@ LdmQuestion ldm_question_tangent(MapFrame frame, int resolution, vec3 position_w
         }
     }
     float tolerance =
-        rule.quanta + min(rule.slope * (abs(slope.x) + abs(slope.y)), LDM_MOST_TOLERANCE * texel_quanta);
+        rule.quanta + min(rule.slope * (abs(slope.x) + abs(slope.y)), LDM_MAX_TOLERANCE * texel_quanta);
     tolerance = max(tolerance, LDM_ROUNDING);
     float start = max(gain + tolerance, 0.0), along = forward ? 1.0 : -1.0;
     return LdmQuestion(texel, false, p.z + along * gain, tolerance, p.z + along * start);

@@ -73,7 +73,7 @@ SeenLamp seen_lamp(LampData lamp, vec3 position_ws) {
     // Farther away than this many half-diagonals the density per solid angle varies by little with the point.
     const float near = 6.0;
     /// DEVIATION from the host, which has double precision: what looks smaller is sampled by area, steradians.
-    const float least_solid_angle = 1e-3;
+    const float min_solid_angle = 1e-3;
     vec3 offset = position_ws - lamp.centre_ws;
     vec2 half_size = vec2(lamp.half_width, lamp.half_height);
     SeenLamp seen;
@@ -84,7 +84,7 @@ SeenLamp seen_lamp(LampData lamp, vec3 position_ws) {
         !(dot(offset, offset) < near * near * dot(half_size, half_size)))
         return seen;
     seen.rectangle = spherical_rectangle(-half_size - seen.foot, half_size - seen.foot, seen.height);
-    seen.by_solid_angle = seen.rectangle.solid_angle >= least_solid_angle;
+    seen.by_solid_angle = seen.rectangle.solid_angle >= min_solid_angle;
     return seen;
 }
 

@@ -41,8 +41,8 @@ ChosenSource choose_in_tree(vec3 position_ws, vec3 normal_ws, double u) {
     uint at = 0u;
     float probability = 1.0;
     while (light_nodes[at].children > 0u) {
-        uint first = light_nodes[at].first_child, count = min(light_nodes[at].children, MOST_LIGHT_CHILDREN);
-        float weights[MOST_LIGHT_CHILDREN];
+        uint first = light_nodes[at].first_child, count = min(light_nodes[at].children, MAX_LIGHT_CHILDREN);
+        float weights[MAX_LIGHT_CHILDREN];
         float sum = 0.0;
         for (uint i = 0u; i < count; ++i)
             sum += weights[i] = importance(light_nodes[first + i], position_ws, normal_ws);

@@ -26,8 +26,8 @@ struct LightNode {
     uint source;
 };
 /// A node has no more children.
-// C++: ir::passes::most_light_children
-const uint MOST_LIGHT_CHILDREN = 16u;
+// C++: ir::passes::max_light_children
+const uint MAX_LIGHT_CHILDREN = 16u;
 /// Of sources that no tree holds.
 // C++: ir::passes::no_light_node
 const uint NO_LIGHT_NODE = 0xffffffffu;

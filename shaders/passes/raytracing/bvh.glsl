@@ -19,7 +19,7 @@ const uint BVH_NO_CHILD = BVH_LEAF;
 const int BVH_MAX_DEPTH = 64;
 /// Nodes and triangles that a ray may ask for; with the loops around them below the 65,535 iterations after
 /// which llvmpipe ends loops.
-const uint BVH_MOST_STEPS = 30000u;
+const uint BVH_MAX_STEPS = 30000u;
 /// Slabs are widened by this factor, some units in the last place. [Ize13]
 const float BVH_SLACK = 1.000001;
 
@@ -62,15 +62,15 @@ void ask_triangle(uint place, Ray ray, inout RayHit hit) {
     hit = RayHit(distance, a.w, u, v);
 }
 
-/// False where the ray asked for more than BVH_MOST_STEPS: the hit is the first one of what was seen.
+/// False where the ray asked for more than BVH_MAX_STEPS: the hit is the first one of what was seen.
 bool find_first_hit(Ray ray, out RayHit result) {
     vec3 inverse = safe_inverse(ray.direction_ws);
     RayHit hit = RayHit(ray.far, 0xffffffffu, 0.0, 0.0);
     uint stack[BVH_MAX_DEPTH + 1], steps = 0u, next = 0u;
     stack[0] = BVH_NO_CHILD;
     int top = 1;
-    while (next != BVH_NO_CHILD && steps < BVH_MOST_STEPS) {
-        while ((next & BVH_LEAF) == 0u && steps < BVH_MOST_STEPS) {
+    while (next != BVH_NO_CHILD && steps < BVH_MAX_STEPS) {
+        while ((next & BVH_LEAF) == 0u && steps < BVH_MAX_STEPS) {
             ++steps;
             uvec4 n0 = bvh_nodes[4u * next], n1 = bvh_nodes[4u * next + 1u], n2 = bvh_nodes[4u * next + 2u],
                   n3 = bvh_nodes[4u * next + 3u];

@@ -33,6 +33,15 @@ class InspectWindowTest : public WindowTest {
         QTest::mouseMove(&window.view(), place_of(pixel) + QPoint(1, 1));
         QTest::mouseMove(&window.view(), place_of(pixel));
     }
+    /// The screen may tell late where the cursor was before.
+    void pin(QPoint pixel) {
+        const auto before = window.inspector().pins().size();
+        EXPECT_TRUE(QTest::qWaitFor([&] {
+            move_to(pixel);
+            QTest::keyClick(&window.view(), Qt::Key_P);
+            return window.inspector().pins().size() > before;
+        }));
+    }
 };
 
 TEST_F(InspectWindowTest, ThePixelUnderTheCursorIsReadFromAllImages) {
@@ -49,10 +58,8 @@ TEST_F(InspectWindowTest, ThePixelUnderTheCursorIsReadFromAllImages) {
 TEST_F(InspectWindowTest, PinsStayWithTheProject) {
     const QTemporaryDir folder;
     raise("inspector");
-    move_to({12, 7});
-    QTest::keyClick(&window.view(), Qt::Key_P);
-    move_to({3, 4});
-    QTest::keyClick(&window.view(), Qt::Key_P);
+    pin({12, 7});
+    pin({3, 4});
     ASSERT_EQ(window.inspector().pins().size(), 2u);
     EXPECT_EQ(window.inspector().pins()[0], QPoint(12, 7));
     window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());

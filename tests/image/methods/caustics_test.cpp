@@ -180,7 +180,7 @@ Image without_lamps(Execution& execution, std::int64_t samples) {
 /// Photons bring what light tracing brings, beyond direct light, to what is neither mirror nor glass: in sum,
 /// and to the same squares of 8 × 8 pixels. Pixels at outlines are left out: there light tracing has the part
 /// that the surface fills, photons the whole pixel.
-void expect_same_by_photons(Experiment e, double tolerance, double most_misplaced) {
+void expect_same_by_photons(Experiment e, double tolerance, double max_misplaced) {
     const Settings light{
         {"paths", "full"}, {"max_bounces", std::int64_t{1}}, {"materials", "metalness-blend"}};
     constexpr std::int64_t samples = 128;
@@ -220,10 +220,10 @@ void expect_same_by_photons(Experiment e, double tolerance, double most_misplace
     testing::Test::RecordProperty("ratio", std::to_string(found.sum() / expected.sum()));
     testing::Test::RecordProperty("misplaced", std::to_string(misplaced(found, expected)));
     EXPECT_NEAR(found.sum() / expected.sum(), 1, tolerance);
-    EXPECT_LT(misplaced(found, expected), most_misplaced);
+    EXPECT_LT(misplaced(found, expected), max_misplaced);
     auto turned = found;
     std::reverse(turned.values.begin(), turned.values.end());
-    EXPECT_GT(misplaced(turned, expected), 1.5 * most_misplaced) << "it is no even light";
+    EXPECT_GT(misplaced(turned, expected), 1.5 * max_misplaced) << "it is no even light";
 }
 
 TEST(Caustics, OfAMirrorTorusAreThoseOfPhotons) {
@@ -278,12 +278,12 @@ void expect_same_caustics(GltfBuilder builder, float size_m) {
 }
 
 /// The same light by photons.
-void expect_same_caustics_by_photons(GltfBuilder builder, float size_m, double most_misplaced) {
+void expect_same_caustics_by_photons(GltfBuilder builder, float size_m, double max_misplaced) {
     const test::TemporaryFolder folder;
     auto e = picture_of(test::write_file(folder, "glass.gltf", builder.embedded_text()), 64,
                         size_m * glm::vec3(-2, 3, 2), size_m * glm::vec3(-0.6f, 0, 0));
     e.lights = {spot(size_m * glm::vec3(2, 2, 0), size_m * size_m)};
-    expect_same_by_photons(e, 0.03, most_misplaced);
+    expect_same_by_photons(e, 0.03, max_misplaced);
 }
 
 GltfBuilder glass_ball() {

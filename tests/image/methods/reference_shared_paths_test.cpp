@@ -336,7 +336,7 @@ double z_of(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
 
 /// The mean is the camera's, the noise is less by at least this factor in RMSE, and wrong weights are
 /// noticed.
-void expect_same_light(const Lab& lab, const scene::View& view, double least_gain) {
+void expect_same_light(const Lab& lab, const scene::View& view, double min_gain) {
     constexpr int seeds = 24, samples = 96;
     // Sharp metal scatters as well.
     const auto transport = reference::transport(Paths::full, 1, 1, model);
@@ -347,7 +347,7 @@ void expect_same_light(const Lab& lab, const scene::View& view, double least_gai
     testing::Test::RecordProperty("z", std::to_string(z));
     testing::Test::RecordProperty("mean", std::to_string(spread(means(alone)).mean));
     EXPECT_LT(std::abs(z), 4) << spread(means(both)).mean << " " << spread(means(alone)).mean;
-    EXPECT_GT(gain, least_gain);
+    EXPECT_GT(gain, min_gain);
     Estimator wrong;
     wrong.combine = without_weights;
     const auto twice = pictures(lab, transport, view, seeds, samples, true, wrong);

@@ -17,13 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Pixels that fill a view of a window with four of them: 480×270, or as many in another aspect.
-constexpr int least_pixels = 480 * 270;
+constexpr int min_pixels = 480 * 270;
 /// Where a whole window would take minutes without a GPU. The notes of the sample say so.
 const std::set<std::string> smaller{"bzb-fig2"};
-constexpr int least_pixels_of_smaller = 240 * 160;
+constexpr int min_pixels_of_smaller = 240 * 160;
 /// Bytes of what is said of the views, which stands beside them without being scrolled.
-constexpr std::size_t most_said_first = 300;
-constexpr std::uintmax_t most_card_bytes = 60'000;
+constexpr std::size_t max_said_first = 300;
+constexpr std::uintmax_t max_card_bytes = 60'000;
 
 nlohmann::json read_json(const fs::path& file) {
     std::ifstream stream(file);
@@ -53,7 +53,7 @@ TEST_P(Samples, RenderAtASizeThatFillsTheirViews) {
     const bool is_smaller = smaller.count(GetParam().stem().string()) > 0;
     for (const auto& experiment : loaded.project.experiments) {
         const auto size = projects::effective(experiment).size;
-        EXPECT_GE(size.x * size.y, is_smaller ? least_pixels_of_smaller : least_pixels)
+        EXPECT_GE(size.x * size.y, is_smaller ? min_pixels_of_smaller : min_pixels)
             << experiment.id << ": " << size.x << "×" << size.y;
     }
 }
@@ -61,13 +61,13 @@ TEST_P(Samples, RenderAtASizeThatFillsTheirViews) {
 TEST_P(Samples, SayFirstWhatTheirViewsShow) {
     const auto said_first = loaded.project.notes.substr(0, loaded.project.notes.find('\n'));
     EXPECT_GE(said_first.size(), 40u);
-    EXPECT_LE(said_first.size(), most_said_first) << said_first;
+    EXPECT_LE(said_first.size(), max_said_first) << said_first;
 }
 
 TEST_P(Samples, HaveAThumbnail) {
     const auto card = GetParam() / "thumbnails" / "card.jpg";
     ASSERT_TRUE(fs::exists(card)) << "./dev thumbnails " << GetParam().stem();
-    EXPECT_LE(fs::file_size(card), most_card_bytes) << card;
+    EXPECT_LE(fs::file_size(card), max_card_bytes) << card;
 }
 
 /// A view that names what does not exist is empty in the window, and nothing else says so.

@@ -15,9 +15,9 @@ namespace ir {
 namespace {
 
 struct Case {
-    std::string scene;     ///< builtin:NAME, or a file or folder in INTERREFLECT_SCENES
-    double least_seen;     ///< part of all surface that the picture shows, with what is seen from nowhere
-    double least_covered;  ///< part of the picture that shows a surface
+    std::string scene;   ///< builtin:NAME, or a file or folder in INTERREFLECT_SCENES
+    double min_seen;     ///< part of all surface that the picture shows, with what is seen from nowhere
+    double min_covered;  ///< part of the picture that shows a surface
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -127,8 +127,8 @@ TEST_P(OfARoom, StandsFreeInItAndSeesMuchOfIt) {
     const bool is_inside = glm::all(glm::greaterThan(camera().eye, bounds.min)) &&
                            glm::all(glm::lessThan(camera().eye, bounds.max));
     EXPECT_GT(is_inside ? double(ends) / level : 1.0, 0.55) << "outside of the room";
-    EXPECT_GE(covered(), GetParam().least_covered);
-    EXPECT_GE(seen(), GetParam().least_seen);
+    EXPECT_GE(covered(), GetParam().min_covered);
+    EXPECT_GE(seen(), GetParam().min_seen);
 }
 
 TEST_P(OfARoom, IsTheSameEachTime) {
@@ -153,8 +153,8 @@ INSTANTIATE_TEST_SUITE_P(Shared, OfARoom,
 using OfAThing = OpeningCamera;
 
 TEST_P(OfAThing, SeesAllOfItFromOutsideAndFillsThePicture) {
-    EXPECT_GE(covered(), GetParam().least_covered);
-    EXPECT_GE(seen(), GetParam().least_seen);
+    EXPECT_GE(covered(), GetParam().min_covered);
+    EXPECT_GE(seen(), GetParam().min_seen);
     const auto& bounds = world_.bounds;
     EXPECT_TRUE(glm::any(glm::lessThan(camera().eye, bounds.min)) ||
                 glm::any(glm::greaterThan(camera().eye, bounds.max)));

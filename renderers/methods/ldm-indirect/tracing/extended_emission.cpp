@@ -120,7 +120,7 @@ class ExtendedEmission {
         if (s.transmission * (1 - s.metallic) > passes::mostly_glass) return glm::vec3(0);
         const auto diffuse = (1 - s.metallic) * s.base_colour;
         if (senders_ == Senders::diffuse) return diffuse;
-        const float bounded = std::max(cosine, least_sender_cosine);
+        const float bounded = std::max(cosine, min_sender_cosine);
         if (transport_.materials == Materials::metalness_blend)
             return diffuse + s.metallic * passes::directional_albedo(s.base_colour, s.roughness, bounded);
         const auto f0 = glm::mix(glm::vec3(usual_f0), s.base_colour, s.metallic);

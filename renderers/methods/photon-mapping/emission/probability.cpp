@@ -118,7 +118,7 @@ void reads_map(graph::PassBuilder& pass, const passes::Rsm& rsm, const passes::S
 
 SurfaceRules surface_rules(const scene::Scene& scene, const Parameters& parameters) {
     const auto model = parameters.transport.materials;
-    return {static_cast<int>(model), most_specular_events(scene, model) > 0, parameters.photon_near,
+    return {static_cast<int>(model), max_specular_events(scene, model) > 0, parameters.photon_near,
             parameters.photon_far};
 }
 

@@ -15,7 +15,7 @@ namespace {
 using passes::ShadowViewData;
 
 /// The environment's part of what rays are divided by: most of its light misses what the bounds hold.
-constexpr float most_environment = 3;
+constexpr float max_environment = 3;
 
 /// ∫ profile dω over a face of a cube of maps, in sr, by the midpoints of 64 × 64 texels.
 float solid_angle_of_face(const scene::Light& light, const ShadowViewData& view) {
@@ -113,7 +113,7 @@ void add_environment(Sources& sources, const scene::Scene& scene, const scene::W
     // of a map what shines may lie between the texels that were looked at
     if (!(power > 0) && !scene.environment.map) return;
     sources.traced.environment = true;
-    sources.traced_flux += others > 0 ? std::min(power, most_environment * others) : std::max(power, 1e-6f);
+    sources.traced_flux += others > 0 ? std::min(power, max_environment * others) : std::max(power, 1e-6f);
     sources.largest_flux = power;
     add_traced(sources, unplaced(light_sky, world, 0), power);
 }

@@ -127,7 +127,7 @@ Wavefront::Wavefront(GraphBuilder& builder, const passes::SceneBuffers& scene, c
     const auto& transport = parameters.transport;
     note_limits(builder, transport);
     bounces_ = std::min(transport.max_bounces, max_bounces);
-    mirrors_ = most_specular_events(*builder.inputs().scene, transport.materials);
+    mirrors_ = max_specular_events(*builder.inputs().scene, transport.materials);
     surfaces_ = passes::hit_surfaces(builder, scene);
     rays_ = passes::declare_rays(builder, "photons", samples.paths);
     paths_ = declare(builder, "paths", "Paths of photons", record_fields<PathState>(), samples.paths);

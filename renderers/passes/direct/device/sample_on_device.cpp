@@ -22,7 +22,7 @@ const std::string sample_folder = "passes/direct/device/";
 /// Of which a sample is drawn at once: what fills a device, and takes 36 MiB.
 constexpr std::int64_t pixels_at_once = 1 << 18;
 /// Panes that light passes one behind the other, as on the host.
-constexpr int most_panes = 8;
+constexpr int max_panes = 8;
 
 /// A part of the work: a sample of the pixels [first, end).
 struct Band {
@@ -57,8 +57,8 @@ struct AddGroup {
     Band band;
     unsigned group, groups, samples_of_group, frame;
     bool stands_still;
-    float least_reflectance;
-    IR_FIELDS(band, group, groups, samples_of_group, frame, stands_still, least_reflectance)
+    float min_reflectance;
+    IR_FIELDS(band, group, groups, samples_of_group, frame, stands_still, min_reflectance)
 };
 
 /// A frame's samples in parts, one after the other: bands of pixels, within them groups, within them samples.
@@ -68,7 +68,7 @@ class SampleParts {
         : width_(view.width),
           pixels_(std::int64_t{1} * view.width * view.height),
           samples_(samples),
-          groups_(std::min(samples, most_groups)) {}
+          groups_(std::min(samples, max_groups)) {}
 
     struct SamplePart {
         Band band;
@@ -114,7 +114,7 @@ class DeviceSampling {
     void run(const graph::PassContext& context, std::int64_t index) const {
         const auto part = parts_[index];
         draw(context, part);
-        const int segments = has_panes_ ? most_panes + 1 : 1;
+        const int segments = has_panes_ ? max_panes + 1 : 1;
         for (int i = 0; i < segments; ++i) {
             trace(context, part.band);
             gather(context, part.band, i + 1 < segments);
@@ -168,7 +168,7 @@ class DeviceSampling {
             AddGroup{part.band, static_cast<unsigned>(part.group), static_cast<unsigned>(parts_.groups()),
                      static_cast<unsigned>(part.samples_of_group), static_cast<unsigned>(inputs.frame),
                      context.has_previous() && passes::stands_still(inputs, Watched::surfaces_and_lights),
-                     least_reflectance});
+                     min_reflectance});
     }
 
     SampleParts parts_;

@@ -23,12 +23,12 @@ class Culling {
     bool knows_blocks() const { return knows_blocks_; }
 
     /// Which things lie wholly between outermost depths that are there already: windows of texels of the band
-    /// with depths `least` … `most`. `most_blocks` a side are looked at.
-    template <int most_blocks>
+    /// with depths `least` … `most`. `max_blocks` a side are looked at.
+    template <int max_blocks>
     Mask hidden(const Window& window, Floats least, Floats most, Mask which) const {
         auto outermost = hn::Set(n, -1);
         const auto known =
-            visit_window<most_blocks>(map_, window, which, 1, [&](Ints block, hn::Mask<IntTag> in, int, int) {
+            visit_window<max_blocks>(map_, window, which, 1, [&](Ints block, hn::Mask<IntTag> in, int, int) {
                 outermost = min_of_halves(outermost, hn::IfThenElse(in, block, outermost));
             });
         const auto far = upper_half(outermost), near = lower_half(outermost);

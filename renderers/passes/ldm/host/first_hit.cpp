@@ -56,7 +56,7 @@ FirstHit PointTracer::trace_tangent(const glm::vec3& position_ws, const glm::vec
                 depth = projected(position_ws, frame.depth);
     int column = static_cast<int>(std::floor(u)), row = static_cast<int>(std::floor(v));
     if (is_outside(column, row)) return beside();
-    const float facing = std::max(std::abs(glm::dot(normal_ws, glm::vec3(frame.direction))), least_facing);
+    const float facing = std::max(std::abs(glm::dot(normal_ws, glm::vec3(frame.direction))), min_facing);
     // Depth along ω that the tangent plane gains per texel.
     const float slope_x = glm::dot(normal_ws, slope_u_) / -facing,
                 slope_y = glm::dot(normal_ws, slope_v_) / -facing;
@@ -77,7 +77,7 @@ FirstHit PointTracer::trace_tangent(const glm::vec3& position_ws, const glm::vec
     }
     if (row < map_.first_row || row >= map_.first_row + map_.rows) return {false, false};
     const float tolerance = rule_.quanta + std::min(rule_.slope * (std::abs(slope_x) + std::abs(slope_y)),
-                                                    most_tolerance * texel_quanta_);
+                                                    max_tolerance * texel_quanta_);
     const float along = forward ? 1.0f : -1.0f;
     const float plane = depth + along * gain, start = depth + along * std::max(gain + tolerance, 0.0f);
     const int key = forward ? quantum(start) : -quantum(-start);  // down along ω
@@ -160,7 +160,7 @@ glm::vec3 PointTracer::normal_of(const EntryPlane& plane, const glm::vec3& direc
 
 glm::vec2 PointTracer::slope_of(const glm::vec3& normal) const {
     const float cosine = glm::dot(normal, glm::vec3(map_.frame.direction));
-    const float facing = cosine < 0 ? std::min(cosine, -least_facing) : std::max(cosine, least_facing);
+    const float facing = cosine < 0 ? std::min(cosine, -min_facing) : std::max(cosine, min_facing);
     return glm::vec2(glm::dot(normal, slope_u_), glm::dot(normal, slope_v_)) / -facing;
 }
 

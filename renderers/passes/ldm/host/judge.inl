@@ -38,12 +38,12 @@ class Judge {
                    below = hn::Or(hn::And(hn::Gt(cosine.least, zero), hn::Le(facing.most, zero)),
                                   hn::And(hn::Lt(cosine.most, zero), hn::Ge(facing.least, zero)));
         // The largest gain and tolerance of ask_tangent.
-        const auto least_abs_facing =
-            hn::Max(hn::Set(f, least_facing), hn::IfThenElse(forward, facing.least, hn::Neg(facing.most)));
+        const auto min_abs_facing =
+            hn::Max(hn::Set(f, min_facing), hn::IfThenElse(forward, facing.least, hn::Neg(facing.most)));
         const auto slope =
             hn::Div(hn::Add(largest(range_of(tiles_.geometric_normal_boxes, asked_.slope_u, 0)),
                             largest(range_of(tiles_.geometric_normal_boxes, asked_.slope_v, 0))),
-                    least_abs_facing);
+                    min_abs_facing);
         const auto dip = hn::Set(f, rule_.max_dip * asked_.texel_quanta),
                    half_slope = hn::Mul(slope, hn::Set(f, 0.505f));
         const auto gain = hn::Add(hn::Min(half_slope, dip), tolerance_of(slope));
@@ -53,8 +53,8 @@ class Judge {
         const auto plane = plane_of(forward, window);
         auto least = hn::Set(n, -1);
         auto above_plane = hn::Neg(hn::Set(f, last_depth));
-        constexpr int most_cells = 5;  // a side
-        const auto known = visit_window<most_cells>(
+        constexpr int max_cells = 5;  // a side
+        const auto known = visit_window<max_cells>(
             asked_.map, in_band(window), inside, 0,
             [&](Ints cell, hn::Mask<IntTag> which, int column, int row) {
                 least = min_of_halves(least, hn::IfThenElse(which, cell, least));
@@ -71,7 +71,7 @@ class Judge {
                                           hn::Add(hn::Sub(hn::Set(f, last_depth), depth.least), margin));
         const auto closed =
             hn::Or(hn::And(closed_ahead, hn::Or(closed_behind, forward)), hn::And(closed_behind, backward));
-        const auto are_texels = hn::Lt(size_of(window), hn::Set(f, most_cells));
+        const auto are_texels = hn::Lt(size_of(window), hn::Set(f, max_cells));
         const auto open = hn::And(hn::And(known, are_texels),
                                   hn::And(hn::Or(forward, backward), hn::Lt(above_plane, plane.room)));
         Verdict verdict;
@@ -103,7 +103,7 @@ class Judge {
     static Floats largest(const Range& range) { return hn::Max(hn::Abs(range.least), hn::Abs(range.most)); }
     Floats tolerance_of(Floats slope) const {
         return hn::Add(hn::Set(f, rule_.quanta), hn::Min(hn::Mul(hn::Set(f, rule_.slope), slope),
-                                                         hn::Set(f, most_tolerance * asked_.texel_quanta)));
+                                                         hn::Set(f, max_tolerance * asked_.texel_quanta)));
     }
 
     /// The texels of the map that may be asked: where rays may dip, neighbours too.
@@ -167,7 +167,7 @@ class Judge {
                    to_v = hn::Sub(hn::Add(window.top, half), project(point, frame.v));
         const auto uneven =
             hn::Div(hn::LoadU(f, tiles_.off_plane.data() + first_),
-                    hn::Mul(hn::Max(facing, hn::Set(f, least_facing)), hn::Set(f, frame.direction.w)));
+                    hn::Mul(hn::Max(facing, hn::Set(f, min_facing)), hn::Set(f, frame.direction.w)));
         return {hn::MulAdd(slant.per_column, to_u,
                            hn::MulAdd(slant.per_row, to_v, along(forward, project(point, frame.depth)))),
                 slant.per_column, slant.per_row, hn::Sub(hn::Sub(slant.tolerance, uneven), hn::Set(f, 1))};

@@ -15,12 +15,12 @@ namespace ir::passes::ldm {
 /// share them may do at once.
 class KeptMaps {
   public:
-    static constexpr std::uint64_t most_bytes = 32 << 20;
+    static constexpr std::uint64_t max_bytes = 32 << 20;
 
     /// How many maps with such a layout are kept.
     static int count(const Layout& layout) {
         return static_cast<int>(
-            std::min<std::uint64_t>(layout.maps, most_bytes / map_bytes(layout.resolution)));
+            std::min<std::uint64_t>(layout.maps, max_bytes / map_bytes(layout.resolution)));
     }
 
     explicit KeptMaps(const Layout& layout)

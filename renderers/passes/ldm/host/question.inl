@@ -96,14 +96,14 @@ struct Slant {
     Floats per_column, per_row, tolerance;
 };
 HWY_INLINE Slant slant_of(const Asked& asked, const SelfHitRule& rule, const Vector3& normal, Floats facing) {
-    const auto per_facing = hn::Div(hn::Set(f, -1), hn::Max(hn::Abs(facing), hn::Set(f, least_facing)));
+    const auto per_facing = hn::Div(hn::Set(f, -1), hn::Max(hn::Abs(facing), hn::Set(f, min_facing)));
     Slant result;
     result.per_column = hn::Mul(dot(normal, asked.slope_u), per_facing);
     result.per_row = hn::Mul(dot(normal, asked.slope_v), per_facing);
     const auto slope = hn::Add(hn::Abs(result.per_column), hn::Abs(result.per_row));
     result.tolerance = hn::Add(
         hn::Set(f, rule.quanta),
-        hn::Min(hn::Mul(hn::Set(f, rule.slope), slope), hn::Set(f, most_tolerance * asked.texel_quanta)));
+        hn::Min(hn::Mul(hn::Set(f, rule.slope), slope), hn::Set(f, max_tolerance * asked.texel_quanta)));
     return result;
 }
 

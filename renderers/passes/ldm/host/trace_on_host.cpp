@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Each pass over the pixels asks so many maps, if they and the pixels' sums leave room in a thread's cache.
-constexpr int most_together = 8;
+constexpr int max_together = 8;
 constexpr std::uint64_t cache_bytes = 5 << 18;
 /// What the maps of all threads may take which are not kept.
 constexpr std::uint64_t memory_bytes = 24 << 20;
@@ -31,7 +31,7 @@ int maps_together(int resolution, Holds holds, int threads) {
     const auto texels = static_cast<std::uint64_t>(StreamedMap::band_rows(resolution)) * resolution;
     const auto bytes = texels * (holds == Holds::outermost ? 4 : 4 + 2 * expected_depths);
     const auto room = std::min(cache_bytes, memory_bytes / static_cast<std::uint64_t>(threads));
-    return static_cast<int>(std::clamp<std::uint64_t>(room / bytes, 1, most_together));
+    return static_cast<int>(std::clamp<std::uint64_t>(room / bytes, 1, max_together));
 }
 
 /// What one thread works with.

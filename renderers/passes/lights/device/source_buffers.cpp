@@ -138,7 +138,7 @@ void upload_sources(const graph::PassContext& context, const SourceBuffers& to,
 }  // namespace
 
 SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::Options& options,
-                             std::uint64_t most_triangles) {
+                             std::uint64_t max_triangles) {
     const auto& inputs = builder.inputs();
     std::string fingerprint;
     if (!inputs.world_fingerprint.empty())
@@ -164,13 +164,13 @@ SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::O
     const std::uint64_t lamps = inputs.world->lights.size();
     SourceBuffers result;
     result.totals = buffer("sources", "Sources with an extent, together", record_fields<SourceTotals>(), 1);
-    result.nodes = buffer("nodes", "Tree of light sources", record_fields<LightNode>(),
-                          2 * (lamps + most_triangles) + 1);
+    result.nodes =
+        buffer("nodes", "Tree of light sources", record_fields<LightNode>(), 2 * (lamps + max_triangles) + 1);
     result.lamps = buffer("lamps", "Rectangles and disks", record_fields<LampData>(), lamps);
     result.triangles =
-        buffer("triangles", "Emissive triangles", record_fields<EmissiveTriangle>(), most_triangles);
+        buffer("triangles", "Emissive triangles", record_fields<EmissiveTriangle>(), max_triangles);
     result.numbers = buffer("numbers", "Which triangles are emissive", {{"number", graph::FieldType::u32}},
-                            most_triangles > 0 ? inputs.world->triangles() : 1);
+                            max_triangles > 0 ? inputs.world->triangles() : 1);
     result.environment_rows =
         buffer("environment_rows", "Distribution over the environment's rows",
                {{"value", graph::FieldType::f32}}, 3 * static_cast<std::uint64_t>(height) + 2);

@@ -28,8 +28,8 @@ struct SourceBuffers {
 };
 
 /// Declares "light.sources" and its like with the pass "upload light sources", once per world and options.
-/// `options` without lights that have no extent; `most_triangles` may be emissive.
+/// `options` without lights that have no extent; `max_triangles` may be emissive.
 SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::Options& options,
-                             std::uint64_t most_triangles);
+                             std::uint64_t max_triangles);
 
 }  // namespace ir::passes

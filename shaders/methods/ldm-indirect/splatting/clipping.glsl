@@ -10,5 +10,5 @@ uniform float units_per_metre;
 bool is_lit(Kernel k, ivec2 pixel, ivec2 size, vec3 position_ws) {
     if (k.distance <= 0.0) return true;
     uint look = bitfieldExtract(looks[look_word(pixel, size, k.map)], int(8u * (k.map % 4u)), 8);
-    return look == OPEN_LOOK || unpacked_look(look) >= least_look(k, position_ws) * units_per_metre;
+    return look == OPEN_LOOK || unpacked_look(look) >= min_look(k, position_ws) * units_per_metre;
 }

@@ -90,14 +90,14 @@ float per_cosine(Footprint f) {
 }
 
 /// Most that a surface may get more than the photon's plane because it faces the light more.
-// C++: ir::methods::ldm_indirect::most_turned
-const float MOST_TURNED = 4.0;
+// C++: ir::methods::ldm_indirect::max_turned
+const float MAX_TURNED = 4.0;
 
 /// What a surface gets of E_p that is turned against the photon's plane: its cosine to the light over the plane's.
 /// DEVIATION [Aalund15 eq. 5]: print has the plane's cosine for all surfaces in the kernel. With each surface's own
 /// the kernel gives as much light as the beam brings, whatever lies in it.
 float turned(float facing, float per_cosine) {
-    return per_cosine > 0.0 ? min(facing * per_cosine, MOST_TURNED) : 1.0;
+    return per_cosine > 0.0 ? min(facing * per_cosine, MAX_TURNED) : 1.0;
 }
 
 /// [Aalund15 eq. 6]

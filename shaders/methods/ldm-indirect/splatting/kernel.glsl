@@ -27,7 +27,7 @@ float along_beam(Kernel k, vec3 position_ws) { return k.distance - dot(position_
 const float PART_LOOKED = 0.25;
 
 /// m, that a place has to see along a beam to be lit.
-float least_look(Kernel k, vec3 position_ws) {
+float min_look(Kernel k, vec3 position_ws) {
     float way = along_beam(k, position_ws);
     return max(PART_LOOKED * way, way - (1.0 - PART_LOOKED) * k.distance);
 }

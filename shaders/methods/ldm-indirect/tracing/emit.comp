@@ -84,8 +84,8 @@ float cosines(vec3 normal) {
 // C++: ir::methods::ldm_indirect::usual_f0
 const float USUAL_F0 = 0.04;
 /// Between a surface and its light: at grazing angles the fit of directional_albedo() is wrong.
-// C++: ir::methods::ldm_indirect::least_sender_cosine
-const float LEAST_SENDER_COSINE = 0.05;
+// C++: ir::methods::ldm_indirect::min_sender_cosine
+const float MIN_SENDER_COSINE = 0.05;
 
 /// All surfaces send as Lambertian ones; unlit ones and glass send nothing.
 /// DEVIATION [glTF2 B.3]: with the whole albedo what the interface reflects goes into all directions, too.
@@ -95,7 +95,7 @@ vec3 sent_part(vec3 base_colour, float roughness, float tag, float cosine) {
     float metallic = tag - 1.0;
     vec3 diffuse = (1.0 - metallic) * base_colour;
     if (params.senders == SENDERS_DIFFUSE) return diffuse;
-    float bounded = max(cosine, LEAST_SENDER_COSINE);
+    float bounded = max(cosine, MIN_SENDER_COSINE);
     if (params.materials == MATERIALS_METALNESS_BLEND)
         return diffuse + metallic * directional_albedo(base_colour, roughness, bounded);
     vec3 interface_albedo = directional_albedo(mix(vec3(USUAL_F0), base_colour, metallic), roughness, bounded);

@@ -34,5 +34,5 @@ uint part_beyond(Photon photon, MapFrame frame, uint map, int resolution) {
         float off = (entry - depth) * per_quantum, left = (1.0 - squared - off * off) / (1.0 - squared);
         on_surface += left * left;
     }
-    return min(uint(64.0 * (1.0 - on_surface / float(OVERHANG_SAMPLES)) + 0.5), MOST_BEYOND);
+    return min(uint(64.0 * (1.0 - on_surface / float(OVERHANG_SAMPLES)) + 0.5), MAX_BEYOND);
 }

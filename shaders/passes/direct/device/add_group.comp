@@ -20,7 +20,7 @@ layout(rgba16f) uniform writeonly image2D reflectance_image;
 uniform uint group, groups, samples_of_group;
 uniform uint frame;
 uniform bool stands_still;
-uniform float least_reflectance;
+uniform float min_reflectance;
 
 /// A frame in which nothing wanted the light leaves a gap.
 bool continues() { return stands_still && progress_before[0].y + 1u == frame; }
@@ -45,7 +45,7 @@ void main() {
     float variance = all > 1u ? max(sum.a / count - l * l, 0.0) / (count - 1.0) : l * l;
     SeenSurface surface = seen_surface(pixel);
     vec3 reflectance = surface.exists ? albedo_of(surface.scatterer, surface.glass) : vec3(0);
-    vec3 divisor = max(reflectance, least_reflectance);
+    vec3 divisor = max(reflectance, min_reflectance);
     l = luminance(divisor);
     imageStore(unfiltered_image, pixel, vec4(mean, 1));
     imageStore(variance_image, pixel, vec4(variance));

@@ -99,7 +99,7 @@ bool Curve::is_culled(const Triangle& t) const {
 }
 
 /// Not more than the least ideal area on the triangle.
-float Curve::least_ideal_area(const Triangle& t) const {
+float Curve::min_ideal_area(const Triangle& t) const {
     const auto along = [&](glm::vec3 p) { return glm::dot(p - ideal_.ideal_eye_ws, ideal_.ideal_axis_ws); };
     const float nearest =
         ideal_.ideal_corner_cosine * distance_to_triangle(ideal_.ideal_eye_ws, t.a, t.b, t.c);
@@ -109,7 +109,7 @@ float Curve::least_ideal_area(const Triangle& t) const {
 
 /// Into how many parts along each side, so that each has few surfels and is short beside its distance.
 std::uint32_t Curve::splits(const Corners& c, const Patch& p, bool is_first_round) const {
-    const float ideal = least_ideal_area(corners_of(c, p)), whole = static_cast<float>(p.splits);
+    const float ideal = min_ideal_area(corners_of(c, p)), whole = static_cast<float>(p.splits);
     float needed = std::sqrt(c.area() / (whole * whole * ideal) / surfels_of_patch);
     if (!is_parallel(ideal_)) {
         const auto bc = c.ac - c.ab;

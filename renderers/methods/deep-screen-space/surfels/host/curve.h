@@ -43,7 +43,7 @@ class Curve {
     Corners corners(std::uint32_t triangle) const;
     static Triangle corners_of(const Corners& c, const Patch& patch);
     bool is_culled(const Triangle& t) const;
-    float least_ideal_area(const Triangle& t) const;
+    float min_ideal_area(const Triangle& t) const;
     std::uint32_t splits(const Corners& c, const Patch& patch, bool is_first_round) const;
     std::uint32_t units(const Corners& c, const Patch& patch) const;
     template <class To>

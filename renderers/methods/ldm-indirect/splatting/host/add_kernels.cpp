@@ -120,7 +120,7 @@ HWY_INLINE void add_kernel(Pixels& to, const HostKernel& k, const std::uint8_t* 
     const auto below = hn::Sub(one, hn::MulAdd(h, h, hn::MulAdd(q, q, hn::Mul(p, p))));
     const auto facing = dot(to.normal, k.to_source_ws);
     const auto turned =
-        k.per_cosine > 0 ? hn::Min(hn::Mul(facing, hn::Set(f, k.per_cosine)), hn::Set(f, most_turned)) : one;
+        k.per_cosine > 0 ? hn::Min(hn::Mul(facing, hn::Set(f, k.per_cosine)), hn::Set(f, max_turned)) : one;
     auto lit = hn::And(hn::Gt(below, hn::Zero(f)), hn::Gt(facing, hn::Zero(f)));
     if (k.distance > 0) lit = hn::And(lit, is_in_beam(d, k, looks, units_per_metre));
     const auto weight = hn::IfThenElseZero(lit, hn::Mul(hn::Mul(below, below), turned));

@@ -61,7 +61,7 @@ std::uint32_t part_beyond(const passes::ldm::PointTracer& map, const passes::ldm
         on_surface += left * left;
     }
     const float beyond = 64 * (1 - on_surface / static_cast<float>(std::max(known, 1)));
-    return std::min(static_cast<std::uint32_t>(beyond + 0.5f), most_beyond);
+    return std::min(static_cast<std::uint32_t>(beyond + 0.5f), max_beyond);
 }
 
 }  // namespace ir::methods::ldm_indirect
