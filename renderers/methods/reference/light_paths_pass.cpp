@@ -68,7 +68,8 @@ class PathTracer {
           rules_(parameters.transport) {
         if (r.inputs.emission) {
             emission_ = context.object<passes::EmissionSampler>(*r.inputs.emission);
-            shared_.emplace(context.inputs().view, *emission_, parameters.transport.materials);
+            shared_.emplace(context.inputs().view, *emission_, parameters.transport.materials,
+                            shares_light(parameters));
         }
         if (r.inputs.gbuffer) gbuffer_.emplace(context, *r.inputs.gbuffer);
         for (int layer = 0; layer < r.layers(); ++layer)

@@ -17,11 +17,12 @@ enum ArrivalDimension : std::uint32_t { lobe_and_roulette, next_direction, per_a
 }  // namespace
 
 bool LightTracer::has_paths(const scene::World& world, const PathRules& rules,
-                            const SharpMaterials& materials, const passes::EmissionOptions& sources) {
+                            const SharpMaterials& materials, const passes::EmissionOptions& sources,
+                            bool follows_sharp) {
     if (sources.lights.empty() && !sources.environment && !sources.emissive_meshes) return false;
     // A mirror does not scatter, a sharp surface does.
     const int scatterings = rules.max_scatterings();
-    const auto& followed = scatterings > 1 ? materials.sharp : materials.specular;
+    const auto& followed = follows_sharp && scatterings > 1 ? materials.sharp : materials.specular;
     return scatterings > 0 && std::any_of(world.ranges.begin(), world.ranges.end(), [&](const auto& range) {
                return range.triangle_count > 0 && followed[static_cast<std::size_t>(range.material)];
            });

@@ -36,7 +36,7 @@ class LightTracer {
 
     /// Whether there are such paths.
     static bool has_paths(const scene::World& world, const PathRules& rules, const SharpMaterials& materials,
-                          const passes::EmissionOptions& sources);
+                          const passes::EmissionOptions& sources, bool follows_sharp);
     const Film& film() const { return shared_.film(); }
     /// One path; what it brings is appended.
     void trace(const passes::PathSampler& sampler, std::vector<Splat>& splats, Counts& counts) const;

@@ -49,7 +49,8 @@ class SplatTracer {
           indirect_lights_(context.object<passes::LightSampler>(r.inputs.indirect_lights)),
           emission_(context.object<passes::EmissionSampler>(*r.inputs.emission)),
           world_(*bvh_, *surfaces_, {*lights_, *indirect_lights_}, r.materials),
-          shared_(context.inputs().view, *emission_, parameters.transport.materials),
+          shared_(context.inputs().view, *emission_, parameters.transport.materials,
+                  shares_light(parameters)),
           tracer_(world_, PathRules(parameters.transport), shared_) {
         for (int layer = 0; layer < r.layers; ++layer)
             sums_.push_back(context.pixels<glm::vec4>(r.sums, layer));

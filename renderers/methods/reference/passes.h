@@ -27,6 +27,13 @@ struct PathInputs {
 /// All that the transport lets shine.
 passes::EmissionOptions light_sources(const graph::FrameInputs& inputs, const Transport& transport);
 
+/// Whether light is traced from its sources where paths from the camera find it, too. With primary=gbuffer
+/// those start in the pixels' centres, and what is traced is spread over the pixel: where an outline divides
+/// one, weights of both together would lose light. So what the camera finds is left to it then.
+inline bool shares_light(const Parameters& parameters) {
+    return parameters.primary == Primary::rays;
+}
+
 /// Declares all that the parameters ask for: G-buffer, or first hits and "valid" of rays; BVH, surfaces and
 /// lights. `materials`: sharp_materials() of the scene; of light only.
 PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameters,

@@ -106,6 +106,20 @@ passes::EmissionOptions light_sources(const graph::FrameInputs& inputs, const Tr
     return sources;
 }
 
+namespace {
+
+passes::EmissionOptions traced_sources(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    auto sources = light_sources(inputs, parameters.transport);
+    if (shares_light(parameters)) return sources;
+    sources.environment = sources.emissive_meshes = false;
+    std::erase_if(sources.lights, [&](int light) {
+        return !passes::is_punctual(inputs.world->lights[static_cast<std::size_t>(light)]);
+    });
+    return sources;
+}
+
+}  // namespace
+
 PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameters,
                        const SharpMaterials& materials) {
     const bool on_rays = parameters.primary == Primary::rays;
@@ -123,8 +137,9 @@ PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameter
     if (on_rays) inputs.valid = first_hits(builder, inputs.bvh, inputs.surfaces);
     if (!is_light) return inputs;
     declare_light_sources(builder, transport, inputs);
-    const auto sources = light_sources(builder.inputs(), transport);
-    if (LightTracer::has_paths(*builder.inputs().world, PathRules(transport), materials, sources))
+    const auto sources = traced_sources(builder.inputs(), parameters);
+    if (LightTracer::has_paths(*builder.inputs().world, PathRules(transport), materials, sources,
+                               shares_light(parameters)))
         inputs.emission = declare_emission(builder, inputs.surfaces, sources);
     return inputs;
 }

@@ -31,7 +31,7 @@ float together(float one, float other) {
 
 bool SharedPaths::follows(const passes::Surface& surface, bool is_specular) const {
     if (is_specular) return true;
-    if (model_ == Transport::Materials::lambert || surface.is_unlit) return false;
+    if (!follows_sharp_ || model_ == Transport::Materials::lambert || surface.is_unlit) return false;
     const bool has_interface =
         model_ == Transport::Materials::gltf || surface.metallic > 0 || surface.transmission > 0;
     const float alpha = surface.roughness * surface.roughness;

@@ -26,9 +26,10 @@ namespace ir::methods::reference {
 /// Thread-safe.
 class SharedPaths {
   public:
-    /// Keeps a reference to the emission.
-    SharedPaths(const scene::View& view, const passes::EmissionSampler& emission, Transport::Materials model)
-        : film_(view), emission_(emission), model_(model) {}
+    /// Keeps a reference to the emission. `follows_sharp`: whether sharp surfaces are followed at all.
+    SharedPaths(const scene::View& view, const passes::EmissionSampler& emission, Transport::Materials model,
+                bool follows_sharp = true)
+        : film_(view), emission_(emission), model_(model), follows_sharp_(follows_sharp) {}
 
     const Film& film() const { return film_; }
     const passes::EmissionSampler& emission() const { return emission_; }
@@ -81,6 +82,7 @@ class SharedPaths {
     Film film_;
     const passes::EmissionSampler& emission_;
     Transport::Materials model_;
+    bool follows_sharp_;
 };
 
 /// Densities of other techniques as one: the power heuristic adds up their squares.

@@ -37,6 +37,7 @@ class DirectLightOnHost {
 
     void run(graph::Slice slice) const {
         parallel_for(context_.inputs().threads, slice.begin, slice.end, [&](std::int64_t i) {
+            if (context_.cancel().is_cancelled()) return;
             const int across = tiles_across(view_.width);
             const int left = static_cast<int>(i % across) * tile, top = static_cast<int>(i / across) * tile;
             std::vector<Receiver> receivers;
@@ -44,6 +45,7 @@ class DirectLightOnHost {
                 for (int x = left; x < std::min(left + tile, view_.width); x += block)
                     fill_block(x, y, receivers);
         });
+        context_.cancel().check();
     }
 
   private:

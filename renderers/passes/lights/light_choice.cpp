@@ -135,6 +135,8 @@ std::optional<LightChoice::Chosen> LightChoice::choose(LightReceiver& receiver, 
 float LightChoice::probability(LightReceiver& receiver, int emitter) const {
     const float sum = total(receiver.normal_ws);
     if (!(sum > 0) || emitter < 0) return 0;
+    for (const auto& sun : suns_)
+        if (sun.light == emitter) return weight_of(sun, receiver.normal_ws) / sum;
     return tree_.probability(receiver, static_cast<std::uint32_t>(emitter)) * (tree_weight_ / sum);
 }
 

@@ -91,10 +91,14 @@ bool may_meet_group(LightNode node, vec3 origin_ws, vec3 direction_ws) {
     return dot(closest, closest) <= reach * reach;
 }
 
+/// Nodes that a ray asks; with the loop within below the 65,535 turns after which llvmpipe ends loops.
+const uint MAX_LIGHT_NODES = 30000u;
+
 /// False only where a ray meets none of the sources in the tree.
 bool may_meet_in_tree(vec3 origin_ws, vec3 direction_ws) {
     uint at = light_nodes[0].first_child;
-    while (at != 0u) {
+    for (uint steps = 0u; at != 0u; ++steps) {
+        if (steps == MAX_LIGHT_NODES) return true;
         if (may_meet_group(light_nodes[at], origin_ws, direction_ws)) {
             if (light_nodes[at].children == 0u) return true;
             at = light_nodes[at].first_child;

@@ -2,6 +2,7 @@
 // mean stays that of paths from the camera alone, and there is less noise.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "renderers/core/constants.h"
@@ -271,6 +272,29 @@ TEST(SharedPaths, ARaysSourceIsChosenAsOftenAsOneThatIsMet) {
     for (const int count : counted) EXPECT_GT(count, 30);
 }
 
+TEST(SharedPaths, WhatHasNoExtentIsChosenAsOftenAsSamplesSay) {
+    const auto lab = all_sources();
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> unit(0, 0.9999f);
+    std::map<scene::LightType, int> counted;
+    for (int i = 0; i < 4000; ++i) {
+        const auto surface = surface_at(glm::vec3(3 * unit(random) - 2, unit(random), 2 * unit(random)),
+                                        {0, -1, 0}, 0, 1, random);
+        const auto sample = lab.lights().sample(surface.position_ws, surface.geometric_normal_ws,
+                                                unit(random), {unit(random), unit(random)});
+        if (!sample || sample->emitter < 0) continue;
+        const auto type = lab.scene().lights[static_cast<std::size_t>(sample->emitter)].type;
+        if (type == scene::LightType::rectangle || type == scene::LightType::disk) continue;
+        passes::EmittedLight light;
+        light.emitter = sample->emitter, light.direction_ws = -sample->direction_ws;
+        EXPECT_NEAR(lab.lights().pdf_of_arrival(surface.position_ws, surface.geometric_normal_ws, light),
+                    sample->pdf, 1e-4f * sample->pdf);
+        ++counted[type];
+    }
+    for (const auto type : {scene::LightType::point, scene::LightType::spot, scene::LightType::directional})
+        EXPECT_GT(counted[type], 20) << static_cast<int>(type);
+}
+
 // Means and noise
 
 /// For each seed the pixels' means (red).
@@ -405,6 +429,17 @@ TEST(SharedPaths, AnEmissiveMeshAndABulbOverSharpMetal) {
     lab.light(lamp(scene::LightType::point, {-0.4f, 1.2f, 0.6f}, {1, 1}, 0.2f));
     lab.build();
     expect_same_light(lab, within_ring(), 4);
+}
+
+TEST(SharedPaths, ASunOverSharpMetal) {
+    Lab lab;
+    floor_of(lab);
+    ring(lab, lab.material(metal(0.2f)), {0.2f, 0.12f, 0.2f}, 0.6f, 0.12f);
+    auto sun = lamp(scene::LightType::directional, {0, 0, 0}, {1, 1}, 2);
+    sun.direction = glm::normalize(glm::vec3(-1, -1, 0));
+    lab.light(sun);
+    lab.build();
+    expect_same_light(lab, within_ring(), 1);
 }
 
 TEST(SharedPaths, AnEnvironmentWithASmallSun) {
