@@ -122,6 +122,8 @@ void add_records(const Api& api, GLuint program, GLuint block, ProgramResource& 
         resource.members.push_back({member, values[0], static_cast<GLenum>(values[2]), values[3], is_array});
         resource.stride = values[1];
     }
+    // drivers list them in orders of their own
+    std::ranges::sort(resource.members, {}, &ProgramResource::Member::offset);
 }
 
 }  // namespace

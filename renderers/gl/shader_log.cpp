@@ -24,6 +24,12 @@ std::optional<Diagnostic> parse(const std::string& text) {
     return std::nullopt;
 }
 
+/// NVIDIA's driver begins the log of a program with "Compute info" and a line of dashes.
+bool is_heading(const std::string& text) {
+    static const std::regex heading(R"(^(?:\w+(?: \w+)? info|-+)$)");
+    return std::regex_match(text, heading);
+}
+
 void trim_end(std::string& text) {
     text.erase(text.find_last_not_of(std::string("\0\r ", 3)) + 1);
 }
@@ -36,7 +42,7 @@ std::vector<std::string> shader_errors(const std::string& log,
     std::istringstream lines(log);
     for (std::string text; std::getline(lines, text);) {
         trim_end(text);
-        if (text.empty()) continue;
+        if (text.empty() || is_heading(text)) continue;
         const auto found = parse(text);
         std::size_t line = 0;
         if (found) std::from_chars(found->line.data(), found->line.data() + found->line.size(), line);

@@ -6,8 +6,8 @@ namespace {
 /// Constants of array_table.glsl.
 struct ArrayTable {
     ChunkConstants chunk;
-    unsigned packed_words, wide_words;
-    IR_FIELDS(chunk, packed_words, wide_words)
+    unsigned packed_words, wide_words, depth_words;
+    IR_FIELDS(chunk, packed_words, wide_words, depth_words)
 };
 
 /// Contiguous sorted arrays, with 16-bit depths and 16-bit offsets from each row of texels' first depth. A
@@ -61,7 +61,8 @@ class ArrayStorage : public Storage {
         if (holds_ == Holds::one_chunk) defines["ONE_CHUNK"] = "1";
         const ArrayTable constants{chunk_constants(chunk, layout_),
                                    static_cast<unsigned>(batch_rows() * row_words()),
-                                   static_cast<unsigned>(2 * batch_rows() * row_words())};
+                                   static_cast<unsigned>(2 * batch_rows() * row_words()),
+                                   static_cast<unsigned>(context.capacity(sorted_.depths))};
         const auto run = [&](const char* file, std::int64_t invocations) {
             run_program(context, {{file}, defines}, constants, invocations);
         };
@@ -96,8 +97,8 @@ class ArrayStorage : public Storage {
 /// Constants of packed_builder.glsl.
 struct PackChunk {
     ChunkConstants chunk;
-    unsigned table_words;
-    IR_FIELDS(chunk, table_words)
+    unsigned table_words, depth_words;
+    IR_FIELDS(chunk, table_words, depth_words)
 };
 
 /// Layout of the arrays that hold one chunk.
@@ -187,7 +188,8 @@ class PackedStorage : public Storage {
     void store(const graph::PassContext& context, const FragmentList& list,
                const Chunk& chunk) const override {
         chunk_.store(context, list, {0, chunk.maps});
-        const PackChunk constants{chunk_constants(chunk, layout_), static_cast<unsigned>(table_words())};
+        const PackChunk constants{chunk_constants(chunk, layout_), static_cast<unsigned>(table_words()),
+                                  static_cast<unsigned>(context.capacity(depths_))};
         const auto run = [&](const char* file, std::int64_t invocations) {
             run_program(context, {{file}, {{"LDM_PACKED_BITS", std::to_string(packed_bits)}}}, constants,
                         invocations);

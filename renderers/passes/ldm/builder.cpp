@@ -18,8 +18,8 @@ constexpr int max_chunk_maps = 32;  ///< bits of a word in rasterise.comp
 
 /// Constants of prepare.comp with PREPARE_STORE and FINISH.
 struct Prepare {
-    unsigned fragment_bits;
-    IR_FIELDS(fragment_bits)
+    unsigned fragment_bits, fragment_capacity;
+    IR_FIELDS(fragment_bits, fragment_capacity)
 };
 
 /// Maps depend on the scene and their directions, and on no camera and no light.
@@ -196,7 +196,9 @@ class BatchBuild {
         gl::ProgramSource source{{"passes/ldm/prepare.comp"}, {{step, "1"}}};
         if (maps_->inserts_directly()) source.defines["DIRECT"] = "1";
         const auto& program = context.use(source);
-        program.set(Prepare{static_cast<unsigned>(8 * maps_->storage->fragment_bytes())});
+        const auto fragments = maps_->list.fragments;
+        program.set(Prepare{static_cast<unsigned>(8 * maps_->storage->fragment_bytes()),
+                            fragments.index >= 0 ? static_cast<unsigned>(context.capacity(fragments)) : 0});
         program.dispatch(1);
         context.barrier();
     }

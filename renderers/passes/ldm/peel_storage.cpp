@@ -8,8 +8,8 @@ constexpr int expected_deepest = 64;  ///< layers of the deepest texel
 /// Constants of peel_builder.glsl.
 struct PeelChunk {
     ChunkConstants place;
-    unsigned chunk, plane_texels;
-    IR_FIELDS(place, chunk, plane_texels)
+    unsigned chunk, plane_texels, plane_room;
+    IR_FIELDS(place, chunk, plane_texels, plane_room)
 };
 
 /// Constants of peel.comp.
@@ -83,9 +83,9 @@ class PeelStorage : public Storage {
         context.clear(planes_);
     }
     void store(const graph::PassContext& context, const FragmentList&, const Chunk& chunk) const override {
-        const PeelChunk constants{chunk_constants(chunk, layout_),
-                                  static_cast<unsigned>(chunk.first_map / layout_.chunk_maps),
-                                  static_cast<unsigned>(plane_texels())};
+        const PeelChunk constants{
+            chunk_constants(chunk, layout_), static_cast<unsigned>(chunk.first_map / layout_.chunk_maps),
+            static_cast<unsigned>(plane_texels()), static_cast<unsigned>(context.capacity(planes_))};
         const auto planes = static_cast<int>(context.capacity(layers_));
         const auto run = [&](const char* file, std::int64_t invocations) {
             run_program(context, {{file}}, constants, invocations);

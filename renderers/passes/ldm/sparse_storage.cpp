@@ -5,8 +5,8 @@ namespace {
 
 /// Constants of sparse_builder.glsl.
 struct PlaceSparse {
-    unsigned first_word, word_count, map_words, map_texels;
-    IR_FIELDS(first_word, word_count, map_words, map_texels)
+    unsigned first_word, word_count, map_words, map_texels, depth_words;
+    IR_FIELDS(first_word, word_count, map_words, map_texels, depth_words)
 };
 
 /// Contiguous sorted arrays whose offsets are kept, and summed, for texels with fragments alone.
@@ -87,7 +87,8 @@ class SparseStorage : public Storage {
         const PlaceSparse constants{.first_word = static_cast<unsigned>(chunk.first_map * map_words()),
                                     .word_count = static_cast<unsigned>(chunk.maps * map_words()),
                                     .map_words = static_cast<unsigned>(map_words()),
-                                    .map_texels = static_cast<unsigned>(layout_.map_texels())};
+                                    .map_texels = static_cast<unsigned>(layout_.map_texels()),
+                                    .depth_words = static_cast<unsigned>(context.capacity(sorted_.depths))};
         const auto run = [&](const char* file, std::int64_t invocations) {
             run_program(context, {{file}}, constants, invocations);
         };

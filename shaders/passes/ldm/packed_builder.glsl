@@ -14,11 +14,12 @@ layout(std430) buffer LdmGroups { uint groups[]; };
 layout(std430) coherent buffer LdmPackedDepths { uint depths[]; };
 
 uniform uint table_words;  // of the batch, without those of wide groups
+uniform uint depth_words;  // of packed depths that there is room for
 
 /// Depths that there is room for.
 uint packed_room() {
-    uint words = uint(depths.length()), bits = uint(PACKED_BITS);
-    return words / bits * BLOCK_DEPTHS + words % bits * 32u / bits;
+    uint bits = uint(PACKED_BITS);
+    return depth_words / bits * BLOCK_DEPTHS + depth_words % bits * 32u / bits;
 }
 
 bool has_sorted(uint texel) {

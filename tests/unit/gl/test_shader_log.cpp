@@ -28,13 +28,19 @@ TEST(ShaderLog, UnderstandsNvidia) {
         Lines{"lib/a.glsl:2: C1008: undefined variable \"x\""});
 }
 
+TEST(ShaderLog, LeavesOutTheHeadingsOfNvidiasPrograms) {
+    EXPECT_EQ(errors_of("Compute info\n------------\n0(99) : error C7623: x is write-only\n"),
+              Lines{"0(99) : error C7623: x is write-only"});
+    EXPECT_EQ(errors_of("Tessellation control info\n----\nno message\n"), Lines{"no message"});
+}
+
 TEST(ShaderLog, UnderstandsTheReferenceCompiler) {
     EXPECT_EQ(errors_of("ERROR: 0:15: 'x' : undeclared identifier\nWARNING: 0:1: odd\n"),
               Lines{"lib/a.glsl:5: 'x' : undeclared identifier"});
 }
 
 TEST(ShaderLog, PutsPlacedErrorsFirstAndKeepsTheRest) {
-    EXPECT_EQ(errors_of("Compute info\n\n0:3(1): error: bad\n"), (Lines{"main.comp:3: bad", "Compute info"}));
+    EXPECT_EQ(errors_of("Compute info\n\n0:3(1): error: bad\n"), Lines{"main.comp:3: bad"});
     EXPECT_EQ(errors_of("0:99(1): error: bad\n"), Lines{"0:99(1): error: bad"});
     EXPECT_EQ(errors_of("0:3(1): warning: odd\n"), Lines{"main.comp:3: odd"});
     EXPECT_TRUE(errors_of("").empty());

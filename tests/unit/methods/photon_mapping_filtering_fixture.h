@@ -46,6 +46,12 @@ struct Estimate {
 
 class FilteringTest : public PassTest {
   protected:
+    static double largest_difference(const Image& a, const Image& b) {
+        double most = 0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i)
+            most = std::max(most, std::abs(1.0 * a.pixels[i] - b.pixels[i]));
+        return most;
+    }
     std::vector<OutputDescription> outputs() const override { return pm::filtering_outputs(); }
     template <class T>
     static graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format,

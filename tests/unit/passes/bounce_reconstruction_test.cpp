@@ -22,14 +22,14 @@ class ReconstructionTest : public BounceTest {
     }
 };
 
-TEST_F(ReconstructionTest, TheRatioOfAnOpenPlaneIsExactlyOne) {
+TEST_F(ReconstructionTest, TheRatioOfAnOpenPlaneIsOne) {
     for (const auto& shot : {Shot("builtin:plane", "above", 48, 48), Wall().shot(48, 48)})
         for (const auto distribution : {Distribution::uniform, Distribution::cosine})
             for (const int radius : {0, 3}) {
                 auto r = BounceRun::with(4, Spread::independent, radius);
                 r.options.parameters.distribution = distribution;
                 reconstruct(shot, r);
-                for (const float value : result()) ASSERT_EQ(value, 1);
+                for (const float value : result()) ASSERT_NEAR(value, 1, 2e-6);
             }
 }
 
@@ -296,6 +296,8 @@ TEST_F(ReconstructionTest, BalanceBoundsWhatANeighboursSampleGivesAndLeavesTheMe
 /// too: few pixels at edges are of another surface, and so are their neighbours' samples.
 TEST_F(ReconstructionTest, HostAndDeviceGiveTheSame) {
     const Shot shot("builtin:dominoes", "row", 83, 21);
+    // of sharp highlights a graphics card rounds more than llvmpipe
+    const float tolerance = device().software() ? 1e-3f : 1e-2f;
     const auto compare = [&](BounceRun r) {
         std::vector<std::vector<float>> of_body;
         for (r.on = Processor::gl;; r.on = Processor::host) {
@@ -309,7 +311,7 @@ TEST_F(ReconstructionTest, HostAndDeviceGiveTheSame) {
             std::size_t different = 0;
             for (std::size_t i = 0; i < of_body[c].size(); ++i) {
                 const float device = of_body[c][i], host = of_body[channels + c][i];
-                different += !(std::abs(host - device) <= 1e-3f * (0.1f + std::abs(device)));
+                different += !(std::abs(host - device) <= tolerance * (0.1f + std::abs(device)));
             }
             EXPECT_LE(different, of_body[c].size() / 25) << "channel " << c;
         }

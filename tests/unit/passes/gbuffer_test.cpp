@@ -51,7 +51,7 @@ TEST_P(GBufferTest, PositionIsWhereThePixelsRayMeetsThePlane) {
             const auto distance = -(shot.previous_view.view_from_world * glm::vec4(expected, 1)).z;
             EXPECT_NEAR(geometric.at(x, y, 3), distance, 1e-4f);
             const auto clip = shot.view.clip_from_world() * glm::vec4(expected, 1);
-            EXPECT_NEAR(depth.at(x, y), clip.z / clip.w, 1e-5f);
+            EXPECT_NEAR(depth.at(x, y), clip.z / clip.w, 2e-5f);
         }
     EXPECT_GT(hits, 100);
     EXPECT_GT(misses, 100);

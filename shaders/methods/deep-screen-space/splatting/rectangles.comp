@@ -40,7 +40,8 @@ void main() {
     if (gl_GlobalInvocationID.x == 0u) {
         vertices = 6u * (last - min(first, last));
         instances = 1u;
-        first_vertex = base_instance = 0u;
+        first_vertex = 0u;  // one by one: the value of an assignment would be read
+        base_instance = 0u;
     }
     if (i < last) rectangles[i - first] = rectangle_of(surfels[i], i);
 #ifdef COUNTS

@@ -8,5 +8,7 @@ uniform uint first, end, vertices_of_kernel;
 void main() {
     vertices = vertices_of_kernel;
     instances = min(end, stored) - min(first, stored);
-    first_vertex = base_vertex = base_instance = 0u;
+    first_vertex = 0u;  // one by one: the value of an assignment would be read
+    base_vertex = 0u;
+    base_instance = 0u;
 }
