@@ -118,9 +118,13 @@ void Frame::run_passes() {
 
 void Frame::resolve_times() {
     for (std::size_t i = 0; i < cache.report.passes.size(); ++i) {
+        const auto& pass = builder->passes()[i];
         auto& ms = cache.report.passes[i].gpu_ms;
-        if (ms < 0) ms = cache.device.pass_ms(static_cast<int>(-1 - ms));
+        const bool is_by_card = ms < 0;
+        if (is_by_card) ms = cache.device.pass_ms(static_cast<int>(-1 - ms));
         ms = std::max(0.0, ms - views_ms[i]);
+        if (is_by_card && pass.first_slice > 0 && pass.items > 0)
+            cache.items_per_ms[pass.name] = static_cast<double>(pass.items) / std::max(ms, 1e-3);
     }
 }
 

@@ -101,7 +101,9 @@ int Frame::run_slices(const Pass& pass, std::size_t index, PassContext& pass_con
         const auto start = Clock::now();
         pass.execute(pass_context, {begin, end, begin == 0, end == pass.items});
         ++slices;
-        if (sliced && end > begin) {
+        // after the last slice a graphics card is not waited for: its clock tells the rate after the frame
+        const bool is_waited_for = !on_gl || end < pass.items || cache.device.software();
+        if (sliced && end > begin && is_waited_for) {
             if (on_gl) cache.device.finish();
             rate = static_cast<double>(end - begin) / std::max(ms_since(start), 1e-3);
         }

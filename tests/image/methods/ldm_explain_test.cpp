@@ -114,7 +114,7 @@ TEST_F(LdmExplain, NothingIsExplainedWithoutAPixelOrASurface) {
         for (const auto& key : explanations) EXPECT_EQ(elements(key).size(), 0u) << key;
         EXPECT_EQ(report.counters["ldm.explain.hit_count"], 0);
     }
-    render(maps(16, 50), choose(2, 16, 16));
+    render(maps(16, 50), choose(2, 19, 24));
     for (const auto& key : explanations) EXPECT_GT(elements(key).size(), 0u) << key;
 }
 

@@ -103,10 +103,10 @@ TEST_F(DssSelf, APlaneIsOpenInAnyPosition) {
         small.quad(centre - u - v, centre + u - v, centre + u + v, centre - u + v);
         const Shot shot(small.scene(), dss_camera(centre + 3.0f * n + u, centre), 32, 32);
         auto run = run_of(discs_of_square(centre, u, v, 1, 12));
-        EXPECT_EQ(met(shot, run), 0) << i;
+        EXPECT_LE(met(shot, run), 0.005) << i;
         if (i < 3) continue;
         let_own_surface_shade();
-        EXPECT_GT(met(shot, run), 0) << "mutant";
+        EXPECT_GT(met(shot, run), 0.005) << "mutant";
         mend_shaders();
     }
 }
