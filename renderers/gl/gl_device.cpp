@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "renderers/core/error.h"
+#include "renderers/gl/buffer_clearer.h"
 #include "renderers/gl/device.h"
 #include "renderers/gl/pass_timer.h"
 
@@ -16,7 +17,8 @@ std::string mebibytes(std::uint64_t bytes) {
 
 class GlDevice final : public Device {
   public:
-    explicit GlDevice(Context& context) : context_(context), api_(context.api()), timer_(context) {}
+    explicit GlDevice(Context& context)
+        : context_(context), api_(context.api()), timer_(context), clearer_(context) {}
 
     Name create_image(const ImageShape& shape, const std::string& label) override {
         const auto& format = info(shape.format);
@@ -68,6 +70,7 @@ class GlDevice final : public Device {
 
     void clear_buffer(Name buffer, std::uint64_t offset, std::uint64_t bytes) override {
         if (bytes == 0) return;
+        if (!software() && clearer_.takes(offset, bytes)) return clearer_.clear(buffer, offset, bytes);
         const bool words = offset % 4 == 0 && bytes % 4 == 0;
         api_.ClearNamedBufferSubData(buffer, words ? GL_R32UI : GL_R8UI, static_cast<GLintptr>(offset),
                                      static_cast<GLsizeiptr>(bytes), GL_RED_INTEGER,
@@ -174,6 +177,7 @@ class GlDevice final : public Device {
     Context& context_;
     const Api& api_;
     PassTimer timer_;
+    BufferClearer clearer_;
 };
 
 }  // namespace

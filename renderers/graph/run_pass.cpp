@@ -132,6 +132,8 @@ PassReport Frame::run_pass(const Pass& pass, std::size_t index) {
     PassContext pass_context(*this, pass);
     if (on_gl) {
         cache.reset_gl_state();
+        // copies to a card that are still under way would count as this pass
+        if (options->rebuild && !cache.device.software()) cache.device.finish();
         cache.device.begin_pass(pass.name);
     }
     const auto clean_up = [&] {

@@ -3,6 +3,7 @@
 
 #include "context_fixture.h"
 #include "renderers/core/error.h"
+#include "renderers/gl/buffer_clearer.h"
 #include "renderers/gl/device.h"
 #include "renderers/gl/program.h"
 
@@ -28,6 +29,31 @@ class GlDeviceTest : public ContextTest {
     std::unique_ptr<Device> device;
 };
 INSTANTIATE_ON_BOTH_BACKENDS(GlDeviceTest);
+
+TEST_P(GlDeviceTest, AProgramClearsARangeAndChangesNothingElse) {
+    constexpr std::size_t count = 300'000;
+    const auto buffer = device->create_buffer(4 * count, "words"), other = device->create_buffer(64, "other");
+    std::vector<std::uint32_t> words(count, 7);
+    device->write_buffer(buffer, 0, std::as_bytes(std::span(words)));
+    const auto& gl = context->api();
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, other);
+    {
+        BufferClearer clearer(*context);
+        EXPECT_FALSE(clearer.takes(4, 1024));
+        EXPECT_FALSE(clearer.takes(256, 1022));
+        ASSERT_TRUE(clearer.takes(1024, 4 * 256'001));
+        clearer.clear(buffer, 1024, 4 * 256'001);
+    }
+    GLint bound = 0, program = -1;
+    gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, 0, &bound);
+    gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+    EXPECT_EQ(bound, static_cast<GLint>(other));
+    EXPECT_EQ(program, 0);
+    device->read_buffer(buffer, 0, std::as_writable_bytes(std::span(words)));
+    for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(words[i], i >= 256 && i < 256 + 256'001 ? 0u : 7u) << i;
+    device->destroy_buffer(buffer);
+    device->destroy_buffer(other);
+}
 
 /// Texels that every format returns bit for bit: small whole numbers, in halves and floats written as such.
 std::vector<std::byte> pattern(const ImageShape& shape, int level, int layer) {
