@@ -39,6 +39,8 @@ void add_sweep(CLI::App& app, Run& run);
 void add_report(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
 void add_schema(CLI::App& app, Run& run);
+void add_submit(CLI::App& app, Run& run);
+void add_thumbnail(CLI::App& app, Run& run);
 void add_shell(CLI::App& app, Run& run);
 
 /// Options and words that several commands have.

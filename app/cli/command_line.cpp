@@ -44,15 +44,7 @@ std::string suggestion(const CLI::App& app, int argc, char** argv) {
     return {};
 }
 
-}  // namespace
-
-int run_command_line(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error with a line, as a full disk is
-    CLI::App app{
-        "Interreflect on the command line: renders, compares and checks experiments without a window."};
-    app.set_version_flag("--version", "interreflect-cli " + engine::version_and_commit());
-    app.require_subcommand(1);
-    Run run;
+void add_commands(CLI::App& app, Run& run) {
     add_info(app, run);
     add_list(app, run);
     add_describe(app, run);
@@ -67,8 +59,31 @@ int run_command_line(int argc, char** argv) {
     add_sweep(app, run);
     add_report(app, run);
     add_bench(app, run);
+    add_submit(app, run);
+    add_thumbnail(app, run);
     add_schema(app, run);
     add_shell(app, run);
+}
+
+}  // namespace
+
+void check_command(std::vector<std::string> words) {
+    CLI::App app;
+    app.require_subcommand(1);
+    Run run;
+    add_commands(app, run);
+    std::reverse(words.begin(), words.end());
+    app.parse(words);
+}
+
+int run_command_line(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error with a line, as a full disk is
+    CLI::App app{
+        "Interreflect on the command line: renders, compares and checks experiments without a window."};
+    app.set_version_flag("--version", "interreflect-cli " + engine::version_and_commit());
+    app.require_subcommand(1);
+    Run run;
+    add_commands(app, run);
     try {
         app.parse(argc, argv);
         if (writes(app)) engine::watch_interruptions();

@@ -60,32 +60,6 @@ int print_list(bool as_json) {
     return done;
 }
 
-int print_scene(const std::string& name, bool as_json) {
-    const auto scene = scene::load_scene(name);
-    const auto world = scene::flatten(scene, 0, 0);
-    const auto vector = [](glm::vec3 v) { return Json{v.x, v.y, v.z}; };
-    const auto names = [](const auto& items) {
-        Json list = Json::array();
-        for (const auto& item : items) list.push_back(item.name);
-        return list;
-    };
-    Json json{{"name", scene.name},
-              {"content_hash", scene.content_hash},
-              {"triangles", scene.primitive_triangles()},
-              {"instanced_triangles", scene.instanced_triangles()},
-              {"materials", scene.material_count},
-              {"textures", scene.textures.size()},
-              {"nodes", scene.nodes.size()},
-              {"animated", scene.is_animated()},
-              {"duration", scene.duration()},
-              {"bounds", {{"min", vector(world.bounds.min)}, {"max", vector(world.bounds.max)}}},
-              {"cameras", names(scene.cameras)},
-              {"lights", names(scene.lights)}};
-    json["warnings"] = Json::array();
-    for (const auto& warning : scene.warnings) json["warnings"].push_back(warning.text);
-    return print(json, as_json);
-}
-
 }  // namespace
 
 void add_info(CLI::App& app, Run& run) {
@@ -132,18 +106,6 @@ void add_describe(CLI::App& app, Run& run) {
             return static_cast<int>(done);
         };
     });
-}
-
-void add_scene(CLI::App& app, Run& run) {
-    struct Flags {
-        std::string scene;
-        bool json = false;
-    };
-    auto flags = std::make_shared<Flags>();
-    auto* command = app.add_subcommand("scene", "What a scene holds");
-    command->add_option("SCENE", flags->scene, "A .gltf or .glb file, or builtin:NAME")->required();
-    add_json_flag(*command, flags->json);
-    command->callback([flags, &run] { run = [flags] { return print_scene(flags->scene, flags->json); }; });
 }
 
 }  // namespace ir::cli

@@ -13,6 +13,7 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/error_study.h"
 #include "app/engine/kept_study.h"
+#include "app/engine/study_parts.h"
 #include "app/engine/study_plot.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
@@ -45,7 +46,7 @@ std::vector<projects::ErrorPlot> chosen_plots(const projects::Project& project, 
         throw UsageError("--metric '" + job.metric + "' is unknown" + known_are(job.metric, metrics));
     for (auto& plot : plots)
         if (!job.metric.empty()) plot.metric = job.metric;
-    return part_of(plots, job.shard);
+    return plots;
 }
 
 /// "12.34", five digits that count.
@@ -120,6 +121,41 @@ void require_numbers(const projects::ErrorPlot& plot, const engine::ErrorStudy& 
     throw Error(problem);
 }
 
+/// Of a merge.
+engine::ErrorStudy joined(engine::Machine& machine, const projects::LoadedProject& loaded,
+                          const projects::ErrorPlot& plot) {
+    const int count = engine::parts_of_plot(loaded.folder, plot.id);
+    if (count == 0) throw Error("no part of it is there; run `plot` with --shard");
+    const engine::StudyParts parts(loaded.project, plot, loaded.folder, count);
+    if (const auto missing = parts.missing(); !missing.empty())
+        throw Error(listed(missing) + "; run the shards that lack them");
+    auto study = parts.joined(machine);
+    if (!study) throw Error("its parts are being joined by another process");
+    engine::keep_study(loaded.project, plot, loaded.folder, *study);
+    parts.remove();
+    return std::move(*study);
+}
+
+/// Kept where the job says so. Of a shard all points where it made the last ones, else its own.
+engine::ErrorStudy study_of(const ProjectPlots& job, engine::Machine& machine,
+                            const projects::LoadedProject& loaded, const projects::ErrorPlot& plot,
+                            engine::StudyCallbacks callbacks) {
+    if (job.merge) return joined(machine, loaded, plot);
+    const engine::StudyParts parts(loaded.project, plot, loaded.folder, job.shard.count);
+    callbacks.shard = parts.runs_of(job.shard);
+    auto study = engine::run_error_study(machine, loaded.project, plot, loaded.folder, callbacks);
+    if (!job.keep) return study;
+    if (job.shard.count > 1) {
+        parts.keep(study, job.shard);
+        auto all = parts.joined(machine);
+        if (!all) return study;
+        study = std::move(*all);
+    }
+    engine::keep_study(loaded.project, plot, loaded.folder, study);
+    if (job.shard.count > 1) parts.remove();
+    return study;
+}
+
 }  // namespace
 
 int plot_project(const ProjectPlots& job) {
@@ -146,14 +182,13 @@ int plot_project(const ProjectPlots& job) {
     for (const auto& plot : plots) {
         line.begin(plot.id, 1);
         try {
-            const auto study =
-                engine::run_error_study(machine, loaded.project, plot, loaded.folder, callbacks);
+            const auto study = study_of(job, machine, loaded, plot, callbacks);
             line.clear();
+            if (job.shard.count > 1 && study.points.empty()) continue;
             print_study(table, plot, study);
             all[plot.id] = Json::parse(engine::study_json(study));
             if (!job.csv.empty()) write_file(job.csv, engine::study_csv(study));
             if (!job.svg.empty()) write_file(job.svg, svg_of(loaded.project, plot, study));
-            if (job.keep) engine::keep_study(loaded.project, plot, loaded.folder, study);
             require_numbers(plot, study);
         } catch (const Error& error) {
             line.clear();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "projects/shard.h"
+#include "renderers/core/shard.h"
 
 namespace ir::cli {
 
@@ -18,13 +18,14 @@ struct ProjectPlots {
     std::string svg = {};                 ///< file for the drawing of the only plot
     std::string metric = {};              ///< instead of the plots' own
     int repeats = 1;
-    projects::Shard shard = {};  ///< of the plots
+    Shard shard = {};  ///< of the points
     bool keep = true, show_progress = true;
+    bool merge = false;  ///< nothing is rendered: parts that shards have left are joined
 };
 
 /// Carries out plots of a project, prints a table of each, and keeps the numbers in results/plots. A plot
 /// that cannot be carried out does not keep the others from it; the status then says that the file is at
-/// fault.
+/// fault. A shard has only its points; the one that ends last joins and keeps them.
 int plot_project(const ProjectPlots& job);
 
 }  // namespace ir::cli

@@ -11,8 +11,11 @@
 #include "app/cli/render_project.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
+#include "app/cli/shard.h"
 #include "app/engine/from_project.h"
+#include "app/engine/keep_result.h"
 #include "app/engine/moving.h"
+#include "app/engine/picture_parts.h"
 #include "app/engine/pictures.h"
 #include "projects/keep.h"
 #include "projects/open_project.h"
@@ -22,6 +25,7 @@
 #include "projects/store.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
+#include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::cli {
@@ -35,6 +39,7 @@ struct ReferenceFlags {
     std::string project, out;
     std::vector<std::string> experiments;
     std::int64_t samples = 0;
+    ShardFlags shard;
     bool quiet = false, json = false;
     double checkpoint = engine::Checkpoints::usual_seconds;
 };
@@ -53,9 +58,30 @@ std::string text_of(const engine::Execution& execution, const FrameReport& repor
 
 class References {
   public:
-    explicit References(const ReferenceFlags& flags) : flags_(flags) {}
+    explicit References(const ReferenceFlags& flags) : flags_(flags), shard_(chosen_shard(flags.shard)) {}
 
     int run() {
+        begin();
+        for (const auto& id : ids_)
+            guarded("reference '" + id + "'", [&] { shard_.count > 1 ? compute_part(id) : compute(id); });
+        return end();
+    }
+
+    /// Of what shards have left.
+    int merge() {
+        begin();
+        for (const auto& id : ids_)
+            guarded("reference '" + id + "'", [&] {
+                const auto& experiment = *projects::find_item(project_.experiments, id);
+                const int count = engine::parts_of_picture(project_, experiment, folder_);
+                if (count == 0) return compute_if_kept(id);
+                join(id, {project_, experiment, folder_, count});
+            });
+        return end();
+    }
+
+  private:
+    void begin() {
         if (!flags_.out.empty()) make_out_folder(flags_.out);
         folder_ = projects::project_folder(flags_.project);
         require_results(flags_.project, folder_);
@@ -63,12 +89,13 @@ class References {
         double frames = 0;
         for (const auto& id : ids_) frames += frames_of(*projects::find_item(project_.experiments, id));
         line_.emplace(!flags_.quiet, frames);
-        for (const auto& id : ids_) guarded("reference '" + id + "'", [&] { compute(id); });
+    }
+
+    int end() const {
         if (flags_.json) std::cout << Json{{"references", rows_}}.dump(2) << "\n";
         return status_;
     }
 
-  private:
     /// What fails keeps no other reference from being computed.
     template <class Work>
     void guarded(const std::string& what, Work work) {
@@ -154,6 +181,72 @@ class References {
         tell(id, execution, run);
     }
 
+    /// One task's part. Whoever ends last joins them all.
+    void compute_part(const std::string& id) {
+        const auto& experiment = *projects::find_item(project_.experiments, id);
+        const engine::PictureParts parts(project_, experiment, folder_, shard_.count);
+        auto resolved = engine::from_project(project_, experiment, folder_);
+        resolved.shard = shard_;
+        engine::Execution execution(machine(), resolved);
+        if (parts.is_kept(execution.samples_requested())) return compute(id);
+        const auto problems = parts.resume(execution);
+        KeptRun run;
+        run.resumed_from = execution.samples();
+        line_->begin(id, frames_of(experiment));
+        auto options = frame_options(flags_.machine);
+        options.progress = line_->callback();
+        bool is_put_away = false;
+        const auto keep = [&](const FrameReport&) {
+            parts.keep(execution);
+            is_put_away = true;
+        };
+        try {
+            run.report = engine::run_frames(execution, options, {keep, flags_.checkpoint});
+        } catch (const Cancelled&) {
+            line_->clear();
+            if (is_put_away) tell_kept(execution, id);
+            throw;
+        }
+        line_->clear();
+        for (const auto& problem : problems)
+            run.report.messages.push_back({Severity::warning, "state", problem});
+        if (execution.samples() > run.resumed_from) parts.keep(execution);
+        print_messages(execution, run.report);
+        tell(id, execution, run);
+        if (parts.missing(execution.samples_requested()).empty()) join(id, parts);
+    }
+
+    void join(const std::string& id, const engine::PictureParts& parts) {
+        const auto& experiment = *projects::find_item(project_.experiments, id);
+        engine::Execution execution(machine(), engine::from_project(project_, experiment, folder_));
+        const auto samples = execution.samples_requested();
+        if (const auto missing = parts.missing(samples); !missing.empty())
+            throw Error(listed(missing) + "; run the shards that lack them");
+        KeptRun run;
+        try {
+            execution.restore(parts.joined(execution));
+        } catch (const Error&) {
+            if (!parts.is_kept(samples)) throw;
+            return;  // another task was quicker
+        }
+        run.resumed_from = execution.samples();
+        auto options = frame_options(flags_.machine);
+        options.wanted.push_back(execution.method().variance);
+        run.report = engine::run_frames(execution, options);
+        run.key = engine::keep_result(project_, experiment, folder_, execution, run.report);
+        parts.remove();
+        write(execution, run.report, id);
+        tell(id, execution, run, "are joined");
+    }
+
+    void compute_if_kept(const std::string& id) {
+        const auto& experiment = *projects::find_item(project_.experiments, id);
+        const engine::Execution execution(machine(), engine::from_project(project_, experiment, folder_));
+        if (!engine::PictureParts(project_, experiment, folder_, 1).is_kept(execution.samples_requested()))
+            throw Error("no part of it is there; run `reference` with --shard");
+        compute(id);
+    }
+
     void write(const engine::Execution& execution, const FrameReport& report, const std::string& id) const {
         if (flags_.out.empty()) return;
         const auto stem = (fs::path(flags_.out) / id).string();
@@ -161,18 +254,26 @@ class References {
         write_file(stem + ".json", engine::statistics_json(execution, report) + "\n");
     }
 
-    void tell(const std::string& id, const engine::Execution& execution, const KeptRun& run) {
+    void tell(const std::string& id, const engine::Execution& execution, const KeptRun& run,
+              const char* what_is_there = "are kept already") {
         const auto samples = execution.samples();
+        const auto& shard = execution.experiment().shard;
+        const bool is_part = shard.count > 1;
+        const auto part = is_part
+                              ? "part " + std::to_string(shard.index) + " of " + std::to_string(shard.count)
+                              : run.key.substr(0, 16);
         if (!flags_.json)
             std::cout << id << "  "
-                      << (samples == run.resumed_from ? std::to_string(samples) + " samples are kept already"
+                      << (samples == run.resumed_from ? std::to_string(samples) + " samples " + what_is_there
                                                       : text_of(execution, run.report))
-                      << "  " << run.key.substr(0, 16) << "\n";
+                      << "  " << part << "\n";
         auto figures = run.report.figures;
         const double rate = figures[engine::rate_figure];
         figures.erase(engine::rate_figure);
         rows_.push_back({{"experiment", id},
-                         {"key", run.key},
+                         {"key", run.key},  // of a part: empty
+                         {"shard", shard.index},
+                         {"shards", shard.count},
                          {"samples", samples},
                          {"resumed_from", run.resumed_from},
                          {"seconds", run.report.wall_ms / 1000},
@@ -181,6 +282,7 @@ class References {
     }
 
     const ReferenceFlags& flags_;
+    const Shard shard_;
     std::filesystem::path folder_;
     projects::Project project_;  ///< matched
     std::optional<engine::Machine> machine_;
@@ -190,25 +292,47 @@ class References {
     int status_ = done;
 };
 
+void add_project_flags(CLI::App& command, ReferenceFlags& flags) {
+    command.add_option("--experiment", flags.experiments,
+                       "Id of an experiment to match; repeat for more (default: all)");
+    command
+        .add_option("--samples", flags.samples,
+                    "Samples per pixel; references that have fewer go on (default: as the project says)")
+        ->check(CLI::Range(std::int64_t{1}, max_samples));
+    command.add_option("--out", flags.out, "Folder for the references as ID.exr and ID.json");
+    add_quiet_flag(command, flags.quiet);
+    add_json_flag(command, flags.json);
+    add_machine_flags(command, flags.machine);
+}
+
+void add_reference_merge(CLI::App& reference, Run& run) {
+    auto flags = std::make_shared<ReferenceFlags>();
+    auto* command = reference.add_subcommand(
+        "merge", "Join the parts that all shards have left in a project's results/parts");
+    command->add_option("PROJECT", flags->project, "Project folder or its project.json")->required();
+    add_project_flags(*command, *flags);
+    command->callback([flags, &run] { run = [flags] { return References(*flags).merge(); }; });
+}
+
 }  // namespace
 
 void add_reference(CLI::App& app, Run& run) {
     auto flags = std::make_shared<ReferenceFlags>();
     auto* command = app.add_subcommand(
-        "reference", "Match a project's experiments with their ground truth, compute it and keep it");
-    command->add_option("PROJECT", flags->project, "Project folder or its project.json")->required();
-    command->add_option("--experiment", flags->experiments,
-                        "Id of an experiment to match; repeat for more (default: all)");
-    command
-        ->add_option("--samples", flags->samples,
-                     "Samples per pixel; references that have fewer go on (default: as the project says)")
-        ->check(CLI::Range(std::int64_t{1}, max_samples));
-    command->add_option("--out", flags->out, "Folder for the references as ID.exr and ID.json");
+        "reference",
+        "Match a project's experiments with their ground truth, compute it and keep it; `reference merge` "
+        "joins shards");
+    // Required below, or the required place would take "merge".
+    const auto* place = command->add_option("PROJECT", flags->project, "Project folder or its project.json");
+    add_project_flags(*command, *flags);
     add_checkpoint_flag(*command, flags->checkpoint);
-    add_quiet_flag(*command, flags->quiet);
-    add_json_flag(*command, flags->json);
-    add_machine_flags(*command, flags->machine);
-    command->callback([flags, &run] { run = [flags] { return References(*flags).run(); }; });
+    add_shard_flags(*command, flags->shard, "tile of each picture");
+    add_reference_merge(*command, run);
+    command->callback([flags, command, place, &run] {
+        if (command->got_subcommand("merge")) return;
+        if (place->count() == 0) throw CLI::RequiredError(place->get_name());
+        run = [flags] { return References(*flags).run(); };
+    });
 }
 
 }  // namespace ir::cli

@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <iostream>
 
 #include "app/cli/command.h"
@@ -8,6 +7,7 @@
 #include "app/cli/render_project.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
+#include "app/cli/temporary_folder.h"
 #include "app/engine/error_study.h"
 #include "app/engine/from_project.h"
 #include "app/engine/interruption.h"
@@ -28,25 +28,6 @@ struct ReportFlags {
     std::string what, reference, out = "report.html", values = "auto", limit;
     std::size_t pictures = report::usual_sweep_pictures;
     bool render = false, quiet = false;
-};
-
-/// A folder that goes with it.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        auto name = (fs::temp_directory_path() / "interreflect-report-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw Error(name + ": cannot make a folder to unpack into");
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
 };
 
 class ReportCommand {

@@ -16,6 +16,11 @@ void add_checkpoint_flag(CLI::App& command, double& seconds) {
         ->capture_default_str();
 }
 
+void tell_kept(const engine::Execution& execution, const std::string& id) {
+    std::cerr << "interreflect-cli: kept " << execution.samples() << " of " << execution.samples_requested()
+              << " samples of '" << id << "'; run it again to go on\n";
+}
+
 KeptRun run_and_keep(engine::Execution& execution, graph::FrameOptions options,
                      const projects::Project& project, const projects::Experiment& experiment,
                      const std::filesystem::path& folder, double checkpoint, const ProgressLine& line) {
@@ -32,10 +37,7 @@ KeptRun run_and_keep(engine::Execution& execution, graph::FrameOptions options,
         run.report = engine::run_frames(execution, options, {keep, checkpoint});
     } catch (const Cancelled&) {
         line.clear();
-        if (!run.key.empty())
-            std::cerr << "interreflect-cli: kept " << execution.samples() << " of "
-                      << execution.samples_requested() << " samples of '" << experiment.id
-                      << "'; run it again to go on\n";
+        if (!run.key.empty()) tell_kept(execution, experiment.id);
         throw;
     }
     line.clear();

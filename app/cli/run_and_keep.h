@@ -19,6 +19,9 @@ struct KeptRun {
     std::uint64_t resumed_from = 0;  ///< samples
 };
 
+/// Once an interrupted run is put away.
+void tell_kept(const engine::Execution& execution, const std::string& id);
+
 /// Goes on from what the project keeps of the experiment, runs all its frames and keeps the result. Every
 /// `checkpoint` seconds of rendering, and when it is interrupted, what adds up is kept as a result with as
 /// many samples as there are; the latter is said before Cancelled goes on. Clears the line once nothing more

@@ -11,7 +11,7 @@ namespace ir::cli {
 namespace {
 
 /// That of projects is made of tables; the others are files, as their writers have no tables.
-const std::vector<std::string> names{"project", "statistics", "sweep", "compare"};
+const std::vector<std::string> names{"project", "statistics", "sweep", "compare", "scene"};
 
 int print_schema(const std::string& name) {
     constexpr std::size_t max_bytes = 1 << 20;
@@ -28,7 +28,7 @@ int print_schema(const std::string& name) {
 void add_schema(CLI::App& app, Run& run) {
     auto name = std::make_shared<std::string>();
     auto* command = app.add_subcommand("schema", "JSON Schema of what is read and written");
-    command->add_option("NAME", *name, "project, statistics (of render), sweep or compare")
+    command->add_option("NAME", *name, "project, statistics (of render), sweep, compare or scene")
         ->required()
         ->check(CLI::IsMember(names));
     command->callback([name, &run] { run = [name] { return print_schema(*name); }; });

@@ -18,7 +18,7 @@ std::optional<int> whole_number(const std::string& text) {
     return number;
 }
 
-projects::Shard parse_shard(const std::string& text) {
+Shard parse_shard(const std::string& text) {
     const auto slash = text.find('/');
     const auto index = whole_number(text.substr(0, slash));
     const auto count = slash == std::string::npos ? index : whole_number(text.substr(slash + 1));
@@ -42,7 +42,7 @@ int variable(const char* name, std::optional<int> otherwise = {}) {
 }
 
 /// A job array may begin with any number and leave some out: --array=0-3, 1-4, 10-40:10.
-projects::Shard shard_of_task() {
+Shard shard_of_task() {
     const int id = variable("SLURM_ARRAY_TASK_ID"), count = variable("SLURM_ARRAY_TASK_COUNT");
     const int first = variable("SLURM_ARRAY_TASK_MIN", 0), step = variable("SLURM_ARRAY_TASK_STEP", 1);
     const std::int64_t distance = std::int64_t{id} - first;
@@ -63,11 +63,11 @@ void add_shard_flags(CLI::App& command, ShardFlags& flags, const std::string& wh
                      "_COUNT), whatever number the array begins with");
 }
 
-projects::Shard chosen_shard(const ShardFlags& flags) {
+Shard chosen_shard(const ShardFlags& flags) {
     if (flags.is_from_environment && !flags.text.empty())
         throw UsageError("give --shard or --shard-from-env, not both");
     if (flags.is_from_environment) return shard_of_task();
-    return flags.text.empty() ? projects::Shard{} : parse_shard(flags.text);
+    return flags.text.empty() ? Shard{} : parse_shard(flags.text);
 }
 
 }  // namespace ir::cli

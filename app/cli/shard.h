@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "projects/shard.h"
+#include "renderers/core/shard.h"
 
 namespace ir::cli {
 
@@ -18,6 +18,6 @@ void add_shard_flags(CLI::App& command, ShardFlags& flags, const std::string& wh
 
 /// All of the work where no flag is given; that of this task of a Slurm job array, whatever number its tasks
 /// begin with. Throws UsageError.
-projects::Shard chosen_shard(const ShardFlags& flags);
+Shard chosen_shard(const ShardFlags& flags);
 
 }  // namespace ir::cli

@@ -251,7 +251,7 @@ class SweepCommand {
     }
 
     const SweepFlags& flags_;
-    const projects::Shard shard_;
+    const Shard shard_;
     const std::uint64_t samples_;
     const int repeats_;
     const fs::path stem_;
@@ -287,7 +287,7 @@ int merge(const MergeFlags& flags) {
     return failed;
 }
 
-void add_merge(CLI::App& sweep, Run& run) {
+void add_sweep_merge(CLI::App& sweep, Run& run) {
     auto flags = std::make_shared<MergeFlags>();
     auto* command = sweep.add_subcommand("merge", "Join the lists of all shards of a sweep");
     command->add_option("DIR", flags->folders, "Folders that the shards were rendered to")->required();
@@ -336,7 +336,7 @@ void add_sweep(CLI::App& app, Run& run) {
     command->add_option("--csv", flags->csv, "File for the list as a table");
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
-    add_merge(*command, run);
+    add_sweep_merge(*command, run);
     command->callback([flags, command, reference, places, &run] {
         if (command->got_subcommand("merge")) return;
         for (const auto* place : places)

@@ -24,4 +24,7 @@ inline scene::Camera camera_of(const CameraPose& pose) {
     return camera;
 }
 
+/// As statistics and the list of a scene have it.
+nlohmann::ordered_json camera_json(const scene::Camera& camera);
+
 }  // namespace ir::engine

@@ -43,20 +43,19 @@ class Study {
 
     ErrorStudy run() {
         const auto now = projects::with_contents(project_, projects::read_contents(project_, folder_));
-        const auto runs = plan_study(now, plot_, scene_facts(machine_.scenes(), now, folder_));
+        const auto runs =
+            part_of(plan_study(now, plot_, scene_facts(machine_.scenes(), now, folder_)), callbacks_.shard);
         for (const auto& run : runs) points_ += run.points.size();
         study_.plot = plot_.id;
         study_.device = machine_.context().info().renderer;
+        if (runs.empty()) return std::move(study_);
         options_.progress = [this](const std::string& what, double part) { tell(what, part); };
         reference_ = study_reference(machine_, project_, plot_.reference, folder_, options_,
                                      callbacks_.keeps_reference);
         study_.reference_noise = reference_.noise;
         study_.notes = reference_.notes;
         for (const auto& planned : runs) run_points(planned);
-        for (const auto& name : metric_names())
-            if (std::any_of(study_.points.begin(), study_.points.end(),
-                            [&](const ErrorPoint& point) { return point.errors.count(name) != 0; }))
-                study_.metrics.push_back(name);
+        find_metrics(study_);
         mark_front(study_.points, plot_.metric);
         return std::move(study_);
     }
@@ -245,6 +244,14 @@ ErrorStudy run_error_study(Machine& machine, const projects::Project& project,
                            const StudyCallbacks& callbacks) {
     if (callbacks.repeats < 1) throw UsageError("repeats: must be at least 1");
     return Study(machine, project, plot, folder, callbacks).run();
+}
+
+void find_metrics(ErrorStudy& study) {
+    study.metrics.clear();
+    for (const auto& name : metric_names())
+        if (std::any_of(study.points.begin(), study.points.end(),
+                        [&](const ErrorPoint& point) { return point.errors.count(name) != 0; }))
+            study.metrics.push_back(name);
 }
 
 void mark_front(std::vector<ErrorPoint>& points, const std::string& metric) {

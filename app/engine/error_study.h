@@ -9,6 +9,7 @@
 #include "app/engine/execution.h"
 #include "projects/document.h"
 #include "renderers/core/progress.h"
+#include "renderers/core/shard.h"
 
 namespace ir::engine {
 
@@ -42,6 +43,8 @@ struct StudyCallbacks {
     std::function<void(const ErrorPoint&)> point;  ///< as soon as it is there; fronts are not marked yet
     int repeats = 1;                               ///< runs of which the median time counts
     std::uint64_t memory_budget = 0;               ///< bytes of one execution; 0 = none
+    /// Only these of the runs: experiments, and where a plot runs over values all of an experiment's.
+    Shard shard = {};
     bool keeps_reference = false;  ///< in the project's results, also with fewer samples when cancelled
 };
 
@@ -51,6 +54,8 @@ ErrorStudy run_error_study(Machine& machine, const projects::Project& project,
                            const projects::ErrorPlot& plot, const std::filesystem::path& folder,
                            const StudyCallbacks& callbacks = {});
 
+/// Those that some point has.
+void find_metrics(ErrorStudy& study);
 /// Marks the points that no other is better than in time and error at once.
 void mark_front(std::vector<ErrorPoint>& points, const std::string& metric);
 

@@ -19,14 +19,6 @@
 namespace ir::engine {
 namespace {
 
-const graph::Method& find_method(const std::string& id) {
-    for (const auto* method : methods::all_methods())
-        if (method->description.id == id) return *method;
-    if (id == passes::preview().description.id) return passes::preview();
-    registry().at(id);  // throws, naming the known ones
-    throw Error("method '" + id + "' is not built");
-}
-
 bool same_camera(const std::optional<scene::Camera>& a, const std::optional<scene::Camera>& b) {
     if (a.has_value() != b.has_value()) return false;
     return !a || (a->eye == b->eye && a->target == b->target && a->up == b->up && a->fov_y == b->fov_y &&
@@ -53,6 +45,14 @@ const Registry& registry() {
     return all;
 }
 
+const graph::Method& find_method(const std::string& id) {
+    for (const auto* method : methods::all_methods())
+        if (method->description.id == id) return *method;
+    if (id == passes::preview().description.id) return passes::preview();
+    registry().at(id);  // throws, naming the known ones
+    throw Error("method '" + id + "' is not built");
+}
+
 Execution::Execution(Machine& machine, Experiment experiment, std::shared_ptr<graph::SharedContents> shared)
     : machine_(machine), experiment_(std::move(experiment)) {
     load();
@@ -73,6 +73,9 @@ void Execution::load() {
         throw UsageError("image size " + std::to_string(experiment_.width) + "x" +
                          std::to_string(experiment_.height) + " is not allowed; this device takes 1 to " +
                          std::to_string(max_side) + " pixels a side");
+    if (experiment_.shard.count > 1 && !method.join)
+        throw UsageError("a picture of " + method.description.id +
+                         " cannot be divided; only those of references can");
     auto loaded = machine_.scenes().load(experiment_.composition());
     if (experiment_.replace_lights || !experiment_.lights.empty() || experiment_.environment) {
         auto changed = std::make_shared<scene::Scene>(*loaded);
@@ -107,12 +110,12 @@ bool Execution::update(Experiment experiment) {
     const auto& old = experiment_;
     const bool reload = experiment.composition() != old.composition() || experiment.method != old.method ||
                         !same_lights(experiment, old) || experiment.environment != old.environment;
-    bool changed = reload || experiment.width != old.width || experiment.height != old.height ||
-                   experiment.seed != old.seed || experiment.time != old.time ||
-                   experiment.camera_name != old.camera_name || !same_camera(experiment.camera, old.camera) ||
-                   experiment.camera_motion != old.camera_motion ||
-                   experiment.light_motions != old.light_motions ||
-                   (experiment.frames < frame_ && !accumulates());
+    bool changed =
+        reload || experiment.width != old.width || experiment.height != old.height ||
+        experiment.seed != old.seed || experiment.time != old.time || experiment.shard != old.shard ||
+        experiment.camera_name != old.camera_name || !same_camera(experiment.camera, old.camera) ||
+        experiment.camera_motion != old.camera_motion || experiment.light_motions != old.light_motions ||
+        (experiment.frames < frame_ && !accumulates());
     if (!changed) {
         const auto after = completed(method_->description.parameters, experiment.settings);
         for (const auto& parameter : method_->description.parameters)
@@ -200,6 +203,7 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64
     inputs.processor = machine_.processor();
     inputs.inspection = inspection_;
     inputs.sample_limit = sample_limit(max_samples);
+    inputs.shard = experiment_.shard;
     auto report = graph_->run(*method_, settings_, inputs, options);
     report.lights = used_lights(*this);
     if (report.complete) {

@@ -171,6 +171,9 @@ class Execution {
     std::vector<StateOrigin> origins_;
 };
 
+/// The preview's, too. Throws UsageError for an unknown one.
+const graph::Method& find_method(const std::string& id);
+
 /// What emits in its scene, with what the method's picture has of each.
 std::vector<UsedLight> used_lights(const Execution& execution);
 /// Of the output "lit"; nothing where there is none.

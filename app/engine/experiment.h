@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "projects/document.h"
+#include "renderers/core/shard.h"
 #include "renderers/core/value.h"
 #include "renderers/scene/compose.h"
 #include "renderers/scene/scene.h"
@@ -47,6 +48,8 @@ struct Experiment {
     std::uint64_t seed = 0;
     int frames = 1;   ///< each 1/30 s after the one before, unless the method accumulates
     double time = 0;  ///< seconds, of the first frame
+    /// Only a part of the picture is computed, to be joined with the others (graph::Method::join).
+    Shard shard = {};
     /// The project that it comes from, cut down to what it uses (projects::recipe_of), as JSON; empty: none.
     std::string recipe = {};
 

@@ -52,7 +52,7 @@ std::filesystem::path study_file(const std::filesystem::path& folder, const std:
 }
 
 void keep_study(const projects::Project& project, const projects::ErrorPlot& plot,
-                const std::filesystem::path& folder, const ErrorStudy& study) {
+                const std::filesystem::path& folder, const ErrorStudy& study, const std::string& name) {
     // The pictures were those of the files as they are, whatever the document recorded.
     const auto now = projects::with_contents(project, projects::read_contents(project, folder));
     Json json{{"schema", study_schema},
@@ -61,7 +61,7 @@ void keep_study(const projects::Project& project, const projects::ErrorPlot& plo
               {"date", projects::utc_now()},
               {"inputs", study_inputs(now, plot)}};
     json["study"] = projects::parse_json(study_json(study), plot.id);
-    const auto file = study_file(folder, plot.id);
+    const auto file = study_file(folder, name.empty() ? plot.id : name);
     const projects::ResultsGuard guard(folder);
     auto& files = real_file_system();
     files.create_directories(file.parent_path());

@@ -28,9 +28,10 @@ struct KeptStudy {
 
 std::filesystem::path study_file(const std::filesystem::path& folder, const std::string& plot);
 
-/// Writes the study of a plot into the project's results, whole or not at all. Throws Error.
+/// Writes the study of a plot into the project's results, whole or not at all, by the plot's id or by another
+/// name. Throws Error.
 void keep_study(const projects::Project& project, const projects::ErrorPlot& plot,
-                const std::filesystem::path& folder, const ErrorStudy& study);
+                const std::filesystem::path& folder, const ErrorStudy& study, const std::string& name = {});
 
 /// Nothing where none is kept. Throws InputError with one line for a damaged file.
 std::optional<KeptStudy> load_study(const std::filesystem::path& folder, const std::string& plot);

@@ -113,8 +113,8 @@ class FrameRun {
         total_ = std::move(report);
         if (!adds_up_ || added_ == 0 || !(total_.wall_ms > 0)) return;
         const auto& experiment = execution_.experiment();
-        const double rate =
-            static_cast<double>(added_) * experiment.width * experiment.height / total_.wall_ms * 1e3;
+        const double rate = static_cast<double>(added_) * experiment.width * experiment.height /
+                            experiment.shard.count / total_.wall_ms * 1e3;
         total_.figures[rate_figure] = total_.counters[rate_figure] = rate;
     }
 

@@ -14,13 +14,8 @@ std::string severity_text(Severity severity) {
     return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
 }
 
-Json vector_json(const glm::vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 Json picture_json(const Execution& execution) {
     const auto& experiment = execution.experiment();
-    const auto camera = pose_of(execution.camera());
     Json json{{"scene", scene::composition_name(experiment.composition())},
               {"scene_hash", execution.scene().content_hash},
               {"method", execution.method().id},
@@ -32,13 +27,7 @@ Json picture_json(const Execution& execution) {
     json["seed"] = experiment.seed;
     json["frames"] = execution.committed_frames();
     json["time"] = experiment.time;
-    json["camera"] = {{"eye", vector_json(camera.eye)},
-                      {"target", vector_json(camera.target)},
-                      {"up", vector_json(camera.up)}};
-    if (camera.orthographic)
-        json["camera"]["height"] = camera.height;
-    else
-        json["camera"]["fov_y_degrees"] = camera.fov_y_degrees;
+    json["camera"] = camera_json(execution.camera());
     return json;
 }
 

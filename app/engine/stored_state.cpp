@@ -40,6 +40,18 @@ std::vector<StateOrigin> origins_of(const std::string& text) {
 
 namespace fs = std::filesystem;
 
+constexpr const char* no_state = "does not say what state it holds; it is damaged";
+
+std::uint64_t samples_in(const ImageAttributes& attributes, const fs::path& file) {
+    const auto found = attributes.find(samples_attribute);
+    const auto text = found == attributes.end() ? std::string() : found->second;
+    std::uint64_t samples = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), samples);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || samples == 0)
+        throw InputError(file.string(), "", no_state);
+    return samples;
+}
+
 /// Holds which entries the file has, as JSON.
 constexpr const char* entries_attribute = "interreflect.history";
 
@@ -143,16 +155,17 @@ void store(const std::filesystem::path& file, const StoredState& state, const Im
     write_state(file, state.history, all);
 }
 
+std::uint64_t stored_samples(const fs::path& file) {
+    return samples_in(read_exr_attributes(file), file);
+}
+
 StoredState load_state(const std::filesystem::path& file) {
     StoredState state;
     ImageAttributes attributes;
     state.history = read_state(file, &attributes);
-    const auto& samples = attributes[samples_attribute];
-    const auto parsed = std::from_chars(samples.data(), samples.data() + samples.size(), state.samples);
+    state.samples = samples_in(attributes, file);
     state.fingerprint = attributes[fingerprint_attribute];
-    const bool is_whole = parsed.ec == std::errc{} && parsed.ptr == samples.data() + samples.size() &&
-                          state.samples > 0 && !state.fingerprint.empty();
-    if (!is_whole) throw InputError(file.string(), "", "does not say what state it holds; it is damaged");
+    if (state.fingerprint.empty()) throw InputError(file.string(), "", no_state);
     try {
         state.origins = origins_of(attributes[origins_attribute]);
     } catch (const std::exception&) {

@@ -30,6 +30,8 @@ struct StoredState {
 void store(const std::filesystem::path& file, const StoredState& state, const ImageAttributes& attributes);
 /// Throws InputError with one line for a file that is damaged or no state.
 StoredState load_state(const std::filesystem::path& file);
+/// Its samples alone. Throws InputError.
+std::uint64_t stored_samples(const std::filesystem::path& file);
 
 /// As JSON, for attributes and provenance.
 std::string to_json_text(const std::vector<StateOrigin>& origins);

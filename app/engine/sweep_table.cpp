@@ -164,7 +164,7 @@ std::vector<fs::path> sweep_lists(const fs::path& folder) {
     return lists;
 }
 
-std::string table_name(const projects::Shard& shard) {
+std::string table_name(const Shard& shard) {
     if (shard.count == 1) return "sweep";
     return "sweep-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "projects/shard.h"
+#include "renderers/core/shard.h"
 #include "projects/sweep.h"
 
 namespace ir::engine {
@@ -35,12 +35,12 @@ struct SweepRow {
 struct SweepTable {
     std::string sweep, experiment;  ///< ids
     std::string plan;               ///< hash of the keys of all variations, those of other shards included
-    projects::Shard shard = {};
+    Shard shard = {};
     std::vector<SweepRow> rows = {};
 };
 
 /// "sweep", or "sweep-2-of-4", so that shards may share a folder: without extension.
-std::string table_name(const projects::Shard& shard);
+std::string table_name(const Shard& shard);
 /// The lists of sweeps and shards that lie in a folder itself, such as sweep-2-of-4.json.
 std::vector<std::filesystem::path> sweep_lists(const std::filesystem::path& folder);
 /// Of all rows, those of other shards included.

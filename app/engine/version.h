@@ -12,7 +12,9 @@ std::string commit();
 std::string version_and_commit();
 /// The compiler, and for what it built: "GNU 12.2.0 Release".
 std::string build();
-/// Of this process, one word after another, quoted where a shell needs it; empty: not known here.
+/// Quoted where a shell needs it.
+std::string shell_word(const std::string& word);
+/// Of this process, one shell_word() after another; empty: not known here.
 std::string command_line();
 
 }  // namespace ir::engine

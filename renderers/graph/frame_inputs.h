@@ -6,6 +6,7 @@
 
 #include "renderers/core/inspection.h"
 #include "renderers/core/processor.h"
+#include "renderers/core/shard.h"
 #include "renderers/scene/view.h"
 #include "renderers/scene/world.h"
 
@@ -27,6 +28,8 @@ struct FrameInputs {
     /// than that parameter asks for when a stored history is continued or a frame should not take long, 0
     /// when the history is only shown. At least 1 where there is none.
     std::uint64_t sample_limit = std::numeric_limits<std::uint64_t>::max();
+    /// Of the picture, where the method can be divided (Method::join): other pixels get no samples.
+    Shard shard = {};
     Inspection inspection;
     /// The pixel of the view that a person picked; (-1, -1): none.
     glm::ivec2 picked_pixel() const {

@@ -12,6 +12,7 @@
 #include "renderers/gl/device.h"
 #include "renderers/gl/program.h"
 #include "renderers/graph/frame_inputs.h"
+#include "renderers/graph/history.h"
 #include "renderers/graph/method.h"
 #include "renderers/image/image.h"
 
@@ -38,18 +39,6 @@ struct DeviceBuffer {
     gl::Name name = 0;
     BufferDesc desc;
     std::uint64_t elements = 0;  ///< in use
-};
-
-/// Contents of the resources that passes read as "previous", bit by bit.
-struct History {
-    struct Entry {
-        std::string key;
-        bool is_image = true;
-        gl::ImageShape shape;                           ///< images; level 0 with all layers
-        std::uint64_t element_bytes = 0, elements = 0;  ///< buffers
-        std::vector<std::byte> bytes = {};
-    };
-    std::vector<Entry> entries;
 };
 
 struct GraphCache;

@@ -6,6 +6,7 @@
 #include "renderers/core/method.h"
 #include "renderers/graph/benchmark.h"
 #include "renderers/graph/builder.h"
+#include "renderers/graph/history.h"
 
 namespace ir::graph {
 
@@ -16,6 +17,9 @@ struct Method {
     MethodDescription description;
     std::function<void(GraphBuilder&, const Settings&)> setup;
     std::vector<Benchmark> benchmarks = {};
+    /// Puts the part of a picture that a shard computed into `whole`, where it is missing: all of them
+    /// together are what one machine has, bit for bit. Null: the method cannot be divided.
+    void (*join)(History& whole, const History& part, const Shard& shard) = nullptr;
 };
 
 /// Binds a typed setup to its parameter table.

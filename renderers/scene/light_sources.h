@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "renderers/core/light_kind.h"
@@ -8,7 +9,11 @@
 namespace ir::scene {
 
 /// All that emits: the lights, then emissive materials that some mesh has, then the environment. Lights and
-/// environment are the scene's, or stand for them. What is black is none.
+/// environment are the scene's, or stand for them. What is black is none. `visit` gets the index of the light
+/// or the material, too.
+void for_each_light_source(const Scene& scene, const std::vector<Light>& lights,
+                           const Environment& environment,
+                           const std::function<void(const LightSource&, std::size_t)>& visit);
 std::vector<LightSource> light_sources(const Scene& scene, const std::vector<Light>& lights,
                                        const Environment& environment);
 

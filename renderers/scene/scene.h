@@ -154,6 +154,13 @@ std::string hash_of(const Image& image);
 /// With its hash, which takes a while for large maps.
 Environment map_environment(std::shared_ptr<const Image> map);
 
+/// One that a file says it uses, and what is done about it.
+struct Extension {
+    std::string name;
+    bool is_read = false;
+    std::string treatment;  ///< what becomes of it, for people
+};
+
 struct Scene {
     std::string name;          ///< as it was asked for: path or builtin:NAME@VERSION?options
     std::string content_hash;  ///< hex, of the files' bytes, or of name, version and options
@@ -166,6 +173,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Camera> cameras;  ///< at least one: opening_camera() where the file has none
     Environment environment;
+    std::vector<Extension> extensions;
     std::vector<Message> warnings;
 
     bool is_animated() const { return !animation.empty(); }

@@ -180,6 +180,12 @@ World flatten(const Scene& scene, double time, double previous_time) {
     return world;
 }
 
+std::size_t memory_bytes(const World& world) {
+    const auto of = [](const auto&... arrays) { return (... + (arrays.size() * sizeof(arrays[0]))); };
+    return of(world.positions, world.normals, world.tangents, world.uv0, world.uv1, world.colours,
+              world.instances, world.indices, world.triangle_materials, world.motion, world.opacity_words);
+}
+
 std::size_t emissive_triangles(const Scene& scene, const World& world) {
     std::size_t count = 0;
     for (const auto& range : world.ranges) {

@@ -50,6 +50,9 @@ struct World {
 /// `time` and `previous_time` in seconds.
 World flatten(const Scene& scene, double time, double previous_time);
 
+/// What its arrays take on the host.
+std::size_t memory_bytes(const World& world);
+
 /// Triangles whose material shines.
 std::size_t emissive_triangles(const Scene& scene, const World& world);
 

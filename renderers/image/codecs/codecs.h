@@ -21,10 +21,18 @@ struct EncodedImage {
     std::string error;  ///< empty where all went well
 };
 
+struct DecodedTexels {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;  ///< row 0 at the top, alpha unassociated
+    std::string error;               ///< empty where all went well
+};
+
 /// What the module image_codecs does with OpenImageIO.
 struct ImageCodecs {
     /// Refuses more than `max_pixels`.
     DecodedImage (*read)(const std::string& file, std::int64_t max_pixels);
+    /// A WebP file in memory, at most `max_pixels` large. Thread-safe.
+    DecodedTexels (*webp)(std::span<const std::uint8_t> bytes, std::int64_t max_pixels);
     /// 8 bits a channel, sRGB, of 1, 3 or 4 channels with alpha unassociated.
     EncodedImage (*png)(int width, int height, int channels, std::span<const std::uint8_t> pixels);
 };

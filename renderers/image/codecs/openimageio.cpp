@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "renderers/image/codecs/codecs.h"
+#include "renderers/image/codecs/webp.h"
 
 namespace ir {
 namespace {
@@ -61,6 +62,6 @@ EncodedImage png(int width, int height, int channels, std::span<const std::uint8
 }  // namespace ir
 
 extern "C" [[gnu::visibility("default")]] const ir::ImageCodecs* ir_image_codecs() {
-    static constexpr ir::ImageCodecs codecs{ir::read, ir::png};
+    static constexpr ir::ImageCodecs codecs{ir::read, ir::decode_webp, ir::png};
     return &codecs;
 }

@@ -79,7 +79,7 @@ class VisibilityTracer {
                      const Parameters& parameters)
         : context_(context),
           resources_(r),
-          tiles_(context.inputs().view, visibility_block),
+          tiles_(context.inputs(), visibility_block),
           samples_(r.progress.of_frame(context, static_cast<std::uint64_t>(parameters.samples))),
           layers_(context, r.sums),
           bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
@@ -141,6 +141,7 @@ class VisibilityTracer {
 void average(const graph::PassContext& context, const VisibilityResources& r, const Parameters& parameters) {
     const auto per_frame = static_cast<std::uint64_t>(parameters.samples);
     const auto totals = r.progress.advance(context, per_frame, *r.tally);
+    const Tiles tiles(context.inputs(), visibility_block);
     const auto samples = totals.samples;
     const Layers layers(context, r.sums);
     std::optional<Points> points;
@@ -157,7 +158,7 @@ void average(const graph::PassContext& context, const VisibilityResources& r, co
             is_open ? Estimate{.mean = 1} : estimate(layers.sums(i), samples, largest_variance_of_a_fraction);
         accessibility[i] = static_cast<float>(result.mean);
         variance[i] = static_cast<float>(result.variance);
-        if (valid[i] == 0) continue;
+        if (valid[i] == 0 || !tiles.has_pixel(i)) continue;
         sum_variance += result.variance;
         ++sum_valid;
     }
@@ -168,8 +169,8 @@ void average(const graph::PassContext& context, const VisibilityResources& r, co
 
 void ambient_occlusion(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters) {
     const auto r = declare(builder, inputs);
-    const auto declared = declared_items({builder.inputs().view, visibility_block},
-                                         static_cast<std::uint64_t>(parameters.samples));
+    const auto declared =
+        declared_items({builder.inputs(), visibility_block}, static_cast<std::uint64_t>(parameters.samples));
     auto trace = builder.pass("trace visibility", graph::Queue::cpu);
     trace.reads(inputs.bvh).reads_previous(r.sums, r.progress.buffer()).writes(r.sums);
     auto average_pass = builder.pass("average", graph::Queue::cpu);

@@ -58,7 +58,7 @@ class PathTracer {
     PathTracer(const graph::PassContext& context, const PathResources& r, const Parameters& parameters)
         : context_(context),
           resources_(r),
-          tiles_(context.inputs().view, path_block),
+          tiles_(context.inputs(), path_block),
           samples_(r.progress.of_frame(context, static_cast<std::uint64_t>(parameters.samples))),
           bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
           surfaces_(context.object<passes::SurfaceLookup>(r.inputs.surfaces)),
@@ -204,6 +204,7 @@ glm::vec4 opaque(glm::vec3 colour) {
 void average(const graph::PassContext& context, const PathResources& r, const Parameters& parameters) {
     const auto per_frame = static_cast<std::uint64_t>(parameters.samples);
     const auto totals = r.progress.advance(context, per_frame, *r.tally);
+    const Tiles tiles(context.inputs(), path_block);
     const auto samples = totals.samples;
     const LayerSums sums(context, r);
     const auto radiance = context.pixels<glm::vec4>(r.radiance);
@@ -217,7 +218,7 @@ void average(const graph::PassContext& context, const PathResources& r, const Pa
         counts[i] = static_cast<std::uint32_t>(samples);
         radiance[i] = opaque(pixel.mean);
         variance[i] = pixel.variance;
-        if (valid[i] == 0) continue;
+        if (valid[i] == 0 || !tiles.has_pixel(i)) continue;
         sum_variance += pixel.variance.r + pixel.variance.g + pixel.variance.b;
         sum_valid += 3;
     }
@@ -241,7 +242,7 @@ void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const P
     if (inputs.emission)
         r.light_sums = trace_light(builder, inputs, parameters, materials, r.progress, r.tally, r.layers());
     const auto declared =
-        declared_items({builder.inputs().view, path_block}, static_cast<std::uint64_t>(parameters.samples));
+        declared_items({builder.inputs(), path_block}, static_cast<std::uint64_t>(parameters.samples));
     auto trace = builder.pass("trace paths", graph::Queue::cpu);
     trace.reads(inputs.bvh, inputs.surfaces, inputs.lights, inputs.indirect_lights)
         .reads_previous(r.sums, r.progress.buffer())

@@ -37,6 +37,7 @@ std::uint64_t key_of_sample(std::uint64_t seed, std::uint64_t sample) {
 }
 
 /// Traces slices of a frame's work. Splats are added in the order of samples and paths, whoever traced them.
+/// A path may reach any pixel, so every shard of a picture traces all of them; the first counts them.
 class SplatTracer {
   public:
     SplatTracer(const graph::PassContext& context, const LightTracing& r, const Parameters& parameters)
@@ -51,7 +52,8 @@ class SplatTracer {
           world_(*bvh_, *surfaces_, {*lights_, *indirect_lights_}, r.materials),
           shared_(context.inputs().view, *emission_, parameters.transport.materials,
                   shares_light(parameters)),
-          tracer_(world_, PathRules(parameters.transport), shared_) {
+          tracer_(world_, PathRules(parameters.transport), shared_),
+          counts_(context.inputs().shard.index == 1) {
         for (int layer = 0; layer < r.layers; ++layer)
             sums_.push_back(context.pixels<glm::vec4>(r.sums, layer));
     }
@@ -98,14 +100,14 @@ class SplatTracer {
         for (auto path = first; path < last; ++path)
             tracer_.trace(passes::PathSampler(key, static_cast<std::uint32_t>(path)), splats, counts);
         resources_.tally->rays += counts.rays;
-        resources_.tally->cut += counts.cut;
+        if (counts_) resources_.tally->cut += counts.cut;
     }
 
     void add(const std::vector<Splat>& splats, std::size_t randomisation) {
         const float share = 1 / static_cast<float>(tracer_.film().pixels());
         for (const auto& [pixel, scatterings, light] : splats) {
             if (!is_finite(light)) {
-                ++resources_.tally->bad;
+                if (counts_) ++resources_.tally->bad;
                 continue;
             }
             const auto value = glm::vec4(share * light, 0);
@@ -127,6 +129,7 @@ class SplatTracer {
     LightTracer tracer_;
     std::vector<std::span<glm::vec4>> sums_;
     std::vector<std::vector<Splat>> splats_;  ///< by item
+    const bool counts_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 // tracing where paths from the camera find it by chance or not at all; averaged over samples and frames.
 #include "renderers/graph/method.h"
 
+#include "renderers/methods/reference/join.h"
 #include "renderers/methods/reference/parameters.h"
 #include "renderers/methods/reference/passes.h"
 #include "renderers/methods/reference/path_world.h"
@@ -121,8 +122,11 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
 }  // namespace
 
 const graph::Method& method() {
-    static const auto method =
-        graph::make_method<Parameters>(description(), parameter_table(), setup, benchmarks());
+    static const auto method = [] {
+        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup, benchmarks());
+        made.join = join;
+        return made;
+    }();
     return method;
 }
 

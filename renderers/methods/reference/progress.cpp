@@ -1,15 +1,18 @@
 #include "renderers/methods/reference/progress.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
+#include "renderers/core/error.h"
 #include "renderers/passes/scene/stands_still.h"
 
 namespace ir::methods::reference {
 namespace {
 
 /// Words of the buffer; samples of all pixels may need 64 bits, low word first.
-constexpr std::size_t bad_word = 1, cut_word = 3;
+constexpr std::size_t bad_word = 1, cut_word = 3, words_of_buffer = 5;
 
 std::uint64_t word_pair(std::uint32_t low, std::uint32_t high) {
     return std::uint64_t{high} << 32 | low;
@@ -62,6 +65,21 @@ Totals Progress::advance(const graph::PassContext& context, std::uint64_t per_fr
     return totals;
 }
 
+void Progress::join(std::span<std::byte> whole, std::span<const std::byte> part) {
+    std::array<std::uint32_t, words_of_buffer> sum{}, added{};
+    if (whole.size() != sizeof sum || part.size() != sizeof added)
+        throw Error("parts of a picture do not count what they have");
+    std::memcpy(sum.data(), whole.data(), sizeof sum);
+    std::memcpy(added.data(), part.data(), sizeof added);
+    if (sum[0] != added[0])
+        throw Error("parts of a picture have " + std::to_string(sum[0]) + " and " + std::to_string(added[0]) +
+                    " samples; run those that have fewer again");
+    for (const auto word : {bad_word, cut_word})
+        write_words(std::span(sum).subspan(word, 2),
+                    word_pair(sum[word], sum[word + 1]) + word_pair(added[word], added[word + 1]));
+    std::memcpy(whole.data(), sum.data(), sizeof sum);
+}
+
 namespace {
 
 /// The RMSE that renderers are compared at, in the result's unit.
@@ -69,9 +87,10 @@ constexpr double compared_error = 0.02;
 
 void warn_of_bad_samples(const graph::PassContext& context, const Totals& totals) {
     if (totals.bad == 0) return;
-    context.notes().warn(std::to_string(totals.bad) + (totals.bad == 1 ? " sample was" : " samples were") +
-                 " no finite number and counted as black: the picture is too dark there; look for extreme "
-                 "radiances and for degenerate triangles in the scene");
+    context.notes().warn(
+        std::to_string(totals.bad) + (totals.bad == 1 ? " sample was" : " samples were") +
+        " no finite number and counted as black: the picture is too dark there; look for extreme "
+        "radiances and for degenerate triangles in the scene");
 }
 
 }  // namespace
@@ -89,7 +108,7 @@ void report_figures(const graph::PassContext& context, const Tally& tally, const
     const auto paths = static_cast<double>(tally.paths);
     const double all_ms = paths > 0 ? tally.milliseconds * pixels * samples / paths : 0;
     context.notes().set_figure("reference.ms_to_rmse_0.02",
-                       all_ms * mean_variance / (compared_error * compared_error));
+                               all_ms * mean_variance / (compared_error * compared_error));
     context.notes().set_figure("reference.cut_paths", static_cast<double>(totals.cut));
     context.notes().set_figure("reference.bad_samples", static_cast<double>(totals.bad));
     warn_of_bad_samples(context, totals);

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "renderers/graph/pass_context.h"
 
@@ -45,6 +46,9 @@ class Progress {
     SampleRange of_frame(const graph::PassContext& context, std::uint64_t per_frame) const;
     /// Once of_frame() is traced, by a pass that writes the buffer.
     Totals advance(const graph::PassContext& context, std::uint64_t per_frame, const Tally& tally) const;
+    /// Adds what another shard counted in as many samples to the bytes of a buffer. Throws Error where it has
+    /// others.
+    static void join(std::span<std::byte> whole, std::span<const std::byte> part);
 
   private:
     graph::BufferRef buffer_;

@@ -39,7 +39,7 @@ void run_tiles(const graph::PassContext& context, const Tiles& tiles, SampleRang
         const auto end = std::min(last, (item / count + 1) * count);
         arena.execute([&] {
             tbb::parallel_for(item, end, [&](std::int64_t i) {
-                if (!context.cancel().is_cancelled()) trace(i % count, range);
+                if (tiles.has_tile(i % count) && !context.cancel().is_cancelled()) trace(i % count, range);
             });
         });
         context.cancel().check();

@@ -15,8 +15,21 @@ class Tiles {
     static constexpr int size = 16;  ///< pixels along a side
 
     /// `block` in samples.
-    Tiles(const scene::View& view, std::uint64_t block)
-        : width_(view.width), height_(view.height), block_(block) {}
+    Tiles(const graph::FrameInputs& inputs, std::uint64_t block)
+        : width_(inputs.view.width), height_(inputs.view.height), block_(block), shard_(inputs.shard) {}
+
+    /// Whether the shard of a picture of this width has the tile. Each row of tiles is dealt in turn, and
+    /// rows begin with others, so that shards are equally hard.
+    static bool has_tile(const Shard& shard, int width, std::int64_t tile) {
+        return (tile + tile / across(width)) % shard.count == shard.index - 1;
+    }
+    bool has_tile(std::int64_t tile) const { return has_tile(shard_, width_, tile); }
+    static bool has_pixel(const Shard& shard, int width, std::size_t pixel) {
+        const auto row = static_cast<std::int64_t>(pixel) / width,
+                   column = static_cast<std::int64_t>(pixel) % width;
+        return has_tile(shard, width, row / size * across(width) + column / size);
+    }
+    bool has_pixel(std::size_t pixel) const { return has_pixel(shard_, width_, pixel); }
 
     std::int64_t count() const { return std::int64_t{across(width_)} * across(height_); }
     std::int64_t blocks(SampleRange samples) const {
@@ -38,9 +51,10 @@ class Tiles {
     }
 
   private:
-    int across(int pixels) const { return (pixels + size - 1) / size; }
+    static int across(int pixels) { return (pixels + size - 1) / size; }
     int width_, height_;
     std::uint64_t block_;
+    Shard shard_;
 };
 
 /// Fills the layers of `sums`, rgba32f, with those of the frames before, or with zeros where this frame is
@@ -51,7 +65,8 @@ void start_sums(const graph::PassContext& context, graph::ImageRef sums, int lay
 std::int64_t declared_items(const Tiles& tiles, std::uint64_t per_frame);
 
 /// Runs the part of a frame's work that a slice of the declared items stands for: all tiles of one block of
-/// samples in parallel, then the next, so that a pixel's samples come in order. Throws Cancelled.
+/// samples in parallel, then the next, so that a pixel's samples come in order. Tiles of other shards are
+/// left out. Throws Cancelled.
 void run_tiles(const graph::PassContext& context, const Tiles& tiles, SampleRange samples, graph::Slice slice,
                std::int64_t declared, const std::function<void(std::int64_t tile, SampleRange)>& trace);
 

@@ -30,6 +30,20 @@ float mean_radiance(const Image& map) {
     return weights > 0 ? static_cast<float>(sum / weights) : 0;
 }
 
+/// Of both sides of these triangles.
+double power_of(const scene::Scene& scene, const scene::World& world, const scene::MaterialRange& range) {
+    const float radiance = channel_mean(scene.materials[static_cast<std::size_t>(range.material)].emission);
+    if (!(radiance > 0)) return 0;
+    double twice_area = 0;
+    for (std::uint32_t i = 0; i < range.triangle_count; ++i) {
+        const auto* corner = &world.indices[3 * (range.first_triangle + i)];
+        const auto a = world.positions[corner[0]];
+        twice_area += static_cast<double>(
+            glm::length(glm::cross(world.positions[corner[1]] - a, world.positions[corner[2]] - a)));
+    }
+    return static_cast<double>(pi * radiance) * twice_area;
+}
+
 }  // namespace
 
 float emitted_power(const scene::Light& light, const EntryBox& box) {
@@ -45,21 +59,16 @@ float emitted_power(const scene::Light& light, const EntryBox& box) {
     }
 }
 
+float emitted_power_of_material(const scene::Scene& scene, const scene::World& world, int material) {
+    double sum = 0;
+    for (const auto& range : world.ranges)
+        if (range.material == material) sum += power_of(scene, world, range);
+    return static_cast<float>(sum);
+}
+
 float emitted_power_of_meshes(const scene::Scene& scene, const scene::World& world) {
     double sum = 0;
-    for (const auto& range : world.ranges) {
-        const float radiance =
-            channel_mean(scene.materials[static_cast<std::size_t>(range.material)].emission);
-        if (!(radiance > 0)) continue;
-        double twice_area = 0;
-        for (std::uint32_t i = 0; i < range.triangle_count; ++i) {
-            const auto* corner = &world.indices[3 * (range.first_triangle + i)];
-            const auto a = world.positions[corner[0]];
-            twice_area += static_cast<double>(
-                glm::length(glm::cross(world.positions[corner[1]] - a, world.positions[corner[2]] - a)));
-        }
-        sum += static_cast<double>(pi * radiance) * twice_area;
-    }
+    for (const auto& range : world.ranges) sum += power_of(scene, world, range);
     return static_cast<float>(sum);
 }
 

@@ -10,6 +10,8 @@ namespace ir::passes {
 float emitted_power(const scene::Light& light, const EntryBox& box);
 /// Of both sides of all emissive triangles, textures taken for white.
 float emitted_power_of_meshes(const scene::Scene& scene, const scene::World& world);
+/// Of those of one material.
+float emitted_power_of_material(const scene::Scene& scene, const scene::World& world, int material);
 /// From all directions through the box, as if a map shone evenly; of large ones only a part of the texels is
 /// looked at.
 float emitted_power(const scene::Environment& environment, const EntryBox& box);

@@ -5,6 +5,7 @@
 
 #include "renderers/core/report.h"
 #include "renderers/scene/gltf/checked_object.h"
+#include "renderers/scene/scene.h"
 
 /// Checks of a parsed document before tinygltf sees it: types, required members, references, ranges. Each
 /// check copies what it understood to `checked`; extras and unknown extensions stay behind.
@@ -39,7 +40,7 @@ struct Checking {
 };
 
 void check_asset(Checking& checking);
-void check_extensions(Checking& checking);
+std::vector<Extension> check_extensions(Checking& checking);  ///< those that the file uses
 void check_buffer_views(Checking& checking);
 void check_accessors(Checking& checking);
 void check_textures(Checking& checking);  ///< with samplers

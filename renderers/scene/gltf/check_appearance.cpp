@@ -57,6 +57,12 @@ void check_textures(Checking& checking) {
         texture.text("name");
         texture.index("sampler", checking.count("samplers"), "samplers");
         texture.index("source", checking.count("images"), "images");
+        // The image that it names stands for the other, which is for programs that do not know the extension.
+        if (const auto* source = texture.extension("EXT_texture_webp")) {
+            CheckedObject webp(checking.file, texture.place("extensions.EXT_texture_webp"), *source);
+            webp.index("source", checking.count("images"), "images");
+            if (webp.result.contains("source")) texture.result["source"] = webp.result["source"];
+        }
     });
 }
 

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
-#include <set>
 
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
@@ -10,12 +10,44 @@
 namespace ir::scene::gltf {
 namespace {
 
-const std::set<std::string>& supported_extensions() {
-    static const std::set<std::string> names{"KHR_lights_punctual",   "KHR_materials_emissive_strength",
-                                             "KHR_materials_ior",     "KHR_materials_transmission",
-                                             "KHR_materials_unlit",   "KHR_materials_volume",
-                                             "KHR_mesh_quantization", "KHR_texture_transform"};
-    return names;
+struct Treatment {
+    const char *name, *text;
+};
+
+constexpr std::array read_extensions{
+    Treatment{"EXT_texture_webp", "textures in WebP"},
+    Treatment{"KHR_lights_punctual", "point, spot and directional lights"},
+    Treatment{"KHR_materials_emissive_strength", "scales the emission"},
+    Treatment{"KHR_materials_ior", "index of refraction"},
+    Treatment{"KHR_materials_transmission", "glass; rasterised methods draw what lies straight behind it"},
+    Treatment{"KHR_materials_unlit", "unlit surfaces show their colour"},
+    Treatment{"KHR_materials_volume", "refraction and absorption within glass"},
+    Treatment{"KHR_mesh_quantization", "vertices of small numbers"},
+    Treatment{"KHR_texture_transform", "offset, rotation and scale of textures"}};
+
+/// What is lost where a file does without them, too.
+constexpr std::array ignored_extensions{
+    Treatment{"EXT_mesh_gpu_instancing", "only one instance is drawn"},
+    Treatment{"EXT_meshopt_compression", "the uncompressed data is read"},
+    Treatment{"EXT_texture_avif", "the PNG or JPEG beside it is read, where there is one"},
+    Treatment{"KHR_animation_pointer", "only nodes are animated"},
+    Treatment{"KHR_draco_mesh_compression", "the uncompressed data is read"},
+    Treatment{"KHR_materials_anisotropy", "highlights are round"},
+    Treatment{"KHR_materials_clearcoat", "surfaces have no coat"},
+    Treatment{"KHR_materials_dispersion", "glass refracts all colours alike"},
+    Treatment{"KHR_materials_iridescence", "surfaces have no thin film"},
+    Treatment{"KHR_materials_pbrSpecularGlossiness", "the metallic-roughness values are read"},
+    Treatment{"KHR_materials_sheen", "cloth has no sheen"},
+    Treatment{"KHR_materials_specular", "highlights have the strength of the index of refraction"},
+    Treatment{"KHR_materials_variants", "surfaces have their default materials"},
+    Treatment{"KHR_meshopt_compression", "the uncompressed data is read"},
+    Treatment{"KHR_texture_basisu", "the PNG or JPEG beside it is read, where there is one"}};
+
+template <class Table>
+const Treatment* find(const Table& table, const std::string& name) {
+    const auto same = [&](const Treatment& each) { return name == each.name; };
+    const auto found = std::find_if(table.begin(), table.end(), same);
+    return found == table.end() ? nullptr : &*found;
 }
 
 /// Major and minor of "2.0"; (-1, 0) for anything else.
@@ -64,17 +96,26 @@ void check_asset(Checking& checking) {
     checking.checked["asset"] = asset.result;
 }
 
-void check_extensions(Checking& checking) {
-    const auto& supported = supported_extensions();
-    const auto known = listed({supported.begin(), supported.end()});
+std::vector<Extension> check_extensions(Checking& checking) {
+    const auto known = listed(words_of(read_extensions, &Treatment::name));
     for (const auto& name : names_in(checking, "extensionsRequired"))
-        if (!supported_extensions().contains(name))
+        if (!find(read_extensions, name))
             throw InputError(
                 checking.file, "extensionsRequired",
                 one_line(name) + " is not supported; export without it (supported: " + known + ")");
-    for (const auto& name : names_in(checking, "extensionsUsed"))
-        if (!supported_extensions().contains(name))
-            checking.warnings.add("extension " + one_line(name) + " is not supported and was ignored");
+    std::vector<Extension> extensions;
+    constexpr std::size_t max_extensions = 200;
+    for (const auto& name : names_in(checking, "extensionsUsed")) {
+        const auto* read = find(read_extensions, name);
+        const auto* ignored = find(ignored_extensions, name);
+        if (!read) checking.warnings.add("extension " + one_line(name) + " is not supported and was ignored");
+        if (extensions.size() < max_extensions)
+            extensions.push_back({one_line(name), read != nullptr,
+                                  read      ? read->text
+                                  : ignored ? ignored->text
+                                            : "unknown"});
+    }
+    return extensions;
 }
 
 }  // namespace ir::scene::gltf

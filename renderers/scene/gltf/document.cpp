@@ -138,7 +138,7 @@ Document read_document(const std::string& file) {
     container.json = {};
     Checking checking{document.file, source, document.warnings, Json::object(), {}};
     check_asset(checking);
-    check_extensions(checking);
+    document.extensions = check_extensions(checking);
     load_buffers(document, checking, container, hasher);
     check_buffer_views(checking);
     check_accessors(checking);

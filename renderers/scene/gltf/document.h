@@ -8,6 +8,7 @@
 
 #include "renderers/scene/gltf/check.h"
 #include "renderers/scene/gltf/source.h"
+#include "renderers/scene/scene.h"
 
 namespace ir::scene::gltf {
 
@@ -33,6 +34,7 @@ struct Document {
     std::vector<std::string> accessor_problems;  ///< empty text: the accessor can be read
     std::string content_hash;                    ///< XXH3-128, hex, of the file, its buffers and images
     std::size_t total_bytes = 0;                 ///< of the file, its buffers and images
+    std::vector<Extension> extensions;
     Warnings warnings;
 };
 

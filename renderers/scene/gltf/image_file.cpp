@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "renderers/core/error.h"
+#include "renderers/image/codecs/codecs.h"
 
 namespace ir::scene::gltf {
 namespace {
@@ -47,6 +48,33 @@ std::optional<ImageSize> jpeg_size(const Bytes& bytes) {
     return {};
 }
 
+int little_endian(const Bytes& bytes, std::size_t offset, int count) {
+    int value = 0;
+    for (int i = count; i-- > 0;) value = (value << 8) | bytes[offset + static_cast<std::size_t>(i)];
+    return value;
+}
+
+bool is_webp(const Bytes& bytes) {
+    return bytes.size() >= 25 && std::memcmp(bytes.data(), "RIFF", 4) == 0 &&
+           std::memcmp(bytes.data() + 8, "WEBP", 4) == 0;
+}
+
+/// Of the first chunk: extended, lossless or lossy. [RFC 9649 §2.5 to §2.7]
+std::optional<ImageSize> webp_size(const Bytes& bytes) {
+    if (!is_webp(bytes)) return {};
+    constexpr int size_mask = (1 << 14) - 1;
+    const auto is_chunk = [&](const char* name) { return std::memcmp(bytes.data() + 12, name, 4) == 0; };
+    if (is_chunk("VP8L")) {
+        constexpr int down_bit = 14 - 8;
+        return ImageSize{(little_endian(bytes, 21, 2) & size_mask) + 1,
+                         ((little_endian(bytes, 22, 3) >> down_bit) & size_mask) + 1};
+    }
+    if (bytes.size() < 30) return {};
+    if (is_chunk("VP8X")) return ImageSize{little_endian(bytes, 24, 3) + 1, little_endian(bytes, 27, 3) + 1};
+    if (!is_chunk("VP8 ")) return {};
+    return ImageSize{little_endian(bytes, 26, 2) & size_mask, little_endian(bytes, 28, 2) & size_mask};
+}
+
 /// stb's decoder through tinygltf, 8 or 16 bits per channel, always four channels.
 bool decode(const Bytes& bytes, tinygltf::Image& image) {
     std::string problems, warnings;
@@ -64,12 +92,23 @@ std::vector<std::uint8_t> to_8_bits(const std::vector<unsigned char>& wide) {
     return result;
 }
 
+std::vector<std::uint8_t> decode_webp(const std::string& file, const std::string& place, const Bytes& bytes,
+                                      ImageSize size) {
+    auto decoded = image_codecs().webp(bytes, static_cast<std::int64_t>(max_texels));
+    if (!decoded.error.empty())
+        throw InputError(file, place, "the image " + one_line(decoded.error) + "; replace it");
+    if (decoded.width != size.width || decoded.height != size.height)
+        throw InputError(file, place, "the image is damaged; replace it");
+    return std::move(decoded.rgba);
+}
+
 }  // namespace
 
 ImageSize probe_image(const std::string& file, const std::string& place, const Bytes& bytes) {
     auto size = png_size(bytes);
     if (!size) size = jpeg_size(bytes);
-    if (!size) throw InputError(file, place, "neither a PNG nor a JPEG image; convert it to one");
+    if (!size) size = webp_size(bytes);
+    if (!size) throw InputError(file, place, "neither a PNG, a JPEG nor a WebP image; convert it to one");
     if (size->width < 1 || size->height < 1)
         throw InputError(file, place, "an image without texels; replace it");
     if (size->width > max_side || size->height > max_side || size->texels() > max_texels)
@@ -81,6 +120,7 @@ ImageSize probe_image(const std::string& file, const std::string& place, const B
 
 std::vector<std::uint8_t> decode_image(const std::string& file, const std::string& place, const Bytes& bytes,
                                        ImageSize size) {
+    if (is_webp(bytes)) return decode_webp(file, place, bytes, size);
     tinygltf::Image image;
     const bool decoded = decode(bytes, image);
     if (!decoded || image.width != size.width || image.height != size.height || image.component != 4)

@@ -13,7 +13,7 @@ struct ImageSize {
     std::size_t texels() const { return static_cast<std::size_t>(width) * height; }
 };
 
-/// Size from the header of a PNG or JPEG file, before anything is decoded. Throws InputError for other
+/// Size from the header of a PNG, JPEG or WebP file, before anything is decoded. Throws InputError for other
 /// formats and for images of more than 2^26 texels or 16384 on a side.
 ImageSize probe_image(const std::string& file, const std::string& place, const Bytes& bytes);
 

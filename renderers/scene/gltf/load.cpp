@@ -30,6 +30,7 @@ Scene load_gltf(const std::string& file) {
     gltf::load_lights(document, scene, nodes);
     if (scene.cameras.empty()) scene.cameras.push_back(opening_camera(scene));
     if (scene.instanced_triangles() == 0) document.warnings.add("the scene draws no triangles");
+    scene.extensions = std::move(document.extensions);
     scene.warnings = std::move(document.warnings.messages);
     return scene;
 }

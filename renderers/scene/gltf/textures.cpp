@@ -40,7 +40,8 @@ std::string place_of(std::size_t image) {
 int TextureTable::add(int texture, bool srgb) {
     const auto& source = document_.model.textures[texture];
     if (source.source < 0) {
-        document_.warnings.add(element("textures", texture) + " has no PNG or JPEG image and was ignored");
+        document_.warnings.add(element("textures", texture) +
+                               " has no PNG, JPEG or WebP image and was ignored");
         return -1;
     }
     Request request{source.source, {}, srgb, source.name};

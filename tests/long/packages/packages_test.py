@@ -110,7 +110,8 @@ class Packages(unittest.TestCase):
         for file in ("share/interreflect/REFERENCES.bib", "share/interreflect/docs/projects.md",
                      "share/interreflect/schemas/project.schema.json", "share/interreflect/schemas/sweep.schema.json",
                      "share/doc/interreflect-cli/copyright", "share/man/man1/interreflect-cli.1",
-                     "share/bash-completion/completions/interreflect-cli"):
+                     "share/bash-completion/completions/interreflect-cli", "share/mime/packages/interreflect-project.xml",
+                     "share/thumbnailers/interreflect.thumbnailer"):
             self.assertGreater((usr / file).stat().st_size, 50, file)
 
     def test_window_starts(self):

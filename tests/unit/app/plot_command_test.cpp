@@ -69,6 +69,41 @@ TEST_F(PlotCommand, PrintsATableAndKeepsTheNumbers) {
     EXPECT_TRUE(fs::exists(project_ / "results/plots/directions.json"));
 }
 
+TEST_F(PlotCommand, ShardsJoinToTheNumbersOfOneMachine) {
+    fs::copy(project_, root_ / "one.interreflect", fs::copy_options::recursive);
+    ASSERT_EQ(run("plot " + file("one.interreflect") + " directions --quiet").status, 0);
+    const auto kept = project_ / "results/plots/directions.json", parts = project_ / "results/plots/parts";
+    for (const char* shard : {"3/3", "1/3"}) {
+        EXPECT_EQ(plot("directions --shard " + std::string(shard)).status, 0);
+        EXPECT_FALSE(fs::exists(kept)) << "shard 2 is missing";
+    }
+    const auto refused = run("plot merge " + path() + " directions --quiet");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("part 2 of 3 is not there"), std::string::npos) << refused.err;
+    const auto last = plot("directions --shard 2/3");
+    EXPECT_EQ(last.status, 0) << last.err;
+    EXPECT_NE(last.out.find("ldm-200"), std::string::npos) << "it has all points: " << last.out;
+    EXPECT_FALSE(fs::exists(parts));
+    const auto study = [](const fs::path& file) {
+        auto json = Json::parse(read(file))["study"];
+        json.erase("notes");  // whether the reference was kept already
+        for (auto& point : json["points"])
+            for (const char* own : {"ms", "on_front"}) point.erase(own);  // each run has times of its own
+        return json;
+    };
+    EXPECT_EQ(study(kept), study(root_ / "one.interreflect/results/plots/directions.json"));
+
+    // What another state of the project has left does not count.
+    EXPECT_EQ(plot("directions --shard 1/2").status, 0);
+    json["plots"][0]["values"] = {8, 16, 24};
+    store();
+    EXPECT_EQ(plot("directions --shard 2/2").status, 0);
+    EXPECT_TRUE(fs::exists(parts)) << "the first part is an old one";
+    EXPECT_EQ(plot("directions --shard 1/2").status, 0);
+    EXPECT_FALSE(fs::exists(parts));
+    EXPECT_EQ(study(kept)["points"].size(), 6u);
+}
+
 TEST_F(PlotCommand, WhatCannotBeKeptIsToldBeforeAnythingIsRendered) {
     std::ofstream(project_ / "results") << "in the way";
     const auto refused = run("plot " + path());

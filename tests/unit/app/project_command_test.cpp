@@ -268,6 +268,22 @@ TEST_F(ProjectCommand, VerifyReportsWhatIsMissingAndGoesOn) {
     EXPECT_NE(outcome.out.find("no experiment has a kept result"), std::string::npos);
 }
 
+TEST_F(ProjectCommand, HasAThumbnailOfThePictureThatItKeptLast) {
+    const auto png = (root_ / "small.png").string(), packed = (root_ / "p.interreflect.tar").string();
+    const auto none = run("thumbnail " + project.string() + " " + png);
+    EXPECT_EQ(none.status, 1);
+    EXPECT_NE(none.err.find("keeps no picture"), std::string::npos) << none.err;
+    keep();
+    EXPECT_EQ(command("--pack " + packed).status, 0);
+    EXPECT_EQ(run("thumbnail " + packed + " " + png + " --size 8").status, 0);
+    const auto of_packed = read(png);
+    EXPECT_EQ(of_packed.substr(1, 3), "PNG");
+    EXPECT_EQ(of_packed[19], 8) << "pixels across";
+    EXPECT_EQ(run("thumbnail " + project.string() + " " + png + " --size 8").status, 0);
+    EXPECT_EQ(read(png), of_packed);
+    EXPECT_EQ(run("thumbnail " + packed + " " + packed).status, 2) << "it would be overwritten";
+}
+
 TEST_F(ProjectCommand, WritesNothingOverItsOwnFiles) {
     const auto document = project / "project.json";
     const auto before = read(document);

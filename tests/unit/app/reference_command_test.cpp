@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/engine/stored_state.h"
 #include "projects/results.h"
 #include "renderers/image/exr.h"
 #include "tests/unit/app/outcome.h"
@@ -110,6 +111,97 @@ TEST_F(ReferenceCommand, RenderGoesOnFromAKeptStateToo) {
     const auto outcome = run(render);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.err.find("a kept state is not continued"), std::string::npos) << outcome.err;
+}
+
+/// A picture of several tiles, with light that is traced from its sources.
+class DividedReference : public ReferenceCommand {
+  protected:
+    DividedReference() {
+        const Json json{{"schema", 6},
+                        {"name", "Caustics"},
+                        {"scenes", {{{"id", "c"}, {"parts", {{{"source", "builtin:caustics"}}}}}}},
+                        {"experiments",
+                         {{{"id", "a"}, {"scene", "c"}, {"method", "photon-mapping"}, {"size", {50, 40}}}}}};
+        for (const char* name : {"p", "q"}) make(name, json);
+    }
+
+    Json shard(const std::string& name, const std::string& shard, const std::string& flags) const {
+        return reference(name, "--quiet --shard " + shard + " " + flags);
+    }
+    fs::path parts(const std::string& name) const { return project(name) / "results/parts"; }
+
+    /// Picture, and state to go on from, of what p and q keep by these keys.
+    void expect_same_bits(const Json& divided_key, const Json& whole_key) const {
+        EXPECT_EQ(picture("p", divided_key).pixels, picture("q", whole_key).pixels);
+        const auto state = [&](const std::string& name, const std::string& key) {
+            const auto index = projects::ResultIndex::load(project(name));
+            return engine::load_state(project(name) / "results" /
+                                      projects::file_of(*index.find(key), projects::state_role)->path);
+        };
+        const auto divided = state("p", divided_key), whole = state("q", whole_key);
+        EXPECT_EQ(divided.samples, whole.samples);
+        EXPECT_EQ(divided.fingerprint, whole.fingerprint);
+        ASSERT_EQ(divided.history.entries.size(), whole.history.entries.size());
+        for (std::size_t i = 0; i < whole.history.entries.size(); ++i) {
+            EXPECT_EQ(divided.history.entries[i].key, whole.history.entries[i].key);
+            EXPECT_TRUE(divided.history.entries[i].bytes == whole.history.entries[i].bytes)
+                << whole.history.entries[i].key;
+        }
+    }
+};
+
+TEST_F(DividedReference, ShardsJoinToTheBitsOfOneMachine) {
+    const auto whole = reference("q", "--quiet --samples 10").at(0);
+    EXPECT_EQ(shard("p", "2/3", "--samples 10").size(), 1u);
+    EXPECT_EQ(shard("p", "3/3", "--samples 4").at(0)["samples"], 4) << "as if it had been interrupted";
+    EXPECT_EQ(shard("p", "1/3", "--samples 10").size(), 1u);
+    EXPECT_FALSE(fs::exists(project("p") / "results/index.json")) << "part 3 is not complete";
+    const auto last = shard("p", "3/3", "--samples 10");
+    ASSERT_EQ(last.size(), 2u) << "whoever ends last joins them";
+    EXPECT_EQ(last[0]["resumed_from"], 4);
+    EXPECT_FALSE(fs::exists(parts("p")));
+    expect_same_bits(last[1]["key"], whole["key"]);
+
+    // One machine goes on from there, and shards that are run again find it kept.
+    EXPECT_EQ(shard("p", "2/3", "--samples 10").at(0)["resumed_from"], 10);
+    const auto more = reference("p", "--quiet --samples 17").at(0);
+    EXPECT_EQ(more["resumed_from"], 10);
+    expect_same_bits(more["key"], reference("q", "--quiet --samples 17").at(0)["key"]);
+}
+
+TEST_F(DividedReference, MergeJoinsWhatOtherMachinesMade) {
+    const auto whole = reference("q", "--quiet --samples 6").at(0);
+    fs::copy(project("p"), project("r"), fs::copy_options::recursive);
+    const auto merge = "reference merge " + project("p").string() + " --quiet --json";
+    const auto refused = [&](const std::string& part) {
+        const auto outcome = run(merge);
+        EXPECT_EQ(outcome.status, 1) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    };
+    refused("no part of it is there");
+    shard("p", "1/2", "--samples 6");
+    refused("part 2 of 2 is not there");
+    shard("r", "2/2", "--samples 6");
+    for (const auto& part : fs::directory_iterator(parts("r"))) fs::copy(part, parts("p"));
+    const auto outcome = run(merge);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["references"][0]["key"], whole["key"]);
+    expect_same_bits(whole["key"], whole["key"]);
+    EXPECT_EQ(run(merge).status, 0) << "again: it is kept";
+}
+
+TEST_F(DividedReference, DamagedPartsAreComputedAgain) {
+    const auto whole = reference("q", "--quiet --samples 6").at(0);
+    shard("p", "1/2", "--samples 6");
+    for (const auto& part : fs::directory_iterator(parts("p"))) std::ofstream(part.path()) << "damaged";
+    const auto outcome = run("reference " + project("p").string() + " --quiet --samples 6 --shard 1/2");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("a part of the picture is not continued"), std::string::npos) << outcome.err;
+    EXPECT_EQ(shard("p", "2/2", "--samples 6").size(), 2u);
+    expect_same_bits(whole["key"], whole["key"]);
+    EXPECT_EQ(run("reference " + project("p").string() + " --shard 0/2").status, 2);
+    EXPECT_EQ(run("reference").status, 2);
 }
 
 TEST_F(ReferenceCommand, ResultsAndChangesAreListed) {

@@ -12,7 +12,7 @@
 #include "projects/keep.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
-#include "projects/shard.h"
+#include "renderers/core/shard.h"
 #include "projects/sweep.h"
 #include "renderers/core/error.h"
 #include "tests/unit/projects/sample.h"

@@ -147,7 +147,7 @@ TEST(GltfErrors, MissingAndDamagedImagesMatterOnlyWhereUsed) {
     builder.append("materials", {{"emissiveTexture", {{"index", 0}}}});
     expect_refusal(builder.embedded_text(), "images[0].uri", "absent.png: no such file");
     builder.json["textures"][0]["source"] = 1;
-    expect_refusal(builder.embedded_text(), "images[1]", "neither a PNG nor a JPEG");
+    expect_refusal(builder.embedded_text(), "images[1]", "neither a PNG, a JPEG nor a WebP");
 }
 
 TEST(GltfErrors, GiantImageIsRefusedByItsHeader) {

@@ -18,6 +18,13 @@ const char* two_texels =
     "data:image/png;base64,"
     "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAD0lEQVR4nGP4z8DwHwiNARAsAzEHKKJjAAAAAElFTkSuQmCC";
 
+/// The same in WebP, lossless, and one colour of 5 by 4 texels, lossy.
+const char* two_texels_webp =
+    "data:image/webp;base64,UklGRiAAAABXRUJQVlA4TBMAAAAvAQAAEA8w//sfp/kPBxWI6H8AAA==";
+const char* orange_webp =
+    "data:image/webp;base64,"
+    "UklGRj4AAABXRUJQVlA4IDIAAADQAQCdASoFAAQAAMASJaACdLoB+AADsAD+2ib/7vN+09e09f1M//jKnyA/4yp/xcwAAA==";
+
 /// A drawn triangle with one material.
 GltfBuilder with_material(const Json& material) {
     GltfBuilder builder;
@@ -103,6 +110,30 @@ TEST(GltfMaterials, ReadsTexturesWithTransformsAndSamplers) {
     EXPECT_TRUE(texture.sampler.mipmaps);
     EXPECT_EQ(texture.sampler.wrap_s, scene::Wrap::clamp_to_edge);
     EXPECT_EQ(texture.sampler.wrap_t, scene::Wrap::mirrored_repeat);
+}
+
+TEST(GltfMaterials, ReadsTexturesInWebp) {
+    auto builder = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    builder.json["extensionsUsed"] = builder.json["extensionsRequired"] = {"EXT_texture_webp"};
+    builder.append("images", {{"uri", two_texels_webp}});
+    builder.append("images", {{"uri", orange_webp}});
+    const auto texture = [&](int image) {
+        // The PNG beside it is for other programs.
+        builder.json["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = image;
+        return load(builder).textures.at(0);
+    };
+    const auto lossless = texture(1), lossy = texture(2);
+    EXPECT_EQ(lossless.rgba, (std::vector<std::uint8_t>{255, 0, 0, 255, 0, 255, 0, 51}));
+    EXPECT_TRUE(lossless.srgb);
+    EXPECT_EQ(lossy.width, 5);
+    EXPECT_EQ(lossy.height, 4);
+    EXPECT_NEAR(lossy.rgba.at(0), 200, 8);
+    EXPECT_EQ(lossy.rgba.at(3), 255);
+    const std::string whole = two_texels_webp;
+    for (const auto& damaged : {whole.substr(0, whole.size() - 12), whole.substr(0, whole.size() - 24)}) {
+        builder.json["images"][1]["uri"] = damaged;
+        EXPECT_THROW(texture(1), InputError) << damaged;
+    }
 }
 
 TEST(GltfMaterials, TextureTransformsScaleThenRotateThenMove) {

@@ -17,7 +17,7 @@ except ImportError:
     sys.exit(77)
 
 PROGRAM, ROOT = sys.argv.pop(1), Path(sys.argv.pop(1))
-NAMES = ["project", "statistics", "sweep", "compare"]
+NAMES = ["project", "statistics", "sweep", "compare", "scene"]
 
 
 def run(*arguments, status=0):
@@ -92,6 +92,13 @@ class Schemas(unittest.TestCase):
         self.expect_valid("compare", equal)
         self.expect_refused("compare", document, lambda d: d["metrics"].update(rmse="small"))
         self.expect_refused("compare", document, lambda d: d.pop("metrics"))
+
+    def test_scenes(self):
+        for name in ("builtin:cornell", "builtin:conference", "builtin:corridor"):
+            document = json.loads(run("scene", name, "--json"))
+            self.expect_valid("scene", document)
+        self.expect_refused("scene", document, lambda d: d["materials"][0].pop("name"))
+        self.expect_refused("scene", document, lambda d: d["cameras"][0].pop("fov_y_degrees"))
 
     def project(self):
         """With something of everything."""

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ir::projects {
+namespace ir {
 
 /// A part of work that is divided: the `index`-th of `count`, counted from 1.
 struct Shard {
@@ -21,4 +21,4 @@ std::vector<Item> part_of(const std::vector<Item>& items, const Shard& shard) {
     return part;
 }
 
-}  // namespace ir::projects
+}  // namespace ir

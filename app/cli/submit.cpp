@@ -1,0 +1,189 @@
+// `interreflect-cli submit`: a Slurm job array that does a command in shards.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <regex>
+
+#include "app/cli/command.h"
+#include "app/cli/command_line.h"
+#include "app/engine/version.h"
+#include "renderers/core/error.h"
+#include "renderers/core/words.h"
+#include "renderers/core/write_file.h"
+
+namespace ir::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+struct SubmitFlags {
+    int tasks = 0, cpus = 4;
+    std::string mem = "4G", time = "04:00:00", name, log, script;
+    Words options;  ///< of sbatch
+    bool run = false;
+    Words command;
+};
+
+/// Commands that take --shard-from-env.
+const Words divided{"sweep", "reference", "render", "plot"};
+
+bool has_option(const Words& words, const std::string& option) {
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+        return word == option || word.rfind(option + "=", 0) == 0;
+    });
+}
+
+/// The command as each task runs it. Throws UsageError, and CLI::ParseError as the command itself.
+Words task_command(const Words& words) {
+    if (words.empty()) throw UsageError("say what the tasks do: " + listed(divided));
+    if (std::find(divided.begin(), divided.end(), words.front()) == divided.end())
+        throw UsageError("'" + words.front() + "' cannot be divided" + known_are(words.front(), divided));
+    if (words.size() > 1 && words[1] == "merge")
+        throw UsageError("'" + words.front() + " merge' is not divided; run it when all tasks are done");
+    for (const char* option : {"--shard", "--shard-from-env"})
+        if (has_option(words, option))
+            throw UsageError(std::string(option) + " is what submit adds; leave it out");
+    auto command = words;
+    command.push_back("--shard-from-env");
+    if (words.front() == "sweep" && !has_option(words, "--resume")) command.push_back("--resume");
+    check_command(command);
+    return command;
+}
+
+/// One line of a script that `sbatch` reads.
+void check(const std::string& option, const std::string& value, const char* pattern, const char* mend) {
+    if (!std::regex_match(value, std::regex(pattern))) throw UsageError(option + " '" + value + "': " + mend);
+}
+
+void check(const SubmitFlags& flags) {
+    check("--mem", flags.mem, "[0-9]+[KMGT]?", "give megabytes, or as in 4G");
+    check("--time", flags.time, "([0-9]+-)?[0-9]+(:[0-9]+){0,2}",
+          "give HOURS:MINUTES:SECONDS, as in 04:00:00");
+    check("--name", flags.name, "[A-Za-z0-9_.-]*", "use letters, digits and _.- alone");
+    check("--log", flags.log, "[^\n\"\\\\]*", "must be one line without quotes");
+    for (const auto& option : flags.options)
+        check("--sbatch", option, "-[^\n]*", "give an option of sbatch, as in --sbatch=--partition=short");
+}
+
+std::string quoted(const Words& words) {
+    std::string line;
+    for (const auto& word : words) line += (line.empty() ? "" : " ") + engine::shell_word(word);
+    return line;
+}
+
+/// What the person still has to do when all tasks are done.
+std::string afterwards(const Words& words) {
+    if (words.front() != "sweep") return {};
+    std::string out = "FOLDER";
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "--out" && i + 1 < words.size()) out = words[i + 1];
+        if (words[i].rfind("--out=", 0) == 0) out = words[i].substr(6);
+    }
+    return "# When all tasks are done: interreflect-cli sweep merge " + engine::shell_word(out) + " --out " +
+           engine::shell_word((fs::path(out) / "sweep.json").string()) + "\n";
+}
+
+std::string script_of(const SubmitFlags& flags) {
+    const auto words = task_command(flags.command);
+    const auto name = flags.name.empty() ? "interreflect-" + words.front() : flags.name;
+    const auto log = flags.log.empty() ? std::string("%x-%A_%a.log") : flags.log;
+    std::string text = "#!/bin/sh\n# By interreflect-cli " + engine::version() + ": " +
+                       std::to_string(flags.tasks) + (flags.tasks == 1 ? " task" : " tasks") +
+                       " of one command. It may be submitted again until all is done.\n" +
+                       afterwards(flags.command);
+    const auto option = [&](const std::string& line) { text += "#SBATCH " + line + "\n"; };
+    option("--job-name=" + name);
+    option("--array=1-" + std::to_string(flags.tasks));
+    option("--cpus-per-task=" + std::to_string(flags.cpus));
+    option("--mem=" + flags.mem);
+    option("--time=" + flags.time);
+    option("--requeue");
+    option("--open-mode=append");
+    option("--output=\"" + log + "\"");
+    option("--signal=B:USR1@120");
+    for (const auto& each : flags.options) option(each);
+    text += "cd " + engine::shell_word(fs::current_path().string()) + " || exit 1\n";
+    text +=
+        R"(# Two minutes before the time is up the program keeps what it has, and the task queues again. What else ends
+# it (scancel, another job that goes first) is passed on; a node that fails queues its tasks again by itself.
+again=
+trap 'again=1; kill -TERM "$program"' USR1
+trap 'kill -TERM "$program"' TERM
+)";
+    auto command = Words{fs::read_symlink("/proc/self/exe").string()};
+    command.insert(command.end(), words.begin(), words.end());
+    text += quoted(command);
+    if (!has_option(words, "--threads")) text += " --threads \"${SLURM_CPUS_PER_TASK:-0}\"";
+    text += R"( &
+program=$!
+wait "$program"
+status=$?
+while kill -0 "$program" 2>/dev/null; do
+  wait "$program"
+  status=$?
+done
+if [ "$again" ] && [ "$status" -eq 143 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 1000 ]; then
+  scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
+fi
+exit "$status"
+)";
+    return text;
+}
+
+/// Its number goes to standard output.
+void submit(const std::string& script) {
+    std::cout.flush();
+    auto* sbatch = ::popen("sbatch", "w");
+    if (!sbatch) throw Error("sbatch cannot be started");
+    const bool is_written = std::fwrite(script.data(), 1, script.size(), sbatch) == script.size();
+    const int status = ::pclose(sbatch);
+    if (!is_written || status != 0)
+        throw Error("sbatch did not take the job; without --run the script is only printed");
+}
+
+int print_script(const SubmitFlags& flags) {
+    check(flags);
+    const auto script = script_of(flags);
+    if (!flags.script.empty()) write_file(flags.script, script);
+    (flags.run ? std::cerr : std::cout) << script;
+    if (flags.run) submit(script);
+    return done;
+}
+
+}  // namespace
+
+void add_submit(CLI::App& app, Run& run) {
+    auto flags = std::make_shared<SubmitFlags>();
+    auto* command = app.add_subcommand(
+        "submit",
+        "Print a Slurm job array that does a command in shards: submit --tasks 16 sweep P NAME --out FOLDER");
+    command->add_option("--tasks", flags->tasks, "Tasks of the job array, one shard each")
+        ->required()
+        ->check(CLI::Range(1, 100000));
+    command->add_option("--cpus", flags->cpus, "Processors of a task")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
+    command->add_option("--mem", flags->mem, "Memory of a task, as sbatch takes it")->capture_default_str();
+    command
+        ->add_option(
+            "--time", flags->time,
+            "Longest time of a task; two minutes before it is up, its work is kept and it queues again")
+        ->capture_default_str();
+    command->add_option("--name", flags->name, "Name of the job (default: interreflect-COMMAND)");
+    command->add_option("--log", flags->log, "File for what tasks print (default: NAME-JOB_TASK.log)");
+    command->add_option("--sbatch", flags->options,
+                        "One more option of sbatch, as in --sbatch=--partition=short; repeat for more");
+    command->add_option("--script", flags->script, "File for the script, too");
+    command->add_flag("--run", flags->run, "Give the script to sbatch");
+    command->prefix_command();
+    command->callback([flags, command, &run] {
+        flags->command = command->remaining();
+        run = [flags] { return print_script(*flags); };
+    });
+}
+
+}  // namespace ir::cli

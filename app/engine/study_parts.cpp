@@ -1,0 +1,102 @@
+#include "app/engine/study_parts.h"
+
+#include <algorithm>
+
+#include "app/engine/division.h"
+#include "app/engine/kept_study.h"
+#include "app/engine/moving.h"
+#include "app/engine/study_plan.h"
+#include "projects/scene_files.h"
+#include "renderers/core/error.h"
+
+namespace ir::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char *parts_name = "parts", *study_extension = ".json";
+
+fs::path study_parts_folder(const fs::path& folder) {
+    return study_file(folder, parts_name).parent_path() / parts_name;
+}
+
+std::string part_name_of(const std::string& plot, int index, int count) {
+    return (fs::path(parts_name) / part_name(plot, index, count)).string();
+}
+
+}  // namespace
+
+StudyParts::StudyParts(const projects::Project& project, const projects::ErrorPlot& plot, fs::path folder,
+                       int count)
+    : project_(project), plot_(plot), folder_(std::move(folder)), count_(count) {
+    const auto same = [&](const projects::ErrorPlot& each) { return each.id == plot.id; };
+    const auto place = std::find_if(project.plots.begin(), project.plots.end(), same) - project.plots.begin();
+    first_ = static_cast<int>(place % count);
+}
+
+Shard StudyParts::runs_of(const Shard& shard) const {
+    return {(shard.index - 1 + count_ - first_) % count_ + 1, count_};
+}
+
+void StudyParts::keep(const ErrorStudy& study, const Shard& shard) const {
+    keep_study(project_, plot_, folder_, study, part_name_of(plot_.id, shard.index, count_));
+}
+
+/// What was made of another state of the project does not count.
+std::optional<ErrorStudy> StudyParts::part(int index) const {
+    const auto kept = load_study(folder_, part_name_of(plot_.id, index, count_));
+    if (!kept || is_stale(*kept, project_, plot_, projects::read_contents(project_, folder_))) return {};
+    return kept->study;
+}
+
+std::vector<std::string> StudyParts::missing() const {
+    std::vector<std::string> missing;
+    for (int index = 1; index <= count_; ++index)
+        if (!part(index)) missing.push_back(part_text(index, count_) + " is not there");
+    return missing;
+}
+
+std::optional<ErrorStudy> StudyParts::joined(Machine& machine) const {
+    std::vector<ErrorStudy> parts;
+    for (int index = 1; index <= count_; ++index) {
+        auto found = part(index);
+        if (!found) return {};
+        parts.push_back(std::move(*found));
+    }
+    const auto now = projects::with_contents(project_, projects::read_contents(project_, folder_));
+    const auto runs = plan_study(now, plot_, scene_facts(machine.scenes(), now, folder_));
+    ErrorStudy study;
+    study.plot = plot_.id;
+    std::vector<std::size_t> taken(parts.size());
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        const auto from = (run + static_cast<std::size_t>(first_)) % parts.size();
+        for (std::size_t i = 0; i < runs[run].points.size(); ++i) {
+            if (taken[from] >= parts[from].points.size())
+                throw Error(
+                    study_file(folder_, part_name_of(plot_.id, static_cast<int>(from) + 1, count_)).string() +
+                    ": has too few points; run its shard again");
+            study.points.push_back(parts[from].points[taken[from]++]);
+        }
+    }
+    for (const auto& part : parts) {
+        if (part.points.empty()) continue;
+        if (study.device.empty()) study.device = part.device;
+        study.reference_noise = std::max(study.reference_noise, part.reference_noise);
+        for (const auto& note : part.notes)
+            if (std::find(study.notes.begin(), study.notes.end(), note) == study.notes.end())
+                study.notes.push_back(note);
+    }
+    find_metrics(study);
+    mark_front(study.points, plot_.metric);
+    return study;
+}
+
+void StudyParts::remove() const {
+    remove_parts(study_parts_folder(folder_), plot_.id, count_, study_extension);
+}
+
+int parts_of_plot(const fs::path& folder, const std::string& plot) {
+    return division_of(study_parts_folder(folder), plot, study_extension);
+}
+
+}  // namespace ir::engine
