@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Memory that drafts may hold while the full picture is looked at.
-constexpr std::uint64_t kept_bytes = std::uint64_t{256} << 20;
+constexpr std::uint64_t max_kept_bytes = std::uint64_t{256} << 20;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -168,11 +168,15 @@ std::optional<LiveResult> Drafts::render(const LiveRequest& request, const graph
     return {};
 }
 
-void Drafts::rest() {
+std::uint64_t Drafts::bytes() const {
     std::uint64_t bytes = 0;
     for (const auto* execution : {preview_.get(), coarse_.get()})
         if (execution) bytes += execution->graph().last_report().memory_bytes;
-    if (bytes > kept_bytes) free();
+    return bytes;
+}
+
+void Drafts::rest(std::uint64_t left_over) {
+    if (bytes() > std::min(max_kept_bytes, left_over)) free();
 }
 
 void Drafts::free() {

@@ -28,9 +28,11 @@ class Drafts {
     void note_full(const FrameReport& report) {
         choice_.note(Fineness::full, steady_ms(report, report.wall_ms));
     }
-    /// Frees what is not worth its memory while the full picture is looked at.
-    void rest();
+    /// While the full picture is looked at: frees what is not worth its memory, and what takes more than the
+    /// budget leaves over, that many bytes.
+    void rest(std::uint64_t left_over);
     void free();
+    std::uint64_t bytes() const;  ///< that they hold
 
   private:
     /// What stays the same while a camera moves.

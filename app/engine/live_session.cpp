@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
@@ -26,6 +27,12 @@ bool any_match(const FrameReport& report, const std::string& pattern, Test test)
     return std::any_of(report.resources.begin(), report.resources.end(), [&](const auto& resource) {
         return graph::matches(pattern, resource.key) && test(resource);
     });
+}
+
+/// Bytes that the budget leaves over beside a picture; the largest number without one.
+std::uint64_t left_over(std::uint64_t budget, const FrameReport& report) {
+    if (budget == 0) return std::numeric_limits<std::uint64_t>::max();
+    return budget - std::min(budget, report.memory_bytes);
 }
 
 bool contains(const std::vector<std::string>& texts, const std::string& text) {
@@ -233,7 +240,7 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
     result.history = execution.committed_frames() - execution.first_frame();
     result.time = execution.time();
     result.finished = execution.is_done();
-    if (result.finished) entry.drafts->rest();
+    if (result.finished) entry.drafts->rest(left_over(request.memory_budget, entry.report));
     result.inspection = request.inspection;
     result.report = entry.report;
     result.camera = execution.camera();

@@ -12,7 +12,7 @@
 
 namespace ir::graph {
 
-/// What a frame would take on the device.
+/// What a frame would take.
 struct MemoryPlan {
     std::uint64_t bytes = 0;
     struct Resource {
@@ -23,8 +23,10 @@ struct MemoryPlan {
     Resource largest_buffer;  ///< without
 };
 
-/// What the planned resources take; `elements` says how many of a buffer there are.
+/// What the planned resources take; `elements` says how many of a buffer there are. Of objects those count
+/// that are in `objects`: what the others will take is not known before they are made.
 MemoryPlan memory_of(const GraphBuilder& builder, const Plan& plan,
+                     const std::map<std::string, StoredObject>& objects,
                      const std::function<std::uint64_t(const BufferDesc&)>& elements);
 
 WorkKey work_of(const Method& method, const Settings& settings, const FrameInputs& inputs,
@@ -62,7 +64,9 @@ struct Frame {
     void begin();
     void run_attempts(const std::vector<std::string>& wanted);
     bool divide_further();
-    void run_passes();
+    /// False where the budget does not allow the frame, or an object that a pass made.
+    bool run_fitting();
+    bool run_passes();
     void resolve_times();
 
     /// For explanations, which run on what is there then.
@@ -88,13 +92,17 @@ struct Frame {
     void drop_contents(const Pass& pass);
 };
 
-/// What a frame takes on the device: frame_memory.cpp.
+/// What a frame takes, by the budget: frame_memory.cpp.
 class FrameMemory {
   public:
     explicit FrameMemory(Frame& frame) : frame_(frame) {}
     std::uint64_t capacity_of(const BufferDesc& desc) const;
     MemoryPlan plan() const;
     bool fits(const MemoryPlan& memory) const;
+    /// What the budget leaves over for spare objects; the largest number without a budget.
+    std::uint64_t spare_bytes() const;
+    /// Frees objects that this frame makes anew, and spare ones that take more than is left over.
+    void free_objects();
     void allocate();
     void prepare_counters();
     void prepare_parameters();
@@ -102,7 +110,6 @@ class FrameMemory {
     bool grow(const std::vector<std::uint64_t>& counts);
 
   private:
-    void free_dead_objects();
     Frame& frame_;
 };
 

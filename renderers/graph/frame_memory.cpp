@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "renderers/graph/frame.h"
 
 namespace ir::graph {
 
 MemoryPlan memory_of(const GraphBuilder& builder, const Plan& plan,
+                     const std::map<std::string, StoredObject>& objects,
                      const std::function<std::uint64_t(const BufferDesc&)>& elements) {
     MemoryPlan result;
     const auto add = [&](const MemoryPlan::Resource& resource) {
@@ -27,6 +29,12 @@ MemoryPlan memory_of(const GraphBuilder& builder, const Plan& plan,
         add({one.key, one.lower, one.bytes * (plan.buffer_history[i] ? 2 : 1)});
         if (one.bytes > result.largest_buffer.bytes) result.largest_buffer = one;
     }
+    for (std::size_t i = 0; i < builder.objects().size(); ++i) {
+        const auto& desc = builder.objects()[i];
+        const auto found = objects.find(desc.text.key);
+        if (plan.object_live[i] && !desc.is_spare && found != objects.end())
+            add({desc.text.key, {}, found->second.bytes});
+    }
     return result;
 }
 
@@ -41,12 +49,39 @@ std::uint64_t FrameMemory::capacity_of(const BufferDesc& desc) const {
 }
 
 MemoryPlan FrameMemory::plan() const {
-    return memory_of(*frame_.builder, frame_.plan, [&](const BufferDesc& desc) { return capacity_of(desc); });
+    return memory_of(*frame_.builder, frame_.plan, frame_.cache.objects,
+                     [&](const BufferDesc& desc) { return capacity_of(desc); });
 }
 
 bool FrameMemory::fits(const MemoryPlan& memory) const {
     return memory.largest_buffer.bytes <= frame_.cache.device.max_buffer_bytes() &&
            (frame_.options->memory_budget == 0 || memory.bytes <= frame_.options->memory_budget);
+}
+
+std::uint64_t FrameMemory::spare_bytes() const {
+    const auto budget = frame_.options->memory_budget;
+    if (budget == 0) return std::numeric_limits<std::uint64_t>::max();
+    return budget - std::min(budget, plan().bytes);
+}
+
+void FrameMemory::free_objects() {
+    auto& objects = frame_.cache.objects;
+    const auto erase_unless = [&](auto stays) {
+        std::erase_if(objects, [&](const auto& entry) {
+            for (std::size_t i = 0; i < frame_.builder->objects().size(); ++i)
+                if (const auto& desc = frame_.builder->objects()[i];
+                    desc.text.key == entry.first && frame_.plan.object_live[i])
+                    return !stays(desc, entry.second);
+            return true;
+        });
+    };
+    erase_unless([](const ObjectDesc& desc, const StoredObject& stored) {
+        return !desc.fingerprint.empty() && stored.fingerprint == desc.fingerprint;
+    });
+    const auto left = spare_bytes();
+    erase_unless([&](const ObjectDesc& desc, const StoredObject& stored) {
+        return !desc.is_spare || stored.bytes <= left;
+    });
 }
 
 void FrameMemory::allocate() {
@@ -75,16 +110,6 @@ void FrameMemory::allocate() {
                 &frame_.cache.pool.buffer(desc.text.key, desc.text.label, stride(desc), capacity_of(desc),
                                           desc.elements, frame_.plan.buffer_history[i]);
     }
-    free_dead_objects();
-}
-
-void FrameMemory::free_dead_objects() {
-    std::erase_if(frame_.cache.objects, [&](const auto& entry) {
-        for (std::size_t i = 0; i < frame_.builder->objects().size(); ++i)
-            if (frame_.plan.object_live[i] && frame_.builder->objects()[i].text.key == entry.first)
-                return false;
-        return true;
-    });
 }
 
 void FrameMemory::prepare_counters() {

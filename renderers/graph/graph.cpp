@@ -12,6 +12,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+bool makes_object(const Pass& pass) {
+    return std::any_of(pass.accesses.begin(), pass.accesses.end(), [](const Pass::Access& access) {
+        return access.write && access.kind == Pass::Access::Kind::object;
+    });
+}
+
 }  // namespace
 
 GraphCache::~GraphCache() {
@@ -75,6 +81,8 @@ void Frame::begin() {
         cache.batches = 1;
         cache.items_per_ms.clear();
     }
+    // Spare objects may become larger.
+    if (cache.work_key.budget != key.budget) cache.objects.clear();
     cache.work_key = std::move(key);
     cache.committed.clear();
     cache.pool.begin_frame();
@@ -89,7 +97,7 @@ bool Frame::divide_further() {
     return true;
 }
 
-void Frame::run_passes() {
+bool Frame::run_passes() {
     images.clear();
     buffers.clear();
     ran.clear();
@@ -97,6 +105,7 @@ void Frame::run_passes() {
     memory.allocate();
     put_restored(*this);
     adopt_shared(*this);
+    if (!memory.fits(memory.plan())) return false;
     memory.prepare_counters();
     memory.prepare_parameters();
     find_cached_passes();
@@ -112,8 +121,25 @@ void Frame::run_passes() {
         row.has_two_bodies = pass.has_two_bodies;
         cache.report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(pass, i) : row);
         cache.report.passes.back().is_kept = is_kept(pass);
+        if (ran[i] && makes_object(pass) && !memory.fits(memory.plan())) return false;
     }
     resolve_times();
+    return true;
+}
+
+bool Frame::run_fitting() {
+    FrameMemory memory(*this);
+    memory.free_objects();
+    if (!memory.fits(memory.plan())) return false;
+    bool is_done = false;
+    try {
+        is_done = run_passes();
+    } catch (...) {
+        drop_unsure_fingerprints();
+        throw;
+    }
+    if (!is_done) drop_unsure_fingerprints();
+    return is_done;
 }
 
 void Frame::resolve_times() {
@@ -137,16 +163,9 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
         if (!accept_restored(*this)) continue;
         learn_shared_capacities(*this);
         FrameMemory memory(*this);
-        const auto needed = memory.plan();
-        if (!memory.fits(needed)) {
-            if (!divide_further()) refuse(*this, needed);
+        if (!run_fitting()) {
+            if (!divide_further()) refuse(*this, memory.plan());
             continue;
-        }
-        try {
-            run_passes();
-        } catch (...) {
-            drop_unsure_fingerprints();
-            throw;
         }
         const auto counts = read_counters();
         cache.report.complete = !memory.grow(counts);

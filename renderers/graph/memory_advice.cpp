@@ -104,8 +104,9 @@ class Adviser {
         try {
             frame_.method->setup(declared, settings);
             const auto plan = make_plan(declared, wanted_of(*frame_.method, settings, *frame_.options));
-            const auto memory = memory_of(
-                declared, plan, [&](const BufferDesc& desc) { return expected_elements(desc, effect); });
+            const auto memory = memory_of(declared, plan, frame_.cache.objects, [&](const BufferDesc& desc) {
+                return expected_elements(desc, effect);
+            });
             const auto bytes = measure_(memory);
             all_.push_back({change + " (then " + rounded_up(bytes) + ")", bytes});
         } catch (const Error&) {

@@ -234,6 +234,13 @@ std::uint64_t PassContext::capacity(BufferRef ref) const {
     return s.buffers.at(ref.index)->capacity;
 }
 
+std::uint64_t PassContext::capacity(ObjectRef ref) const {
+    const auto& desc = frame_.builder->objects().at(ref.index);
+    require_write(pass_, declared(pass_, Kind::object, ref.index, false, desc.text.key), desc.text.key);
+    if (!desc.is_spare) throw std::logic_error("object '" + desc.text.key + "' is not spare");
+    return FrameMemory(frame_).spare_bytes();
+}
+
 bool PassContext::has_previous() const {
     auto& s = frame_;
     bool any = false;

@@ -120,6 +120,7 @@ class PassContext {
     // -------------------------------------------------------------------------------------------------------
     gl::ImageShape shape(ImageRef ref) const;
     std::uint64_t capacity(BufferRef ref) const;  ///< elements
+    std::uint64_t capacity(ObjectRef ref) const;  ///< bytes that a spare object may take
     /// Whether reads_previous finds a committed frame.
     bool has_previous() const;
 

@@ -84,6 +84,9 @@ int stride(const BufferDesc& desc);
 struct ObjectDesc {
     ResourceText text = {};
     std::string fingerprint = {};
+    /// Made of what the memory budget leaves over (PassContext::capacity), and freed where a later frame
+    /// needs its room. It has a fingerprint.
+    bool is_spare = false;
 };
 
 /// A 32-bit number that passes add to; zeroed when a frame starts, read when it ends. Counters of one key are

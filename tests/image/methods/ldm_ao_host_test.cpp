@@ -206,6 +206,21 @@ TEST_F(LdmAoStream, KeepsAsManyMapsAsFitAndStreamsTheRest) {
     }
 }
 
+TEST_F(LdmAoStream, KeepsWhatTheMemoryBudgetLeavesOver) {
+    geometry = "cornell";
+    load("builtin:cornell");
+    const auto settings = maps(64, 200, 0);
+    const auto whole = render(world_.cameras.front(), 24, 16, settings);
+    graph::FrameOptions options;
+    options.memory_budget = report.memory_bytes - (4 << 20);
+    for (const double built : {64.0, 32.0}) {
+        EXPECT_EQ(render(world_.cameras.front(), 24, 16, settings, options).pixels, whole.pixels);
+        EXPECT_LE(report.memory_bytes, options.memory_budget + 100'000);  // counters, hits
+        EXPECT_LE(report.counters.at("ldm.maps_built"), built);
+        EXPECT_GT(report.counters.at("ldm.maps_built"), 16);
+    }
+}
+
 TEST_F(LdmAoStream, SelfHitsAreCountedAsOnTheDevice) {
     load("builtin:atrium?detail=0.3");
     for (const char* rule : {"tangent-plane", "normal-offset"})

@@ -1,3 +1,6 @@
+#include "app/engine/drafts.h"
+#include "renderers/graph/shared_contents.h"
+#include "tests/unit/engine/egl_machine.h"
 #include "tests/unit/engine/render_thread_fixture.h"
 
 namespace ir::engine {
@@ -148,6 +151,19 @@ TEST_F(DraftsTest, TagsTakeTurnsWithTheirDrafts) {
     for (const auto& result : answers().results) order += result.tag;
     EXPECT_EQ(order.find("aaa"), std::string::npos) << order;
     EXPECT_LT(a, b);
+}
+
+TEST_F(DraftsTest, RestWithinWhatTheMemoryBudgetLeavesOver) {
+    Drafts drafts(egl_machine(), std::make_shared<graph::SharedContents>());
+    const auto request = drafted(request_of("a", "hbao"));
+    drafts.begin(request.experiment);
+    while (drafts.render(request, {})) continue;
+    const auto held = drafts.bytes();
+    EXPECT_GT(held, 0u);
+    drafts.rest(held);
+    EXPECT_EQ(drafts.bytes(), held);
+    drafts.rest(held - 1);
+    EXPECT_EQ(drafts.bytes(), 0u);
 }
 
 /// Other parts of the same picture are no reason to begin anew.

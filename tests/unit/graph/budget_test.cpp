@@ -208,5 +208,79 @@ TEST_F(GraphTest, GrowthThatBreaksTheBudgetLeadsToBatches) {
     EXPECT_EQ(report.counters.at("count"), 4000);
 }
 
+/// What a pass keeps on the host, of so many bytes, beside a buffer that works in batches.
+Declare keeps(std::uint64_t bytes, int* made, std::uint64_t numbers = 100) {
+    return [=](GraphBuilder& builder) {
+        const auto size = numbers / static_cast<std::uint64_t>(builder.batches(4));
+        const auto scratch = builder.buffer(buffer_of("scratch", size));
+        const auto tree = builder.object({.text = {.key = "tree", .label = ""}, .fingerprint = "same"});
+        builder.pass("build", Queue::cpu).writes(tree).execute([=](PassContext& p) {
+            p.store(tree, std::make_shared<int>(++*made), bytes);
+        });
+        builder.pass("use", Queue::cpu).reads(tree).writes(scratch).execute([](PassContext&) {});
+    };
+}
+
+TEST_F(GraphTest, WhatIsKeptOnTheHostCounts) {
+    int made = 0;
+    options.memory_budget = 5400;
+    EXPECT_EQ(run(keeps(5000, &made)).counters.at("batches"), 1);
+    options.memory_budget = 5200;
+    EXPECT_EQ(run(keeps(5000, &made)).counters.at("batches"), 2);
+    EXPECT_EQ(run(keeps(5000, &made)).counters.at("batches"), 2);
+    EXPECT_EQ(made, 2) << "once for each budget";
+    options.memory_budget = 5000;
+    for (int again = 0; again < 2; ++again) {
+        const auto text = message_of<BudgetError>([&] { run(keeps(5000, &made)); });
+        EXPECT_TRUE(contains(text, "needs 5.1 kB") && contains(text, "'tree' (5 kB)")) << text;
+    }
+}
+
+TEST_F(GraphTest, WhatStoodForAnotherFrameDoesNotCount) {
+    options.memory_budget = 5100;
+    std::uint64_t bytes = 5000;
+    const Declare hits = [&](GraphBuilder& builder) {
+        const auto found = builder.object({.text = {.key = "hits", .label = ""}});
+        const auto seen = builder.image(image_of("seen"));
+        builder.pass("find", Queue::cpu).writes(found, seen).execute([=](PassContext& p) {
+            p.store(found, std::make_shared<int>(), bytes);
+        });
+    };
+    run(hits);
+    bytes = 10;
+    inputs.view.width = 400;  // 4800 B
+    EXPECT_NO_THROW(run(hits));
+}
+
+/// An object of 10 kB, or less where the budget leaves less, beside a buffer of `numbers`.
+Declare spares(std::uint64_t numbers, int* made) {
+    return [=](GraphBuilder& builder) {
+        const auto needed = builder.buffer(buffer_of("needed", numbers));
+        const auto maps =
+            builder.object({.text = {.key = "maps", .label = ""}, .fingerprint = "same", .is_spare = true});
+        builder.pass("keep", Queue::cpu).writes(maps).execute([=](PassContext& p) {
+            p.store(maps, std::make_shared<int>(++*made), std::min<std::uint64_t>(10'000, p.capacity(maps)));
+        });
+        builder.pass("ask", Queue::cpu).reads(maps).writes(needed).execute([](PassContext&) {});
+    };
+}
+
+TEST_F(GraphTest, SpareObjectsTakeWhatTheBudgetLeavesOver) {
+    int made = 0;
+    const auto bytes = [&](std::uint64_t numbers) {
+        return resource_of(run(spares(numbers, &made)), "maps").bytes;
+    };
+    EXPECT_EQ(bytes(100), 10'000u);
+    options.memory_budget = 6000;
+    EXPECT_EQ(bytes(100), 5600u);
+    EXPECT_EQ(bytes(100), 5600u);
+    EXPECT_EQ(made, 2) << "once for each budget";
+    EXPECT_EQ(bytes(1000), 2000u) << "what the frame needs comes first";
+    EXPECT_EQ(bytes(1500), 0u);
+    EXPECT_THROW(bytes(1501), BudgetError);
+    options.memory_budget = 0;
+    EXPECT_EQ(bytes(100), 10'000u);
+}
+
 }  // namespace
 }  // namespace ir::graph

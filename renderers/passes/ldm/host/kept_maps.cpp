@@ -30,9 +30,10 @@ graph::ObjectRef declare_kept(graph::GraphBuilder& builder, const std::shared_pt
     desc.text.label = "Kept maps";
     desc.text.doc = "Outermost depths of maps that are asked anew while only the camera moves.";
     desc.fingerprint = maps->layout.fingerprint;
+    desc.is_spare = true;
     const auto result = builder.object(desc);
     builder.pass("kept maps", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
-        const auto made = std::make_shared<KeptMaps>(maps->layout);
+        const auto made = std::make_shared<KeptMaps>(maps->layout, context.capacity(result));
         context.store(result, made, made->bytes());
     });
     return result;

@@ -15,21 +15,23 @@ namespace ir::passes::ldm {
 /// share them may do at once.
 class KeptMaps {
   public:
+    /// However much the memory budget leaves over.
     static constexpr std::uint64_t max_bytes = 32 << 20;
 
-    /// How many maps with such a layout are kept.
-    static int count(const Layout& layout) {
+    /// How many maps with such a layout fit into so many bytes.
+    static int count(const Layout& layout, std::uint64_t room = max_bytes) {
         return static_cast<int>(
-            std::min<std::uint64_t>(layout.maps, max_bytes / map_bytes(layout.resolution)));
+            std::min<std::uint64_t>(layout.maps, std::min(room, max_bytes) / map_bytes(layout.resolution)));
     }
 
-    explicit KeptMaps(const Layout& layout)
+    KeptMaps(const Layout& layout, std::uint64_t room)
         : rows_(StreamedMap::band_rows(layout.resolution)),
-          count_(static_cast<std::size_t>(count(layout))),
+          count_(static_cast<std::size_t>(count(layout, room))),
           bands_(bands(layout.resolution) * count_, StreamedMap(layout.resolution, Holds::outermost)),
           fragments_(bands_.size()),
           built_(std::make_unique<std::once_flag[]>(bands_.size())) {}
 
+    std::int64_t count() const { return static_cast<std::int64_t>(count_); }
     std::uint64_t bytes() const { return count_ == 0 ? 0 : count_ * map_bytes(bands_.front().resolution); }
 
     /// The band from `row` on of maps first … end - 1, whose fragments are counted in `scratch` as if they

@@ -141,7 +141,7 @@ class Stream {
 
     void work(const HostScene& scene, KeptMaps* kept, Worker& worker, std::int64_t first, std::int64_t end,
               const Ask& ask) {
-        const auto kept_end = std::min<std::int64_t>(end, kept ? KeptMaps::count(maps_->layout) : 0);
+        const auto kept_end = std::min<std::int64_t>(end, kept ? kept->count() : 0);
         const int resolution = maps_->layout.resolution, rows = StreamedMap::band_rows(resolution);
         for (int row = 0; row < resolution; row += rows) {
             if (first < kept_end)
