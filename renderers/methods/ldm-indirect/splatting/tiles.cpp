@@ -12,9 +12,10 @@ constexpr int rows = 8;                    ///< pixels of an invocation; divides
 constexpr unsigned columns = 1024;         ///< parts of the photons that are binned side by side
 constexpr int max_bins = 4096;             ///< so that counts take 16 MiB at most
 constexpr std::int64_t max_turns = 60000;  ///< llvmpipe ends all loops of an invocation after 65,535
-/// Entries of a list that one dispatch sums. Compilers unroll the loop over rows only where it is short.
+/// Entries of a list that one dispatch sums. Compilers unroll the loop over rows only where it is short; else
+/// each entry takes a turn, one for each row, and one that ends the rows.
 std::int64_t round_size(const SplatTask& task) {
-    return task.photons.looks ? max_turns / (rows + 1) : 49152;
+    return task.photons.looks ? max_turns / (rows + 2) : 49152;
 }
 constexpr std::uint64_t expected_entries = 1 << 16;
 
@@ -73,7 +74,9 @@ void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
     const auto capacity = static_cast<std::int64_t>(p.capacity(task.photons.records));
     const std::int64_t per_column = (capacity + columns - 1) / columns;
     const auto end = per_column * slice.end / passes::photon_parts;
-    const auto step = std::max<std::int64_t>(1, max_turns / (lists.bins.count() + lists.bins.down + 32));
+    // of a photon: rows of bins, bins in them, each with a turn that ends them, and what clipped_box() takes
+    const auto turns = lists.bins.count() + 2 * lists.bins.down + 44;
+    const auto step = std::max<std::int64_t>(1, max_turns / turns);
     for (auto first = per_column * slice.begin / passes::photon_parts; first < end; first += step) {
         constants.first_of_column = static_cast<unsigned>(first);
         constants.end_of_column = static_cast<unsigned>(std::min(end, first + step));
