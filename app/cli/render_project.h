@@ -22,7 +22,7 @@ struct ProjectRender {
     std::string json = {};  ///< file for all statistics, by experiment; "-": standard output
     double checkpoint = engine::Checkpoints::usual_seconds;  ///< of what is kept
     ExperimentFlags changes = {};                            ///< of every experiment
-    Shard shard = {};                              ///< of the experiments
+    Shard shard = {};                                        ///< of the experiments
 };
 
 /// Renders an experiment to OUT/ID.exr, OUT/ID.png and OUT/ID.json, and keeps the result in `folder` where

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "renderers/core/shard.h"
 #include "projects/sweep.h"
+#include "renderers/core/shard.h"
 
 namespace ir::engine {
 

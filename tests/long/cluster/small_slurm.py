@@ -76,8 +76,8 @@ class Cluster:
         key = self.folder / "munge.key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
-        self.start("munged", "munged", "--foreground", "--force", f"--key-file={key}", f"--socket={self.folder}/munge.socket",
-                   f"--pid-file={self.folder}/munged.pid", f"--log-file={self.folder}/munged.log",
+        self.start("munged", "munged", "--foreground", "--force", f"--key-file={key}",
+                   f"--socket={self.folder}/munge.socket", f"--pid-file={self.folder}/munged.pid", f"--log-file={self.folder}/munged.log",
                    f"--seed-file={self.folder}/munged.seed")
         self.wait(lambda: (self.folder / "munge.socket").exists())
         self.start("slurmctld", "slurmctld", "-D", "-c")

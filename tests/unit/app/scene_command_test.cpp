@@ -101,7 +101,7 @@ TEST_F(SceneCommand, ListsOrRefusesSharedScenes) {
             if ((entry.path().extension() == ".gltf" || entry.path().extension() == ".glb") &&
                 entry.file_size() < 100'000)
                 files.insert(entry.path());
-    constexpr std::size_t max_files = 60;
+    constexpr std::size_t max_files = 40;
     const std::size_t step = std::max<std::size_t>(1, files.size() / max_files);
     std::size_t i = 0, listed = 0, refused = 0;
     for (const auto& each : files) {

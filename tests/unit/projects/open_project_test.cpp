@@ -12,9 +12,9 @@
 #include "projects/keep.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
-#include "renderers/core/shard.h"
 #include "projects/sweep.h"
 #include "renderers/core/error.h"
+#include "renderers/core/shard.h"
 #include "tests/unit/projects/sample.h"
 
 namespace ir::projects {
