@@ -11,8 +11,8 @@
 
 #include "projects/json.h"
 #include "projects/light_spec.h"
-#include "projects/material_override.h"
 #include "renderers/core/camera_pose.h"
+#include "renderers/core/material_change.h"
 #include "renderers/core/method.h"
 #include "renderers/core/value.h"
 
@@ -24,6 +24,11 @@ namespace ir::projects {
 inline constexpr int schema_version = 6;
 /// Id that stands for the scene's own lights and environment wherever a set of lights is asked for.
 inline constexpr const char* scene_lights = "scene";
+
+struct MaterialOverride : MaterialChange {
+    Json extra = Json::object();
+    bool operator==(const MaterialOverride&) const = default;
+};
 
 /// A file or built-in scene as a part of a composed scene.
 struct ScenePart {

@@ -26,6 +26,11 @@ std::string write_project(const Project& project);
 
 Json to_json(const Project& project);
 Json to_json(const LightSpec& light);
+/// Only members that it changes and this build knows.
+Json to_json(const MaterialOverride& change);
+/// What decides what a camera sees, by the keys of its fields: orthographic ones have a height, others
+/// fov_y_degrees.
+Json pose_json(const CameraPose& pose);
 /// What of it moves, without the ids of what is moved: its keys, and whether it begins again.
 Json motion_inputs(const Motion& motion);
 /// The values of a key alone.

@@ -36,7 +36,9 @@ std::map<std::string, MaterialOverride> read_materials(ObjectReader& reader) {
     ObjectReader group(*json, reader.file(), reader.pointer_to_member("materials"));
     for (auto it = json->begin(); it != json->end(); ++it) {
         ObjectReader inner(*it, reader.file(), group.pointer_to_member(it.key()));
-        materials[it.key()] = read_material_override(inner);
+        auto& change = materials[it.key()];
+        read_fields(inner, change, material_fields());
+        change.extra = inner.rest();
     }
     return materials;
 }
@@ -80,12 +82,9 @@ auto read_with(const Fields<Item>& fields) {
 }
 
 LightSpec::Type read_light_type(ObjectReader& reader) {
-    using Type = LightSpec::Type;
     const auto name = reader.required_text("type");
-    for (const auto type : {Type::point, Type::spot, Type::directional, Type::rect, Type::disk})
-        if (to_string(type) == name) return type;
-    reader.fail("type",
-                "'" + printable(name, 60) + "' is no light; give point, spot, directional, rect or disk");
+    if (const auto type = light_type_of(name)) return *type;
+    reader.fail("type", "'" + printable(name, 60) + "' is no light; give " + light_type_names());
 }
 
 void read_strength(ObjectReader& reader, LightSpec& light) {

@@ -173,6 +173,22 @@ Json motion_inputs(const Motion& motion) {
     return json;
 }
 
+Json to_json(const MaterialOverride& change) {
+    Json json = Json::object();
+    write_fields(json, change, material_fields());
+    return json;
+}
+
+Json pose_json(const CameraPose& pose) {
+    Camera camera;
+    camera.set_pose(pose);
+    Json json = Json::object();
+    for (const auto& field : camera_fields())
+        if (const auto numbers = numbers_of(field.slot(camera)); !numbers.empty() && field.counts_in(camera))
+            json[field.text.key] = numbers.size() > 1 ? Json(numbers) : Json(numbers.front());
+    return json;
+}
+
 Json to_json(const Project& project) {
     Json json = Json::object({{"schema", project.schema}, {"name", project.name}, {"notes", project.notes}});
     json["scenes"] = list(project.scenes, write_scene);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
 
 #include "projects/document_fields.h"
 #include "projects/text.h"
@@ -19,8 +20,6 @@ namespace {
 
 using Type = LightSpec::Type;
 using Quantity = LightSpec::Quantity;
-
-constexpr std::array types{Type::point, Type::spot, Type::directional, Type::rect, Type::disk};
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -53,10 +52,9 @@ std::vector<std::string> allowed_fields(Type type) {
 }
 
 Type parse_type(std::string_view text, std::string_view spec) {
-    for (const auto type : types)
-        if (to_string(type) == text) return type;
-    throw UsageError("light '" + printable(spec) + "': unknown type '" + printable(text) +
-                     "'; give point, spot, directional, rect or disk");
+    if (const auto type = light_type_of(text)) return *type;
+    throw UsageError("light '" + printable(spec) + "': unknown type '" + printable(text) + "'; give " +
+                     light_type_names());
 }
 
 using Given = std::map<std::string, std::string_view, std::less<>>;
@@ -148,6 +146,19 @@ void validate_places(const LightSpec& light, const std::string& where) {
 std::string to_string(LightSpec::Type type) {
     static constexpr std::array names{"point", "spot", "directional", "rect", "disk"};
     return names.at(static_cast<std::size_t>(type));
+}
+
+std::optional<Type> light_type_of(std::string_view name) {
+    for (const auto type : LightSpec::types)
+        if (to_string(type) == name) return type;
+    return {};
+}
+
+std::string light_type_names() {
+    std::string names = to_string(LightSpec::types.front());
+    for (const auto type : std::span(LightSpec::types).subspan(1))
+        names += (type == LightSpec::types.back() ? " or " : ", ") + to_string(type);
+    return names;
 }
 
 std::string to_string(LightSpec::Quantity quantity) {

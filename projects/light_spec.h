@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@ namespace ir::projects {
 /// One light as `--light` and the project file give it. Numbers in metres, degrees and radiometric units.
 struct LightSpec {
     enum class Type { point, spot, directional, rect, disk };
+    static constexpr std::array types{Type::point, Type::spot, Type::directional, Type::rect, Type::disk};
     /// What `amount` is: W/sr, W, W/m², W/(m² sr).
     enum class Quantity { intensity, flux, irradiance, radiance };
 
@@ -44,7 +46,9 @@ std::string to_string(const LightSpec& light);
 /// Throws UsageError for numbers that make no sense (negative amount, target at the position, inner > outer).
 void validate(const LightSpec& light);
 
-std::string to_string(LightSpec::Type type);          ///< "point", "spot", "directional", "rect", "disk"
+std::string to_string(LightSpec::Type type);  ///< "point", "spot", "directional", "rect", "disk"
+std::optional<LightSpec::Type> light_type_of(std::string_view name);  ///< of one of these names
+std::string light_type_names();                       ///< "point, spot, directional, rect or disk"
 std::string to_string(LightSpec::Quantity quantity);  ///< "intensity", "flux", "irradiance", "radiance"
 
 /// Whether it looks at a point or along a direction: spot, rect and disk.

@@ -60,14 +60,7 @@ Json camera_inputs(const Project& project, const Experiment& experiment, const S
     const auto* camera = find_item(project.cameras, experiment.camera);
     if (!camera) return "missing " + experiment.camera;
     if (!camera->scene_camera.empty()) return Json::object({{"scene_camera", camera->scene_camera}});
-    const auto pose = camera_at(project, *camera, sight.time);
-    Json json = Json::object({{"eye", vector_of(pose.eye)}});
-    json["target"] = vector_of(pose.target);
-    json["up"] = vector_of(pose.up);
-    if (pose.orthographic)
-        json["height"] = pose.height;
-    else
-        json["fov_y_degrees"] = pose.fov_y_degrees;
+    Json json = pose_json(camera_at(project, *camera, sight.time));
     put_motion(json, motion_of_camera(project, camera->id), sight);
     return json;
 }

@@ -168,10 +168,9 @@ Json scene_schema() {
 }
 
 Json light_schema() {
-    using Type = LightSpec::Type;
     auto json = object({{"type", {{"enum", Json::array()}}}}, {"type"});
     add_fields(json, light_fields());
-    for (const auto kind : {Type::point, Type::spot, Type::directional, Type::rect, Type::disk}) {
+    for (const auto kind : LightSpec::types) {
         const auto name = to_string(kind);
         json["properties"]["type"]["enum"].push_back(name);
         Json one_of = Json::array();

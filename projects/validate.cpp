@@ -51,7 +51,7 @@ void validate(const Scene& scene) {
     for (const auto& part : scene.parts) {
         validate_fields(part, part_fields(), where + "a part's ");
         for (const auto& [name, change] : part.materials)
-            validate(change, where + "material '" + printable(name, 60) + "': ");
+            validate_fields(change, material_fields(), where + "material '" + printable(name, 60) + "': ");
         if (!part.transform) continue;
         for (const double number : *part.transform)
             refuse_unless(std::isfinite(number), where + "a transform must hold finite numbers");

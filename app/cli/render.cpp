@@ -7,7 +7,6 @@
 #include "app/cli/experiment_flags.h"
 #include "app/cli/inspection.h"
 #include "app/cli/output_files.h"
-#include "app/cli/picture_file.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_and_keep.h"

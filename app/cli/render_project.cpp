@@ -8,7 +8,6 @@
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
 #include "app/cli/output_files.h"
-#include "app/cli/picture_file.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"

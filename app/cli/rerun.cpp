@@ -7,7 +7,6 @@
 #include "app/cli/command.h"
 #include "app/cli/experiment_flags.h"
 #include "app/cli/output_files.h"
-#include "app/cli/picture_file.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"

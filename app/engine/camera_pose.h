@@ -1,9 +1,17 @@
 #pragma once
 
+#include <tuple>
+
 #include "renderers/core/camera_pose.h"
 #include "renderers/scene/scene.h"
 
 namespace ir::engine {
+
+/// All that decides what a camera sees at time 0.
+inline auto seen_by(const scene::Camera& c) {
+    return std::tie(c.eye.x, c.eye.y, c.eye.z, c.target.x, c.target.y, c.target.z, c.up.x, c.up.y, c.up.z,
+                    c.fov_y, c.orthographic, c.height);
+}
 
 /// The renderers' camera as documents have it and views move it, and back.
 inline CameraPose pose_of(const scene::Camera& camera) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/engine/camera_pose.h"
 #include "app/engine/live_session.h"
 #include "app/engine/moving.h"
 #include "app/engine/pictures.h"
@@ -49,11 +50,8 @@ std::string sight_of(const Experiment& experiment) {
     std::ostringstream text;
     text << std::hexfloat << experiment.camera_name << ' ' << experiment.time << ' '
          << motion_text(experiment);
-    if (const auto& camera = experiment.camera) {
-        for (const auto& v : {camera->eye, camera->target, camera->up})
-            text << ' ' << v.x << ' ' << v.y << ' ' << v.z;
-        text << ' ' << camera->fov_y << ' ' << camera->orthographic << ' ' << camera->height;
-    }
+    if (const auto& camera = experiment.camera)
+        std::apply([&](auto... numbers) { ((text << ' ' << numbers), ...); }, seen_by(*camera));
     return text.str();
 }
 

@@ -1,10 +1,12 @@
 #include "app/engine/execution.h"
+#include "app/engine/camera_pose.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
 
+#include "app/engine/camera_pose.h"
 #include "app/engine/lighting_digest.h"
 #include "app/engine/moving.h"
 #include "projects/samples.h"
@@ -20,9 +22,7 @@ namespace ir::engine {
 namespace {
 
 bool same_camera(const std::optional<scene::Camera>& a, const std::optional<scene::Camera>& b) {
-    if (a.has_value() != b.has_value()) return false;
-    return !a || (a->eye == b->eye && a->target == b->target && a->up == b->up && a->fov_y == b->fov_y &&
-                  a->orthographic == b->orthographic && a->height == b->height);
+    return a.has_value() == b.has_value() && (!a || seen_by(*a) == seen_by(*b));
 }
 
 bool shine_alike(const scene::Light& a, const scene::Light& b) {

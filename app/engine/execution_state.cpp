@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "app/engine/camera_pose.h"
 #include "app/engine/execution.h"
 #include "app/engine/moving.h"
 #include "app/engine/version.h"
@@ -19,7 +20,6 @@ class Exact {
     void add(Numbers... numbers) {
         ((text_ << ' ' << numbers), ...);
     }
-    void add_vector(const glm::vec3& v) { add(v.x, v.y, v.z); }
     void add_text(const std::string& text) { text_ << ' ' << text.size() << ':' << text; }
     std::string hash() const { return hash_bytes(text_.str()); }
     Exact() { text_ << std::hexfloat; }
@@ -34,7 +34,7 @@ void add(Exact& exact, const scene::Light& light) {
 }
 
 void add(Exact& exact, const scene::Environment& environment) {
-    exact.add_vector(environment.constant);
+    exact.add(environment.constant.x, environment.constant.y, environment.constant.z);
     if (!environment.map) return;
     const auto& map = *environment.map;
     exact.add(map.width, map.height, map.channels);
@@ -42,8 +42,7 @@ void add(Exact& exact, const scene::Environment& environment) {
 }
 
 void add(Exact& exact, const scene::Camera& camera) {
-    for (const auto& vector : {camera.eye, camera.target, camera.up}) exact.add_vector(vector);
-    exact.add(camera.fov_y, camera.orthographic, camera.height);
+    std::apply([&](auto... numbers) { exact.add(numbers...); }, seen_by(camera));
 }
 
 }  // namespace

@@ -33,25 +33,6 @@ scene::LightType type_of(projects::LightSpec::Type type) {
     }
 }
 
-/// The document counts in double, the renderers in float.
-template <class To, class From>
-std::optional<To> converted(const std::optional<From>& value) {
-    if (!value) return {};
-    return To(*value);
-}
-
-scene::MaterialOverride to_scene_override(const projects::MaterialOverride& change) {
-    scene::MaterialOverride result;
-    result.base_colour = converted<glm::vec4>(change.base_colour);
-    result.metallic = converted<float>(change.metallic);
-    result.roughness = converted<float>(change.roughness);
-    result.emission = converted<glm::vec3>(change.emission);
-    result.normal_scale = converted<float>(change.normal_scale);
-    result.ior = converted<float>(change.ior);
-    result.transmission = converted<float>(change.transmission);
-    return result;
-}
-
 glm::mat4 matrix_of(const std::array<double, 16>& numbers) {
     glm::mat4 matrix;
     for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = static_cast<float>(numbers[std::size_t(i)]);
@@ -77,7 +58,7 @@ scene::Part to_scene_part(const projects::ScenePart& part, const projects::Motio
         result.transform = matrix_of(projects::transform_of(motion->keys.front()));
     else if (part.transform)
         result.transform = matrix_of(*part.transform);
-    for (const auto& [name, change] : part.materials) result.materials[name] = to_scene_override(change);
+    result.materials.insert(part.materials.begin(), part.materials.end());
     return result;
 }
 

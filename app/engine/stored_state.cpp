@@ -17,8 +17,7 @@
 #include "app/engine/state_layout.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
-#include "renderers/image/exr_attributes.h"
-#include "renderers/image/exr_stream.h"
+#include "renderers/image/exr_parts.h"
 
 namespace ir::engine {
 namespace {

@@ -48,12 +48,9 @@ std::string signature_of(const Want& want) {
     return text + (want.thumbnails ? "|thumbnails" : "");
 }
 
-std::ostream& operator<<(std::ostream& out, const glm::vec3& v) {
-    return out << v.x << ',' << v.y << ',' << v.z << ';';
-}
-
-void write_camera(std::ostream& out, const scene::Camera& c) {
-    out << c.eye << c.target << c.up << c.fov_y << ',' << c.orthographic << ',' << c.height << '\n';
+void write_camera(std::ostream& out, const scene::Camera& camera) {
+    std::apply([&](auto... numbers) { ((out << numbers << ','), ...); }, engine::seen_by(camera));
+    out << '\n';
 }
 
 }  // namespace

@@ -23,7 +23,6 @@ class ResultsDock : public QWidget {
     QString why_not_keep() const;
     /// Keeps the shown experiment's picture, once it is finished.
     void keep();
-    bool is_keeping() const { return !keeping_.empty(); }
     /// A table that is not seen is not filled.
     void set_visible_to_user(bool seen);
     /// Asks a person whether so many results shall be deleted; a dialog unless another way is given.

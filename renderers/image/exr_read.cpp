@@ -11,8 +11,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
-#include "renderers/image/exr_attributes.h"
-#include "renderers/image/exr_channels.h"
+#include "renderers/image/exr_parts.h"
 
 namespace ir {
 namespace {
@@ -22,6 +21,24 @@ constexpr std::int64_t max_exr_pixels = std::int64_t(1) << 28;
 
 /// So are files that would have to be compressed by more than this (zip reaches 1032) beyond a first 64 MiB.
 constexpr std::int64_t max_compression = 5000, free_bytes = 64 << 20;
+
+/// "ldm.layers.Y" → {"ldm.layers", "Y"}; without a dot the layer is empty.
+struct ChannelName {
+    std::string layer, channel;
+};
+ChannelName split_channel_name(const std::string& full_name) {
+    const auto dot = full_name.rfind('.');
+    if (dot == std::string::npos) return {"", full_name};
+    return {full_name.substr(0, dot), full_name.substr(dot + 1)};
+}
+
+/// Position in which a channel is shown: R, G, B, A; X, Y, Z, W; U, V; others after them. Files keep channels
+/// in alphabetical order.
+int channel_rank(const std::string& channel) {
+    static const std::string order = "RGBAXYZWUV";
+    const auto found = channel.size() == 1 ? order.find(channel[0]) : std::string::npos;
+    return static_cast<int>(found == std::string::npos ? order.size() : found);
+}
 
 /// The full channel names in the file that make up one layer.
 struct LayerChannels {

@@ -12,8 +12,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
-#include "renderers/image/exr.h"
-#include "renderers/image/exr_stream.h"
+#include "renderers/image/exr_parts.h"
 
 namespace ir {
 namespace {
@@ -135,6 +134,24 @@ Fill content_of(const std::filesystem::path& file, const std::vector<ImageLayer>
 }
 
 }  // namespace
+
+std::vector<std::string> standard_channels(int channels, bool vector_valued) {
+    switch (channels) {
+        case 1:
+            return {"Y"};
+        case 2:
+            return {"X", "Y"};
+        case 3:
+            return vector_valued ? std::vector<std::string>{"X", "Y", "Z"}
+                                 : std::vector<std::string>{"R", "G", "B"};
+        case 4:
+            return vector_valued ? std::vector<std::string>{"X", "Y", "Z", "W"}
+                                 : std::vector<std::string>{"R", "G", "B", "A"};
+        default:
+            throw UsageError("an image of " + std::to_string(channels) +
+                             " channels has no standard channel names; use 1 to 4 channels");
+    }
+}
 
 void compress_exr_in_threads() {
     Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency()));

@@ -32,7 +32,7 @@ class Overrider {
     Overrider(const std::string& part, const std::string& material)
         : where_("part '" + part + "', material '" + material + "': ") {}
 
-    void apply(const MaterialOverride& given, Material& material) const {
+    void apply(const MaterialChange& given, Material& material) const {
         set(given.base_colour, material.base_colour, "base_colour", 0, 1);
         set(given.metallic, material.metallic, "metallic", 0, 1);
         set(given.roughness, material.roughness, "roughness", 0, 1);
@@ -43,7 +43,7 @@ class Overrider {
     }
 
   private:
-    static bool is_within(float number, float min, float max) { return number >= min && number <= max; }
+    static bool is_within(double number, float min, float max) { return number >= min && number <= max; }
     template <class Vector>
     static bool is_within(const Vector& vector, float min, float max) {
         for (int i = 0; i < Vector::length(); ++i)
@@ -55,13 +55,13 @@ class Overrider {
         std::snprintf(digits, sizeof digits, "%g", static_cast<double>(number));
         return digits;
     }
-    template <class Member>
-    void set(const std::optional<Member>& given, Member& member, const char* name, float min,
+    template <class Given, class Member>
+    void set(const std::optional<Given>& given, Member& member, const char* name, float min,
              float max) const {
         if (!given) return;
         if (!is_within(*given, min, max))
             throw UsageError(where_ + name + " must lie between " + text(min) + " and " + text(max));
-        member = *given;
+        member = Member(*given);
     }
 
     std::string where_;

@@ -4,23 +4,13 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "renderers/core/material_change.h"
 #include "renderers/scene/scene.h"
 
 namespace ir::scene {
-
-/// Replaces what is given of a material. These are factors: the material's textures still multiply them, so
-/// an overridden base colour tints a textured surface and paints an untextured one.
-struct MaterialOverride {
-    std::optional<glm::vec4> base_colour;  ///< linear, each from 0 to 1
-    std::optional<float> metallic, roughness;
-    std::optional<glm::vec3> emission;  ///< W/(m² sr)
-    std::optional<float> normal_scale, ior, transmission;
-    bool operator==(const MaterialOverride&) const = default;
-};
 
 /// Where a part stands over time: T R S in place of its transform, linear between keys (rotations on the
 /// shortest arc), clamped at the ends.
@@ -39,9 +29,9 @@ struct PartMotion {
 
 /// A scene as a part of a composed one.
 struct Part {
-    std::string source;                                      ///< as load_scene() takes it
-    glm::mat4 transform{1};                                  ///< affine, of the whole part, metres
-    std::map<std::string, MaterialOverride> materials = {};  ///< by the material's name
+    std::string source;                                    ///< as load_scene() takes it
+    glm::mat4 transform{1};                                ///< affine, of the whole part, metres
+    std::map<std::string, MaterialChange> materials = {};  ///< by the material's name
     PartMotion motion = {};  ///< without keys the part stands still; else `transform` does not count
     bool operator==(const Part&) const = default;
 };

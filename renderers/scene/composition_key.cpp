@@ -16,13 +16,11 @@ class KeyWriter {
             for (int column = 0; column < 4; ++column) numbers(part.transform[column]);
         for (const auto& [name, change] : part.materials) {
             text_ << '{' << name.size() << ':' << name;
-            numbers("base_colour", change.base_colour);
-            numbers("metallic", change.metallic);
-            numbers("roughness", change.roughness);
-            numbers("emission", change.emission);
-            numbers("normal_scale", change.normal_scale);
-            numbers("ior", change.ior);
-            numbers("transmission", change.transmission);
+            for_each_field(change, [this](std::string_view word, const auto& value) {
+                if (!value) return;
+                text_ << ' ' << word;
+                numbers(*value);
+            });
             text_ << '}';
         }
         if (!part.motion.keys.empty()) add(part.motion);
@@ -43,16 +41,10 @@ class KeyWriter {
         }
         text_ << ']';
     }
-    void numbers(float number) { text_ << ' ' << number; }
-    template <class Vector>
-    void numbers(const Vector& vector) {
-        for (int i = 0; i < Vector::length(); ++i) text_ << ' ' << vector[i];
-    }
-    template <class Numbers>
-    void numbers(const char* word, const std::optional<Numbers>& value) {
-        if (!value) return;
-        text_ << ' ' << word;
-        numbers(*value);
+    void numbers(double number) { text_ << ' ' << static_cast<float>(number); }
+    template <glm::length_t n, class Number>
+    void numbers(const glm::vec<n, Number>& vector) {
+        for (int i = 0; i < n; ++i) numbers(vector[i]);
     }
 
     std::ostringstream text_;

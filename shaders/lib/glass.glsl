@@ -25,7 +25,7 @@ bool is_rough_glass(Scatterer s, Glass glass) {
 }
 
 /// Whether some light goes on in one direction only.
-bool is_specular(Scatterer s, Glass glass) {
+bool has_specular(Scatterer s, Glass glass) {
     return (glass.part > 0.0 && !is_rough_glass(s, glass)) || (s.specular > 0.0 && s.alpha < MIRROR_ALPHA);
 }
 

@@ -16,7 +16,6 @@ using projects::LightSpec;
 using Type = LightSpec::Type;
 using Quantity = LightSpec::Quantity;
 
-constexpr Type types[] = {Type::point, Type::spot, Type::directional, Type::rect, Type::disk};
 constexpr Quantity quantities[] = {Quantity::intensity, Quantity::flux, Quantity::irradiance,
                                    Quantity::radiance};
 
@@ -62,7 +61,7 @@ LightForm::LightForm(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(t
     type_ = new ChoiceField("light-type", this);
     add(tr("Type"), type_, tr("Kind of light"));
     connect(type_, &ChoiceField::chosen, this, [this](const QString& id) {
-        for (const Type type : types)
+        for (const Type type : LightSpec::types)
             if (id == QString::fromStdString(to_string(type)))
                 emit change_wanted(
                     tr("type"), [type](LightSpec& light) { light = with_type(light, type); }, false);
@@ -175,7 +174,7 @@ void LightForm::set_usable(const QString& why_not) {
 
 void LightForm::show_light(const LightSpec& light) {
     std::vector<Option> kinds, strengths;
-    for (const Type type : types)
+    for (const Type type : LightSpec::types)
         kinds.push_back({QString::fromStdString(to_string(type)), light_name(type), {}});
     type_->show_options(kinds, QString::fromStdString(to_string(light.type)));
     const auto allowed = projects::allowed_quantities(light.type);

@@ -19,7 +19,7 @@ using projects::MaterialOverride;
 
 /// What a glTF file that does not say has [glTF 2.0 §5.19, KHR_materials_ior, KHR_materials_transmission].
 const MaterialOverride& gltf_defaults() {
-    static const MaterialOverride defaults{glm::dvec4(1), 1, 1, glm::dvec3(0), 1, 1.5, 0};
+    static const MaterialOverride defaults{{glm::dvec4(1), 1, 1, glm::dvec3(0), 1, 1.5, 0}};
     return defaults;
 }
 

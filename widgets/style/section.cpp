@@ -23,8 +23,7 @@ QGridLayout* make_section(const QString& title, QWidget* parent) {
     header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     header->setStyleSheet(
         QStringLiteral("QToolButton, QToolButton:checked { background: #3a3a3a; border: none; border-radius: "
-                       "3px; padding: 4px; "
-                       "text-align: left; font-weight: bold; }"));
+                       "3px; padding: 4px; text-align: left; font-weight: bold; }"));
     auto* body = new QWidget(parent);
     body->setProperty(header_property, QVariant::fromValue(header));
     auto* grid = new QGridLayout(body);

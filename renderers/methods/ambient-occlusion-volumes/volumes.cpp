@@ -132,9 +132,7 @@ void read_volumes(graph::PassBuilder& pass, const Volumes& volumes) {
 TriangleConstants triangle_constants(const graph::FrameInputs& inputs, const Volumes& volumes) {
     return {.opaque_triangles = inputs.world->opaque_triangles,
             .reach = volumes.reach,
-            .both_sides = volumes.both_sides,
-            .min_offset = passes::min_ray_offset_m,
-            .offset_scale = passes::relative_ray_offset};
+            .both_sides = volumes.both_sides};
 }
 
 Hull hull(const graph::FrameInputs& inputs, const Volumes& volumes) {

@@ -30,14 +30,12 @@ Volumes declare_volumes(graph::GraphBuilder& builder, const passes::SceneBuffers
 /// Declares what a pass reads to draw volumes, or to look at triangles.
 void read_volumes(graph::PassBuilder& pass, const Volumes& volumes);
 
-/// Constants of shaders that look at triangles: of triangle.glsl and origin.glsl, and which volumes they
-/// have.
+/// Constants of shaders that look at triangles: of triangle.glsl, and which volumes they have.
 struct TriangleConstants {
     unsigned opaque_triangles;
     float reach;
     bool both_sides;
-    float min_offset, offset_scale;
-    IR_FIELDS(opaque_triangles, reach, both_sides, min_offset, offset_scale)
+    IR_FIELDS(opaque_triangles, reach, both_sides)
 };
 TriangleConstants triangle_constants(const graph::FrameInputs& inputs, const Volumes& volumes);
 

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "renderers/core/transport.h"
+#include "renderers/passes/sampling/power_heuristic.h"
 
 namespace ir::methods::reference {
 
@@ -60,12 +61,6 @@ struct PathLight {
 
 /// The weights of the estimator. Tests put wrong ones in their place, which they must notice.
 struct Estimator {
-    /// Of a sample that was drawn with density `pdf` where another technique has the density `other`.
-    /// [Veach95, power heuristic with β = 2]
-    static float power_heuristic(float pdf, float other) {
-        const float ratio = other / pdf;
-        return 1 / (1 + ratio * ratio);
-    }
     /// Probability with which a path of this throughput goes on: surely while more than half is left. Against
     /// roulette by throughput from the fourth scattering on, this takes 30 % less time for the same error on
     /// Sponza (albedo 0.3), and the same on the grey conference room (0.6).
@@ -75,7 +70,7 @@ struct Estimator {
     /// What the survivors of that probability are multiplied by.
     static float compensation(float probability) { return 1 / probability; }
 
-    float (*combine)(float pdf, float other) = power_heuristic;
+    float (*combine)(float pdf, float other) = passes::power_heuristic;
     float (*survival)(glm::vec3 throughput) = by_throughput;
     float (*compensate)(float probability) = compensation;
 };

@@ -43,9 +43,9 @@ SharpMaterials sharp_materials(const scene::Scene& scene, Transport::Materials m
     for (const auto& material : scene.materials) {
         const bool reflects = has_interface(material, model);
         const float alpha = reflects ? min_alpha(scene, material) : 1;
-        const bool is_specular = reflects && (is_clear(material) || alpha < passes::mirror_alpha);
-        result.specular.push_back(is_specular);
-        result.sharp.push_back(is_specular || (reflects && alpha < sharp_alpha));
+        const bool has_specular = reflects && (is_clear(material) || alpha < passes::mirror_alpha);
+        result.specular.push_back(has_specular);
+        result.sharp.push_back(has_specular || (reflects && alpha < sharp_alpha));
     }
     return result;
 }

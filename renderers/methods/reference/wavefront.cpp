@@ -104,16 +104,14 @@ void Wavefront::add_flat_lights(const Path& path, float far) {
 
 void Wavefront::add_environment(const Path& path) {
     if (!lights(path).has_environment()) return;
-    const float pdf =
-        path.pdf > 0 ? lights(path).pdf_of_environment(path.origin, path.normal, path.direction) : 0;
+    const float pdf = path.pdf > 0 ? lights(path).pdf_of_environment(path.normal, path.direction) : 0;
     lights_[path.index].after(path.scatterings) +=
         weight(path, pdf, passes::EmissionSampler::environment, 0, infinity) * path.throughput *
         lights(path).environment(path.direction);
 }
 
 void Wavefront::add_emission(const Path& path, const passes::Hit& hit) {
-    const float pdf =
-        path.pdf > 0 ? lights(path).pdf_of_triangle(path.origin, path.normal, path.direction, hit) : 0;
+    const float pdf = path.pdf > 0 ? lights(path).pdf_of_triangle(path.origin, path.normal, hit) : 0;
     lights_[path.index].after(path.scatterings) +=
         weight(path, pdf, passes::EmissionSampler::emissive_mesh, hit.triangle, hit.distance) *
         path.throughput * world_.surfaces.emission(hit.triangle, hit.u, hit.v);

@@ -8,16 +8,10 @@
 #include "renderers/passes/lights/light_sampler.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/sampling/point_sequence.h"
+#include "renderers/passes/sampling/power_heuristic.h"
 #include "renderers/passes/surface/surface.h"
 
 namespace ir::passes {
-
-/// Of a sample that was drawn with density `pdf` where another technique has the density `other`.
-/// [Veach95, power heuristic with β = 2]
-inline float power_heuristic(float pdf, float other) {
-    const float ratio = other / pdf;
-    return 1 / (1 + ratio * ratio);
-}
 
 /// Light that a surface reflects of sources with an extent, one sample at a time: of the sources and of the
 /// surface's directions, weighted against each other. What lies between is opaque but for alpha masks and

@@ -27,9 +27,7 @@ OutputDescription lit_output() {
 ParameterText ambient_parameter() {
     return {.key = "ambient",
             .label = "Ambient radiance",
-            .doc =
-                "Radiance from all directions that accessibility attenuates, in the "
-                "output “lit”.",
+            .doc = "Radiance from all directions that accessibility attenuates, in the output “lit”.",
             .unit = "W/(m² sr)",
             .hard = {0, 1e6},
             .soft = {0, 2}};

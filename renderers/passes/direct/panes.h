@@ -5,6 +5,7 @@
 
 #include "renderers/core/transport.h"
 #include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/ray_offset.h"
 #include "renderers/passes/surface/surface.h"
 
 namespace ir::passes {
@@ -19,7 +20,7 @@ class Panes {
     bool any() const { return any_; }
     static bool any_in(const scene::Scene& scene);
 
-    /// A ray as far as it goes. Of more than eight panes the ninth ends it.
+    /// A ray as far as it goes. The pane behind max_panes ends it.
     class Sight {
       public:
         Sight() = default;
@@ -35,7 +36,7 @@ class Panes {
             float distance;
             glm::vec3 passed;
         };
-        std::array<Pane, 8> panes_;
+        std::array<Pane, max_panes> panes_;
         std::size_t count_ = 0;
     };
     Sight look(glm::vec3 origin, glm::vec3 direction, float far) const;

@@ -138,8 +138,7 @@ void add_self_hits(ParameterTable<MapParameters>& table) {
                                        .doc = "A ray through the texel's centre may run below the point's "
                                               "surface for this much depth; beyond "
                                               "it, the centre on the point's other side is queried. Up to 1, "
-                                              "closed walls of two texels do not "
-                                              "leak.",
+                                              "closed walls of two texels do not leak.",
                                        .unit = "texels",
                                        .hard = {0, 64},
                                        .soft = {0, 4},

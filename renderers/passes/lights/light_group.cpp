@@ -2,6 +2,7 @@
 
 #include "renderers/passes/raytracing/ray_offset.h"
 #include "renderers/passes/vectors/targets.h"
+#include "shaders/passes/lights/light_tree.glsl.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/passes/lights/light_group.cpp"
@@ -81,13 +82,13 @@ void weigh_with_vectors(const LightGroup& group, glm::vec3 position_ws, glm::vec
 }
 
 std::uint32_t meet_with_vectors(const LightGroup& group, glm::vec3 origin_ws, glm::vec3 direction_ws) {
-    // More than eight offsets of rays, as panes move them, and rounding.
-    constexpr float least = 8 * min_ray_offset_m, room = 1e-4f;
+    constexpr float least = static_cast<float>(max_panes) * min_ray_offset_m;
     const auto direction = set(direction_ws);
     std::uint32_t met = 0;
     for (int at = 0; at < group.count; at += lanes) {
         const auto centre = load(group.centre, at), offset = minus(centre, set(origin_ws));
-        const auto rounding = hn::MulAdd(set(room), hn::Add(length(offset), length(centre)), set(least));
+        const auto rounding =
+            hn::MulAdd(set(meeting_room), hn::Add(length(offset), length(centre)), set(least));
         const auto reach = hn::Add(hn::Sqrt(load(group.squared_radius, at)), rounding);
         // where the ray comes closest to the centre
         const auto along = hn::Max(dot(offset, direction), hn::Zero(f));

@@ -162,7 +162,7 @@ float LightSampler::pdf_of_arrival(glm::vec3 position_ws, glm::vec3 normal_ws,
                                    const EmittedLight& light) const {
     LightReceiver receiver(position_ws, normal_ws);
     if (light.emitter == EmissionSampler::environment)
-        return pdf_of_environment(position_ws, normal_ws, -light.direction_ws);
+        return pdf_of_environment(normal_ws, -light.direction_ws);
     if (light.emitter == EmissionSampler::emissive_mesh) {
         const int number = impl_->triangles ? impl_->triangles->find(light.triangle) : -1;
         const float cosine = glm::dot(light.normal_ws, light.direction_ws);

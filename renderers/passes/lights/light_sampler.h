@@ -71,7 +71,7 @@ class LightSampler {
     float pdf_of_light(LightReceiver& receiver, glm::vec3 direction_ws, const LightHit& hit) const;
     float pdf_of_environment(glm::vec3 normal_ws, glm::vec3 direction_ws) const;
     /// The same of a single ray.
-    float pdf_of_triangle(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3, const Hit& hit) const {
+    float pdf_of_triangle(glm::vec3 position_ws, glm::vec3 normal_ws, const Hit& hit) const {
         LightReceiver receiver(position_ws, normal_ws);
         return pdf_of_triangle(receiver, hit);
     }
@@ -79,9 +79,6 @@ class LightSampler {
                        const LightHit& hit) const {
         LightReceiver receiver(position_ws, normal_ws);
         return pdf_of_light(receiver, direction_ws, hit);
-    }
-    float pdf_of_environment(glm::vec3, glm::vec3 normal_ws, glm::vec3 direction_ws) const {
-        return pdf_of_environment(normal_ws, direction_ws);
     }
     /// The same for a ray from a light that arrives at that point; 0 of what is not sampled here.
     float pdf_of_arrival(glm::vec3 position_ws, glm::vec3 normal_ws, const EmittedLight& light) const;

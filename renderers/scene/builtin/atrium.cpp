@@ -43,18 +43,12 @@ int add_sheet(Scene& scene, const std::string& name, Texture texture, bool has_h
 }
 
 void add_lights(Scene& scene) {
-    Light sun;
-    sun.name = "sun";
-    sun.type = LightType::directional;
-    sun.direction = glm::normalize(glm::vec3(0.32f, -1, -0.42f));
-    sun.colour = {1, 0.93f, 0.82f};
-    sun.intensity = 6;
     Light lamp;
     lamp.name = "lamp";
     lamp.position = {-9.8f, 2.28f, 6.25f};
     lamp.colour = {1, 0.66f, 0.36f};
     lamp.intensity = 3;
-    scene.lights = {sun, lamp};
+    scene.lights = {sun({0.32f, -1, -0.42f}, 6, {1, 0.93f, 0.82f}), lamp};
     scene.environment.constant = {0.55f, 0.7f, 0.95f};
 }
 

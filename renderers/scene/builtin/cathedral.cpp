@@ -45,13 +45,7 @@ TexturePair ashlar(glm::vec3 stone) {
 }
 
 void add_lights(Scene& scene) {
-    Light sun;
-    sun.name = "sun";
-    sun.type = LightType::directional;
-    sun.direction = glm::normalize(glm::vec3(0.34f, -0.8f, -0.46f));
-    sun.colour = {1, 0.88f, 0.7f};
-    sun.intensity = 24;
-    scene.lights = {sun};
+    scene.lights = {sun({0.34f, -0.8f, -0.46f}, 24, {1, 0.88f, 0.7f})};
     for (const int i : {0, 2, 4}) {
         Light lamp;
         lamp.name = "chandelier " + std::to_string(i / 2 + 1);

@@ -47,12 +47,7 @@ Scene make(const Values& values) {
         x += chamber_width + thick;
     }
     add_camera(scene, "outside", {1.2f, 1.4f, 2.6f}, {0, 0, 0}, 45);
-    Light sun;
-    sun.name = "sun";
-    sun.type = LightType::directional;
-    sun.direction = glm::normalize(glm::vec3(-0.4f, -0.7f, -0.6f));
-    sun.intensity = 3;
-    scene.lights.push_back(sun);
+    scene.lights.push_back(sun({-0.4f, -0.7f, -0.6f}, 3));
     return scene;
 }
 

@@ -94,13 +94,7 @@ int add_stone(Scene& scene, const std::string& name, glm::vec3 stone, glm::vec3 
 }
 
 void add_lights(Scene& scene) {
-    Light sun;
-    sun.name = "sun";
-    sun.type = LightType::directional;
-    sun.direction = glm::normalize(glm::vec3(0.78f, -0.62f, -0.42f));
-    sun.colour = {1, 0.86f, 0.66f};
-    sun.intensity = 4.6f;
-    scene.lights = {sun};
+    scene.lights = {sun({0.78f, -0.62f, -0.42f}, 4.6f, {1, 0.86f, 0.66f})};
     scene.environment.constant = {0.5f, 0.62f, 0.8f};
 }
 

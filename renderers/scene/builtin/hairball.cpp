@@ -53,12 +53,7 @@ Scene make(const Values& values) {
     add_mesh(scene, core.take("core", add_material(scene, "core", {0.5f, 0.42f, 0.36f})));
     add_camera(scene, "figure9", {0.5f, 0.35f, 1.85f}, {0, 0, 0}, 32);
     add_camera(scene, "close", {0.2f, 0.16f, 0.72f}, {0, 0.03f, 0}, 40);
-    Light sun;
-    sun.name = "sun";
-    sun.type = LightType::directional;
-    sun.direction = glm::normalize(glm::vec3(-0.5f, -0.8f, -0.6f));
-    sun.intensity = 3;
-    scene.lights.push_back(sun);
+    scene.lights.push_back(sun({-0.5f, -0.8f, -0.6f}, 3));
     return scene;
 }
 

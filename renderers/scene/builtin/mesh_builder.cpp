@@ -133,6 +133,16 @@ int add_material(Scene& scene, const std::string& name, glm::vec3 base_colour, f
     return static_cast<int>(scene.materials.size()) - 1;
 }
 
+Light sun(glm::vec3 direction, float intensity, glm::vec3 colour) {
+    Light light;
+    light.name = "sun";
+    light.type = LightType::directional;
+    light.direction = glm::normalize(direction);
+    light.colour = colour;
+    light.intensity = intensity;
+    return light;
+}
+
 void add_camera(Scene& scene, const std::string& name, glm::vec3 eye, glm::vec3 target, float fov_y,
                 glm::vec3 up) {
     Camera camera;

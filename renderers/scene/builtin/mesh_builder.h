@@ -59,4 +59,7 @@ int add_material(Scene& scene, const std::string& name, glm::vec3 base_colour, f
 void add_camera(Scene& scene, const std::string& name, glm::vec3 eye, glm::vec3 target, float fov_y,
                 glm::vec3 up = {0, 1, 0});
 
+/// A directional light of this name; W/m² on a surface that faces it.
+Light sun(glm::vec3 direction, float intensity, glm::vec3 colour = glm::vec3(1));
+
 }  // namespace ir::scene::builtin

@@ -2,7 +2,7 @@
 #define LIGHT 0
 #include "methods/ambient-occlusion-volumes/triangle.glsl"
 #include "methods/ambient-occlusion-volumes/volume.glsl"
-#include "methods/ambient-occlusion-volumes/origin.glsl"
+#include "passes/raytracing/ray_offset.glsl"
 #include "passes/bounce/receiver.glsl"
 
 uniform float reach;

@@ -1,7 +1,7 @@
 // The prism that is drawn: a hexagon, extruded. It encloses the volume with all that rounding may move, and is
 // convex, so that its faces that look away from the viewer cover each pixel once.
 #include "methods/ambient-occlusion-volumes/volume.glsl"
-#include "methods/ambient-occlusion-volumes/origin.glsl"
+#include "passes/raytracing/ray_offset.glsl"
 
 uniform vec4 viewer_ws;          // the eye, w = 1; orthographic views: towards the viewer, w = 0
 uniform vec3 view_axis_ws;

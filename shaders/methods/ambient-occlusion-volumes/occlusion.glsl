@@ -1,7 +1,7 @@
 // What a triangle takes from a point's accessibility in the additive form. [McGuire10]
 #include "methods/ambient-occlusion-volumes/volume.glsl"
 #include "methods/ambient-occlusion-volumes/form_factor.glsl"
-#include "methods/ambient-occlusion-volumes/origin.glsl"
+#include "passes/raytracing/ray_offset.glsl"
 
 uniform float reach;
 

@@ -2,7 +2,7 @@
 // the same way. See renderers/passes/blur/blur.h.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-#include "lib/finite.glsl"
+#include "lib/floats.glsl"
 #include "passes/blur/weights.glsl"
 
 uniform sampler2D image;

@@ -1,6 +1,6 @@
 // What a sample of a neighbour adds to a pixel: its weight, and what the pixel's own surface makes of it.
 // [Nalbach15 §3.3]
-#include "lib/finite.glsl"
+#include "lib/floats.glsl"
 #include "lib/constants.glsl"
 #include "passes/blur/weights.glsl"
 #include "passes/bounce/receiver.glsl"

@@ -1,5 +1,5 @@
 // The average of a pixel over frames, followed along its motion. [Scherzer12]
-#include "lib/finite.glsl"
+#include "lib/floats.glsl"
 #include "lib/pixel_rays.glsl"  // of the previous view
 #include "lib/spaces.glsl"
 #include "passes/bounce/tiles.glsl"

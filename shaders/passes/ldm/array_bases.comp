@@ -1,7 +1,7 @@
 // Arrays, second step: where each row begins. One work group scans the sums of all rows of the chunk.
 layout(local_size_x = 256) in;
 #include "passes/ldm/array_table.glsl"
-#include "passes/ldm/groups.glsl"
+#include "passes/ldm/list_index.glsl"
 
 layout(std430) buffer DepthsRequested { uint depth_words_requested; };
 layout(std430) buffer OffsetsRequested { uint offset_words_requested; };

@@ -1,6 +1,6 @@
 // Lists that are sorted after, third step: how many deep texels there are, and how many nodes the batch asks for.
 layout(local_size_x = 1) in;
-#include "passes/ldm/groups.glsl"
+#include "passes/ldm/list_index.glsl"
 #include "passes/ldm/state.glsl"
 
 layout(std430) buffer NodesRequested { uint nodes_requested; };

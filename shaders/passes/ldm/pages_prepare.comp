@@ -1,7 +1,7 @@
 // Pages, after pages_sort.comp: how many deep texels there are, and how many pages the batch asks for.
 layout(local_size_x = 1) in;
 #include "passes/ldm/pages_builder.glsl"
-#include "passes/ldm/groups.glsl"
+#include "passes/ldm/list_index.glsl"
 
 layout(std430) buffer PagesRequested { uint pages_requested; };
 

@@ -2,7 +2,7 @@
 // the sizes of the indirect dispatches that follow, and what the report and the growth of buffers need.
 layout(local_size_x = 1) in;
 #include "passes/ldm/state.glsl"
-#include "passes/ldm/groups.glsl"
+#include "passes/ldm/list_index.glsl"
 
 #if defined(PREPARE_LARGE)
 layout(std430) buffer LargeRequested { uint large_requested; };

@@ -2,7 +2,7 @@
 // the chunk. The word after the chunk's last one tells the next chunk where its offsets begin.
 layout(local_size_x = 256) in;
 #include "passes/ldm/sparse_builder.glsl"
-#include "passes/ldm/groups.glsl"
+#include "passes/ldm/list_index.glsl"
 
 layout(std430) buffer DepthsRequested { uint depth_words_requested; };
 layout(std430) buffer OffsetsRequested { uint offset_words_requested; };

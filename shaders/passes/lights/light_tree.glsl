@@ -81,11 +81,16 @@ float probability_in_tree(vec3 position_ws, vec3 normal_ws, uint node) {
     return probability;
 }
 
+/// A group's room for rounding, as a part of what is computed with.
+// C++: ir::passes::meeting_room
+const float MEETING_ROOM = 1e-4;
+
 /// Whether a ray along a unit direction may meet the group, also one that is moved aside as far as rays are that
 /// start anew at panes.
 bool may_meet_group(LightNode node, vec3 origin_ws, vec3 direction_ws) {
     vec3 offset = node.centre - origin_ws;
-    float reach = sqrt(node.squared_radius) + 8e-6 + 1e-4 * (length(offset) + length(node.centre));
+    float reach = sqrt(node.squared_radius) + float(MAX_PANES) * MIN_RAY_OFFSET_M +
+                  MEETING_ROOM * (length(offset) + length(node.centre));
     // where the ray comes closest to the centre
     vec3 closest = offset - max(dot(offset, direction_ws), 0.0) * direction_ws;
     return dot(closest, closest) <= reach * reach;

@@ -1,5 +1,5 @@
 // Emissive triangles, which shine on both sides: passes::TriangleLights (renderers/passes/lights/triangle_lights.h).
-#include "lib/finite.glsl"
+#include "lib/floats.glsl"
 #include "passes/lights/sources.glsl"
 #include "passes/scene/texels.glsl"
 

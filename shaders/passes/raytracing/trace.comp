@@ -1,6 +1,6 @@
 // The first hits of the rays of a buffer. One invocation: one ray.
 layout(local_size_x = 64) in;
-#include "lib/finite.glsl"
+#include "lib/floats.glsl"
 #include "passes/raytracing/bvh.glsl"
 
 layout(std430) readonly buffer Rays { Ray rays[]; };

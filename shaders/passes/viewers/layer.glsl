@@ -1,6 +1,6 @@
 // One layer of a 3D view: its elements where the method left them, and what is to be done with them.
 
-#include "lib/finite.glsl"
+#include "lib/floats.glsl"
 
 /// The range is in the bits of the field's own type.
 // C++: ir::passes::viewers::FilterBlock

@@ -123,13 +123,7 @@ TEST_F(CompareWindowTest, DifferentScenesAreComparedOnlyWithAWarning) {
     trigger("mode-wipe");
     auto* warning = workspace().active_pane().header().findChild<QLabel*>("warning");
     EXPECT_FALSE(warning->isVisible());
-    window.session().files().add_scene("builtin:plane");
-    const auto second = window.session().document().experiments[1].id;
-    const auto scene = window.session().document().scenes[1].id;
-    window.session().edit([&](const projects::Project& project) {
-        return projects::edits::set_scene_of(project, second, scene);
-    });
-    ASSERT_TRUE(settle());
+    make_scenes_differ();
     EXPECT_TRUE(warning->isVisible());
     EXPECT_TRUE(warning->text().contains("scene"));
 }

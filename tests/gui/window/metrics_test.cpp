@@ -50,15 +50,6 @@ class MetricsWindowTest : public WindowTest {
         });
         ASSERT_TRUE(settle());
     }
-    void make_scenes_differ() {
-        window.session().files().add_scene("builtin:plane");
-        const auto second = window.session().document().experiments[1].id;
-        const auto scene = window.session().document().scenes[1].id;
-        window.session().edit([&](const projects::Project& project) {
-            return projects::edits::set_scene_of(project, second, scene);
-        });
-        ASSERT_TRUE(settle());
-    }
     /// From pixel to pixel of the picture, so large that a click meets the pixel that is meant.
     void draw(QPointF from, QPointF to) {
         auto& view = compare().main_view();

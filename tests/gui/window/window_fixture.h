@@ -77,6 +77,16 @@ class WindowTest : public testing::Test {
         window.action(action)->trigger();
         ASSERT_TRUE(settle());
     }
+    /// The second experiment gets another scene.
+    void make_scenes_differ() {
+        window.session().files().add_scene("builtin:plane");
+        const auto second = window.session().document().experiments[1].id;
+        const auto scene = window.session().document().scenes[1].id;
+        window.session().edit([&](const projects::Project& project) {
+            return projects::edits::set_scene_of(project, second, scene);
+        });
+        ASSERT_TRUE(settle());
+    }
     /// A second experiment with another value, and the first one chosen again.
     void add_second_experiment(double value) {
         const auto first = window.session().experiment()->id;

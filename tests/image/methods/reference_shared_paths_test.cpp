@@ -155,7 +155,7 @@ class Families {
                 return std::nullopt;
         }
         const auto& last = steps_.back();
-        result.from_light = Estimator::power_heuristic(
+        result.from_light = passes::power_heuristic(
             1, shared_.connected(light, last.surface, passes::Bsdf(last.surface, last.material, model),
                                  last.to_eye, last.to_light, source, lab_.lights()));
         from_camera(source, result);
@@ -180,14 +180,14 @@ class Families {
                 const float traced = shared_.chosen(camera, surface, bsdf, step->to_eye, chosen);
                 const float met = source.has_extent ? pdf : 0;
                 if (!step->is_specular && choice > 0)
-                    result.chosen = Estimator::power_heuristic(choice, together(met, traced));
+                    result.chosen = passes::power_heuristic(choice, together(met, traced));
                 shared_.add(camera, {surface, bsdf, step->to_eye, step->to_light, pdf, step->is_specular},
                             false);
                 const float ratio =
                     shared_.met(camera, source.emitter, source.triangle, step->to_light, first_way_);
                 if (!source.has_extent) return;
-                if (step->is_specular) result.met = Estimator::power_heuristic(1, ratio);
-                if (pdf > 0) result.met = Estimator::power_heuristic(pdf, together(choice, pdf * ratio));
+                if (step->is_specular) result.met = passes::power_heuristic(1, ratio);
+                if (pdf > 0) result.met = passes::power_heuristic(pdf, together(choice, pdf * ratio));
                 return;
             }
             shared_.add(camera, {surface, bsdf, step->to_eye, step->to_light, pdf, step->is_specular},
@@ -237,10 +237,10 @@ float density_of_meeting(const Lab& lab, glm::vec3 position_ws, glm::vec3 normal
     const auto to_light = -light.direction_ws;
     const auto& lights = lab.lights();
     if (light.emitter == passes::EmissionSampler::environment)
-        return lights.pdf_of_environment(position_ws, normal_ws, to_light);
+        return lights.pdf_of_environment(normal_ws, to_light);
     if (light.emitter == passes::EmissionSampler::emissive_mesh) {
         const auto hit = lab.world(model).bvh.closest_hit(position_ws, to_light, 0, infinity);
-        return hit.is_hit() ? lights.pdf_of_triangle(position_ws, normal_ws, to_light, hit) : 0;
+        return hit.is_hit() ? lights.pdf_of_triangle(position_ws, normal_ws, hit) : 0;
     }
     float pdf = 0;
     lights.visit_lights(position_ws, to_light, infinity, [&](const passes::LightHit& hit) {

@@ -82,12 +82,12 @@ TEST(ReferenceFormFactors, RejectAWrongDensity) {
     // Mutant: the balance of the two techniques swapped, as if each had the density of the other.
     const auto lab = plate({0, 0, 0}, {0, 1, 0}, {0, 0, 1});
     Estimator mutant;
-    mutant.combine = [](float pdf, float other) { return Estimator::power_heuristic(other, pdf); };
+    mutant.combine = [](float pdf, float other) { return passes::power_heuristic(other, pdf); };
     auto found = estimates(lab, transport(Paths::direct), on_unit_square, seeds, samples, mutant);
     // Swapped weights still add up to 1 where both techniques see the same: only the noise grows.
     EXPECT_GT(spread(found).variance,
               spread(estimates(lab, transport(Paths::direct), on_unit_square, seeds, samples)).variance);
-    mutant.combine = [](float pdf, float other) { return Estimator::power_heuristic(pdf, 2 * other); };
+    mutant.combine = [](float pdf, float other) { return passes::power_heuristic(pdf, 2 * other); };
     found = estimates(lab, transport(Paths::direct), on_unit_square, seeds, samples, mutant);
     EXPECT_GT(std::abs(t_of(found, perpendicular_form_factor())), critical_t);
 }

@@ -45,18 +45,6 @@ const scene::Material& material(const scene::Scene& scene, const std::string& na
     throw Error("no material " + name);
 }
 
-/// A triangle in `folder` that moves 4 m along x between 1 and 3 s.
-std::string write_moving_triangle(const test::TemporaryFolder& folder) {
-    test::GltfBuilder builder;
-    builder.draw({{"POSITION", builder.triangle_positions()}});
-    const int input = builder.floats({1, 3}, "SCALAR");
-    const int output = builder.floats({0, 0, 0, 4, 0, 0}, "VEC3");
-    builder.append("animations",
-                   {{"samplers", {{{"input", input}, {"output", output}}}},
-                    {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
-    return test::write_file(folder, "moving.gltf", builder.embedded_text());
-}
-
 TEST(FromProject, ComposesAllPartsWithTransformsAndOverrides) {
     const auto experiment = resolved(project_on_a_plane());
     ASSERT_EQ(experiment.parts.size(), 2u);
@@ -87,7 +75,7 @@ TEST(FromProject, OnePlainPartIsTheSceneItself) {
 
 TEST(FromProject, SourcesStartAtTheProjectsFolder) {
     test::TemporaryFolder folder;
-    const auto file = write_moving_triangle(folder);
+    const auto file = test::write_moving_triangle(folder);
     auto project = project_on_a_plane();
     project.scenes[0].parts[0].source = "moving.gltf";
     EXPECT_EQ(resolved(project, folder.path).parts[0].source, file);
@@ -95,7 +83,7 @@ TEST(FromProject, SourcesStartAtTheProjectsFolder) {
 
 TEST(FromProject, AnimatedPartsKeepMoving) {
     test::TemporaryFolder folder;
-    write_moving_triangle(folder);
+    test::write_moving_triangle(folder);
     auto project = project_on_a_plane();
     project.scenes[0].parts[0].source = "moving.gltf";
     project.scenes[0].parts[0].transform = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 7, 0, 1};

@@ -194,5 +194,21 @@ TEST(Layers, CodeStandsInItsFolders) {
     }
 }
 
+/// Each asserts something, or calls what does so and says it by its name.
+TEST(Layers, TestsCanFail) {
+    static const std::regex head(R"(\n(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+), (\w+)\))");
+    static const std::regex assertion(R"(\b(EXPECT_|ASSERT_|FAIL\(|ADD_FAILURE|expect_|assert_|expect\())");
+    int tests = 0;
+    for (const auto& file : source_files({"tests"}, {".cpp"})) {
+        const auto text = without_comments(file.text);
+        for (std::sregex_iterator at(text.begin(), text.end(), head), none; at != none; ++at, ++tests) {
+            const auto begin = static_cast<std::size_t>(at->position());
+            const auto body = text.substr(begin, text.find("\n}\n\n", begin) - begin);
+            EXPECT_TRUE(std::regex_search(body, assertion)) << file.path << " asserts nothing:" << at->str();
+        }
+    }
+    EXPECT_GT(tests, 2000);
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -384,8 +384,7 @@ TEST(Edits, RefuseWithOneLine) {
     } catch (const UsageError& error) {
         EXPECT_EQ(std::string(error.what()),
                   "experiment 'Plain' is used by comparison 'Both', experiment 'Fog in the nave', plot "
-                  "'Error of the "
-                  "fog'; change or remove them first");
+                  "'Error of the fog'; change or remove them first");
     }
 }
 

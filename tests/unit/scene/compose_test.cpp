@@ -182,21 +182,9 @@ TEST(Compose, RotationsTurnLightsAndCameras) {
     expect_near(turned.cameras.at(0).up, {-1, 0, 0});
 }
 
-/// A file of one triangle without cameras, whose node moves from x = 0 at 1 s to x = 4 at 3 s.
-std::string moving_part(const TemporaryFolder& folder) {
-    GltfBuilder builder;
-    builder.draw({{"POSITION", builder.triangle_positions()}});
-    const int input = builder.floats({1, 3}, "SCALAR");
-    const int output = builder.floats({0, 0, 0, 4, 0, 0}, "VEC3");
-    builder.append("animations",
-                   {{"samplers", {{{"input", input}, {"output", output}}}},
-                    {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
-    return write_file(folder, "moving.gltf", builder.embedded_text());
-}
-
 TEST(Compose, AnimatedPartsKeepMovingUnderTheirTransform) {
     TemporaryFolder folder;
-    const auto scene = compose({plane(), {moving_part(folder), moved(0, 10, 0)}});
+    const auto scene = compose({plane(), {write_moving_triangle(folder), moved(0, 10, 0)}});
     EXPECT_TRUE(scene.is_animated());
     EXPECT_EQ(scene.duration(), 3);
     const auto last_vertex = [&](double time) {
@@ -215,7 +203,7 @@ TEST(Compose, AnimatedPartsKeepMovingUnderTheirTransform) {
 
 TEST(Compose, MadeUpCamerasGiveWayToRealOnes) {
     TemporaryFolder folder;
-    const auto file = moving_part(folder);
+    const auto file = write_moving_triangle(folder);
     ASSERT_TRUE(scene::load_scene(file).find_camera("default"));
     EXPECT_FALSE(compose({plane(), {file}}).find_camera("default"));
     const auto without = compose({{file}, {file, moved(20, 0, 0)}});
@@ -261,7 +249,7 @@ TEST(Compose, ContentHashDependsOnPartsTransformsAndOverrides) {
 TEST(Compose, ContentHashDoesNotDependOnTheFilesPlace) {
     TemporaryFolder here, there;
     const auto parts = [&](const TemporaryFolder& folder) {
-        return std::vector<Part>{plane(), {moving_part(folder)}};
+        return std::vector<Part>{plane(), {write_moving_triangle(folder)}};
     };
     EXPECT_EQ(compose(parts(here)).content_hash, compose(parts(there)).content_hash);
 }

@@ -141,6 +141,18 @@ inline std::string write_file(const TemporaryFolder& folder, const std::string& 
     return path.string();
 }
 
+/// A file of one triangle without cameras, whose node moves from x = 0 at 1 s to x = 4 at 3 s.
+inline std::string write_moving_triangle(const TemporaryFolder& folder) {
+    GltfBuilder builder;
+    builder.draw({{"POSITION", builder.triangle_positions()}});
+    const int input = builder.floats({1, 3}, "SCALAR");
+    const int output = builder.floats({0, 0, 0, 4, 0, 0}, "VEC3");
+    builder.append("animations",
+                   {{"samplers", {{{"input", input}, {"output", output}}}},
+                    {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
+    return write_file(folder, "moving.gltf", builder.embedded_text());
+}
+
 inline scene::Scene load(const GltfBuilder& builder) {
     const TemporaryFolder folder;
     return scene::load_scene(write_file(folder, "test.gltf", builder.embedded_text()));

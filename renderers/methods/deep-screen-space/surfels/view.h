@@ -22,15 +22,18 @@ inline bool is_parallel(const Ideal& ideal) {
     return ideal.ideal_axis_ws == glm::vec3(0);
 }
 
-/// As ideal.glsl; of parallel rays the distance is 1.
+/// As ideal.glsl.
 inline float ideal_distance(const Ideal& ideal, glm::vec3 position_ws) {
-    if (is_parallel(ideal)) return 1;
     const auto offset = position_ws - ideal.ideal_eye_ws;
     return std::max({glm::dot(offset, ideal.ideal_axis_ws), ideal.ideal_corner_cosine * glm::length(offset),
                      ideal.ideal_nearest});
 }
+/// By how much the ideal radius is larger there than at 1 m; of parallel rays it is the same everywhere.
+inline float ideal_scale(const Ideal& ideal, float distance) {
+    return is_parallel(ideal) ? 1 : distance;
+}
 inline float ideal_area_at(const Ideal& ideal, float distance) {
-    const float radius = ideal.ideal_radius * (is_parallel(ideal) ? 1 : distance);
+    const float radius = ideal.ideal_radius * ideal_scale(ideal, distance);
     return pi * radius * radius;
 }
 inline float ideal_area(const Ideal& ideal, glm::vec3 position_ws) {

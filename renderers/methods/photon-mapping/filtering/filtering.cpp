@@ -75,8 +75,7 @@ std::vector<OutputDescription> temporal_views() {
          .label = "Spread of directions",
          .semantic = Semantic::probability,
          .doc = "1 minus the length of the mean direction to the light. Where it is large, the mean "
-                "stands for light from several sides, and what depends on it flickers "
-                "[Smal19 fig. 8.7]."}};
+                "stands for light from several sides, and what depends on it flickers [Smal19 fig. 8.7]."}};
 }
 
 std::vector<OutputDescription> spatial_views() {

@@ -149,8 +149,8 @@ HWY_INLINE Floats luminance(const FilterPlanes& planes, std::size_t at) {
         hn::MulAdd(load(planes.value[1], at), weight(1), hn::Mul(load(planes.value[0], at), weight(0))));
 }
 
-/// smooth_variance: of neighbours a step away.
-HWY_INLINE Floats smooth_variance(const FilterPlanes& planes, const FilterRules& rules, int x, int y) {
+/// Of each pixel what smooth_variance() of a_trous.comp is.
+HWY_INLINE Floats smooth_variances(const FilterPlanes& planes, const FilterRules& rules, int x, int y) {
     auto total = hn::Zero(f), sum = hn::Zero(f);
     for (int dy = -1; dy <= 1; ++dy) {
         const int row = y + dy * rules.stride;
@@ -172,7 +172,7 @@ void with_guide(const FilterPlanes& planes, const FilterRules& rules, int y, Fil
         const auto p = surfaces_at(planes, rules, x, y);
         const auto centre = planes.place(x, y);
         const auto own = luminance(planes, centre);
-        const auto deviation = hn::Sqrt(hn::Max(smooth_variance(planes, rules, x, y), hn::Zero(f)));
+        const auto deviation = hn::Sqrt(hn::Max(smooth_variances(planes, rules, x, y), hn::Zero(f)));
         const auto tolerance =
             hn::Add(hn::MulAdd(set(rules.sigma_value), deviation, hn::Mul(set(1e-6f), own)), set(1e-20f));
         const float middle = rules.kernel[0] * rules.kernel[0];

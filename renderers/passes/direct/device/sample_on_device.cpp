@@ -21,8 +21,6 @@ const std::string sample_folder = "passes/direct/device/";
 
 /// Of which a sample is drawn at once: what fills a device, and takes 36 MiB.
 constexpr std::int64_t pixels_at_once = 1 << 18;
-/// Panes that light passes one behind the other, as on the host.
-constexpr int max_panes = 8;
 
 /// A part of the work: a sample of the pixels [first, end).
 struct Band {

@@ -84,7 +84,7 @@ Share share_of(Surfel surfel, uint index, int level, ivec2 pixel, vec3 x_ws, vec
     vec3 way = surfel.centre_ws - x_ws;
     float squared = dot(way, way);
     Share share = Share(false, sqrt(squared), vec3(0), vec3(0));
-    Shell shell = shell_of(surfel, level);
+    Shell shell = shell_of(surfel.radius, level);
     if (share.distance_m <= shell.inner || share.distance_m > shell.outer) return share;
     vec3 l = way / share.distance_m;
     float area = PI * surfel.radius * surfel.radius;

@@ -7,6 +7,6 @@ void main() {
     vec4 position = own_position();
     Surfel surfel = surfels[surfel_index];
     bool is_reached = position.w > 0.0 && distance(position.xyz, surfel.centre_ws) <=
-                                              shell_of(surfel, level).outer;
+                                              shell_of(surfel.radius, level).outer;
     out_cover = vec2(1, is_reached ? 1 : 0);
 }

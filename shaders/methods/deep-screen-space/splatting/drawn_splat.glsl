@@ -32,7 +32,7 @@ bool is_idle(uint surfel) {
 DrawnSplat drawn_splat(Surfel surfel, uint index, int level) {
     DrawnSplat absent = DrawnSplat(SPLAT_ABSENT, NO_PIXELS);
     if (surfel.radius == 0.0 || is_idle(index)) return absent;  // there is a hole
-    Shell shell = shell_of(surfel, level);
+    Shell shell = shell_of(surfel.radius, level);
     if (shell.inner >= shell.outer) return absent;
     PixelRange range = pixels_of_sphere(surfel.centre_ws, shell.outer);
     if (any(lessThan(range.last, range.first))) return absent;

@@ -14,7 +14,7 @@ layout(rg32ui) uniform writeonly uimage2DArray exact_image;
 uniform float max_distance;  // m; 0: no limit
 
 float exact_reach(vec3 x_ws) {
-    float reach = shell_of_radius(sqrt(ideal_area(x_ws) / PI), 0).outer;
+    float reach = shell_of(sqrt(ideal_area(x_ws) / PI), 0).outer;
     return max_distance > 0.0 ? min(reach, max_distance) : reach;
 }
 

@@ -7,19 +7,17 @@ uniform int open_level;      // whose shell ends at the whole reach; -1: none
 
 /// d of the surfel, m: where the form factor of its disc, A / (π d²), is ε, or farther out, where the last shell would
 /// else end before the whole reach.
-float first_shell_of_radius(float radius) {
+float first_shell(float radius) {
     return trade_off > 0.0 ? max(radius * inversesqrt(trade_off), shell_radius) : shell_radius;
 }
-float first_shell(Surfel surfel) { return first_shell_of_radius(surfel.radius); }
 
 /// The surfel's shell of a level, m: beyond `inner`, up to `outer`; empty where they are equal.
 struct Shell {
     float inner, outer;
 };
 
-Shell shell_of_radius(float radius, int level) {
-    float outer = ldexp(first_shell_of_radius(radius), level);
+Shell shell_of(float radius, int level) {
+    float outer = ldexp(first_shell(radius), level);
     float inner = level == 0 ? 0.0 : 0.5 * outer;
     return Shell(min(inner, whole_reach), level == open_level ? whole_reach : min(outer, whole_reach));
 }
-Shell shell_of(Surfel surfel, int level) { return shell_of_radius(surfel.radius, level); }

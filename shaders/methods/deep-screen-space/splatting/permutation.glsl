@@ -3,8 +3,6 @@
 // [Nalbach15 §4.1, fig. 5]
 #include "lib/random.glsl"
 
-uniform uint seed;
-
 /// One of the 24 permutations of 0 … 3, applied to `digit`.
 uint permuted(uint digit, uint which) {
     uint order[4] = uint[](0u, 1u, 2u, 3u);
@@ -18,7 +16,7 @@ uint permuted(uint digit, uint which) {
 }
 
 /// Column and row of the sub-image of `level` that gets this pixel.
-uvec2 sub_image_of(uvec2 pixel, uint level) {
+uvec2 sub_image_of(uvec2 pixel, uint level, uint seed) {
     uvec2 sub_image = uvec2(0);
     for (uint depth = 0u; depth < level; ++depth) {
         uvec2 node = pixel >> (level - depth), bits = (pixel >> (level - depth - 1u)) & 1u;

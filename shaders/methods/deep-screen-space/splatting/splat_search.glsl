@@ -18,7 +18,7 @@ ivec2 place_of(ivec2 pixel, int level) { return unpacked_place(texelFetch(places
 
 /// Pixels, on a level, of the sphere in which the surfel is drawn there.
 PixelRange splat_range(Surfel s, int level) {
-    Shell shell = shell_of(s, level);
+    Shell shell = shell_of(s.radius, level);
     if (shell.inner >= shell.outer || s.radius == 0.0) return NO_PIXELS;
     PixelRange range = pixels_of_sphere(s.centre_ws, shell.outer);
     return PixelRange(range.first >> level, range.last >> level);

@@ -7,6 +7,6 @@ uniform float coverage, max_distance;
 uniform bool full_discs;
 
 SplatLevel splat_level(int level, Surfel surfel) {
-    return SplatLevel(level, first_shell(surfel), whole_reach, coverage, max_distance, full_discs,
+    return SplatLevel(level, first_shell(surfel.radius), whole_reach, coverage, max_distance, full_discs,
                       level == open_level);
 }

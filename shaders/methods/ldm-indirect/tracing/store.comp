@@ -29,7 +29,7 @@ Photon photon(Primary p, uint map, float t, uint packed_normal) {
     Axes axes = Axes(transferred(p.axis_u, rotated(p.turn_u, p.direction_ws, direction), t, direction, normal),
                      transferred(p.axis_v, rotated(p.turn_v, p.direction_ws, direction), t, direction, normal));
     if (params.footprint == FOOTPRINT_WIDENED)
-        axes = widened(axes, direction, normal, t, float(params.directions));
+        axes = widened(axes, direction, normal, t, sqrt(2.0 / float(params.directions)));
     Photon result;
     result.centre_ws = p.position_ws + t * direction;
     result.source = p.source;

@@ -2,6 +2,7 @@
 // Lengths in m, areas in m², power in W.
 
 #include "lib/constants.glsl"
+#include "lib/spaces.glsl"
 
 /// s_l. DEVIATION [Smal19 eq. 6.1]: the print has no lower bound, so that E grows without limit as l falls to
 /// 0; the listing of appendix C has this one, 0.1.
@@ -35,10 +36,10 @@ float light_shaping_scale(float n_dot_l, float largest) {
 
 /// Unit vector along which the kernel is stretched: the direction to the light, laid into the plane. At normal
 /// incidence, where s_u is 1, it is any one there.  [Smal19 §6.1.2]
-vec3 stretched_direction(vec3 n, vec3 to_light, vec3 any_tangent) {
+vec3 stretched_direction(vec3 n, vec3 to_light) {
     vec3 in_plane = to_light - dot(n, to_light) * n;
     float size = length(in_plane);
-    return size > 1e-4 ? in_plane / size : any_tangent;
+    return size > 1e-4 ? in_plane / size : frame_around(n)[0];
 }
 
 /// A = π ‖u‖ ‖t‖.  [Smal19 §6.2]

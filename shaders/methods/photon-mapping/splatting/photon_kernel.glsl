@@ -81,7 +81,7 @@ Kernel kernel_of(Photon photon) {
     k.centre_ws = photon.position_ws;
     k.n_ws = normal_of(photon);
     vec3 to_light = direction_of(photon);
-    k.u_ws = stretched_direction(k.n_ws, to_light, frame_around(k.n_ws)[0]);
+    k.u_ws = stretched_direction(k.n_ws, to_light);
     k.t_ws = cross(k.n_ws, k.u_ws);
     k.radius = kernel_radius(photon);
     k.axes = vec3(light_shaping_scale(dot(k.n_ws, to_light), s_max), 1.0, s_n) * k.radius;

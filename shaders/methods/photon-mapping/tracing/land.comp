@@ -78,7 +78,7 @@ Ray go_on(inout Path path, HitSurface surface, Glass glass, vec3 from_ws) {
     Scatterer scatterer =
         make_scatterer(surface.shading_normal_ws, surface.geometric_normal_ws, surface.base_colour,
                        surface.metallic, surface.roughness, surface.ior, materials);
-    if (bounce >= max_bounces && !is_specular(scatterer, glass)) return no_ray();
+    if (bounce >= max_bounces && !has_specular(scatterer, glass)) return no_ray();
     uvec4 words = random_words(path, surface_number, DIRECTION);
     Scattered scattered =
         scatter(scatterer, glass, from_ws, unit_float(words.x), unit_float(words.yz), microfacet_sampling);

@@ -2,7 +2,7 @@
 // (renderers/passes/direct/light_estimate.h).
 layout(local_size_x = 64) in;
 
-#include "lib/finite.glsl"
+#include "lib/floats.glsl"
 #include "passes/direct/device/samples.glsl"
 #include "passes/lights/light_sampler.glsl"
 #include "passes/raytracing/rays.glsl"
@@ -19,8 +19,6 @@ uniform vec3 view_axis_ws;  // of an orthographic view; 0 for a perspective one
 
 // Pairs of numbers of a sample.
 const uint OF_CHOICES = 0u, OF_SOURCE = 1u, OF_DIRECTION = 2u;
-/// Shadow rays end this fraction before the point on the light, so that they do not meet it.
-const float SHADOW_RAY_END = 1.0 - 1e-4;
 
 Ray towards_source(SeenSurface surface, SeenScatterer seen, vec3 origin_ws, float choice, vec2 u, out vec3 radiance) {
     radiance = vec3(0);

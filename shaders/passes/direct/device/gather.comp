@@ -2,7 +2,7 @@
 // behind it, weakened: passes::Panes (renderers/passes/direct/panes.h).
 layout(local_size_x = 64) in;
 
-#include "lib/finite.glsl"
+#include "lib/floats.glsl"
 #include "passes/direct/device/samples.glsl"
 #include "passes/lights/light_pdfs.glsl"
 #include "passes/raytracing/rays.glsl"

@@ -9,7 +9,7 @@ namespace ir::methods::deep_screen_space {
 namespace {
 
 /// Embree tests a little more than the discs; what is met is then tested as the device does it.
-constexpr float widened = 1 + 1e-5f;
+constexpr float room = 1 + 1e-5f;
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void DiscLevel::build(RTCDevice device, const std::function<std::uint32_t(const 
     for (std::size_t i = 0; i < surfel_of_.size(); ++i) {
         const auto& s = surfels_[surfel_of_[i]];
         vertices[i] = glm::vec4(s.centre_ws + offset(cell_of(s)),
-                                splat_disc_radius(rules_, level_, s.radius) * widened + rounding_);
+                                splat_disc_radius(rules_, level_, s.radius) * room + rounding_);
         normals[i] = s.normal_ws;
     }
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_LOW);
@@ -86,7 +86,7 @@ float DiscLevel::exit(const DiscRay& ray) const {
         const float side = ray.direction_ws[axis] > 0 ? high_[axis] : low_[axis];
         result = std::min(result, (side - ray.receiver.x_ws[axis]) / ray.direction_ws[axis]);
     }
-    return result * widened + rounding_;
+    return result * room + rounding_;
 }
 
 void DiscLevel::filter(const RTCFilterFunctionNArguments* arguments) {
@@ -95,7 +95,7 @@ void DiscLevel::filter(const RTCFilterFunctionNArguments* arguments) {
     arguments->valid[0] = taken ? -1 : 0;
     // Discs of one plane are equally far but for rounding: none may hide another before both were asked.
     auto& far = RTCRayN_tfar(arguments->ray, 1, 0);
-    if (taken) far = far * widened + ray.level->rounding_;
+    if (taken) far = far * room + ray.level->rounding_;
 }
 
 void DiscLevel::ask(DiscRay& ray, std::uint32_t cell, float near, float far) const {
@@ -120,9 +120,9 @@ bool DiscLevel::take(DiscRay& ray, std::uint32_t primitive) const {
     const auto& s = surfels_[index];
     const auto x_ws = ray.receiver.x_ws;
     const auto to_centre = s.centre_ws - x_ws;
-    const int shell = splat_shell(rules_, level_, s.radius, glm::dot(to_centre, to_centre));
+    const int shell = splat_shell(rules_, level_, s.radius, x_ws, s.centre_ws);
     if (shell < 0) return false;
-    const float t = splat_plane_distance(x_ws, ray.direction_ws, s);
+    const float t = splat_plane_distance(x_ws, ray.direction_ws, s.centre_ws, s.normal_ws);
     if (!(t > ray.known) || (rules_.max_distance > 0 && t > rules_.max_distance)) return false;
     const float radius = splat_disc_radius(rules_, shell, s.radius);
     const auto from_centre = t * ray.direction_ws - to_centre;

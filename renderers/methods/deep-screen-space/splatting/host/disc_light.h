@@ -26,9 +26,8 @@ struct DiscLights {
     int shell(std::size_t index, glm::vec3 x_ws) const {
         auto any = rules;
         any.full_discs = true;
-        const auto to_centre = surfels[index].centre_ws - x_ws;
-        const float squared = glm::dot(to_centre, to_centre);
-        return std::max(splat_shell(any, levels - 1, surfels[index].radius, squared), 0);
+        const auto& s = surfels[index];
+        return std::max(splat_shell(any, levels - 1, s.radius, x_ws, s.centre_ws), 0);
     }
 
     /// `ray`: pixel and sample.

@@ -19,7 +19,7 @@ RayRanges::RayRanges(const scene::View& view, const VisibleLevel& rules, std::sp
       shells_per_radius_(rules.influence.trade_off > 0 ? 1 / std::sqrt(rules.influence.trade_off) : 0) {
     for (const auto& s : surfels) {
         if (s.radius == 0) continue;
-        const float part = s.radius / ideal_distance(ideal_, s.centre_ws);
+        const float part = s.radius / ideal_scale(ideal_, ideal_distance(ideal_, s.centre_ws));
         least_ = std::min(least_, part);
         most_ = std::max(most_, part);
         largest_ = std::max(largest_, s.radius);
@@ -57,8 +57,8 @@ float RayRanges::first(float factor, glm::vec3 x_ws, glm::vec3 direction_ws) con
 }
 
 float RayRanges::exact_reach(glm::vec3 x_ws) const {
-    const float reach =
-        shell_of(rules_.influence, ideal_.ideal_radius * ideal_distance(ideal_, x_ws), 0).outer;
+    const float radius = ideal_.ideal_radius * ideal_scale(ideal_, ideal_distance(ideal_, x_ws));
+    const float reach = shell_of(rules_.influence, radius, 0).outer;
     return rules_.max_distance > 0 ? std::min(reach, rules_.max_distance) : reach;
 }
 

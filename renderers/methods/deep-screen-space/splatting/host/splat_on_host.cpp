@@ -166,7 +166,9 @@ class HostSplats {
         }
         ask(ray, pixel, level, sample, range);
         if (ray.winner == 0) return finer;
-        return {ray.winner, level, splat_plane_distance(from.x_ws, direction_ws, surfels_[ray.winner - 1])};
+        const auto& winner = surfels_[ray.winner - 1];
+        return {ray.winner, level,
+                splat_plane_distance(from.x_ws, direction_ws, winner.centre_ws, winner.normal_ws)};
     }
 
   private:

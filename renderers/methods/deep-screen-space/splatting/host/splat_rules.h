@@ -41,9 +41,11 @@ inline Shell shell_of(const InfluenceConstants& i, float radius, int level) {
             level == i.open_level ? i.whole_reach : std::min(outer, i.whole_reach)};
 }
 
-/// The level whose shell around the surfel holds a point `squared` m² away; -1: `level` does not draw it.
-inline int splat_shell(const VisibleLevel& rules, int level, float radius, float squared) {
+inline int splat_shell(const VisibleLevel& rules, int level, float radius, glm::vec3 x_ws,
+                       glm::vec3 centre_ws) {
     const auto& i = rules.influence;
+    const auto offset = centre_ws - x_ws;
+    const float squared = glm::dot(offset, offset);
     if (squared > i.whole_reach * i.whole_reach) return -1;
     const float d = first_shell(i, radius);
     float reach = d * d;
@@ -60,8 +62,9 @@ inline float splat_disc_radius(const VisibleLevel& rules, int shell, float radiu
     return std::ldexp(std::sqrt(rules.coverage) * radius, shell);
 }
 
-inline float splat_plane_distance(glm::vec3 x_ws, glm::vec3 direction_ws, const Surfel& surfel) {
-    return glm::dot(surfel.normal_ws, surfel.centre_ws - x_ws) / glm::dot(surfel.normal_ws, direction_ws);
+inline float splat_plane_distance(glm::vec3 x_ws, glm::vec3 direction_ws, glm::vec3 centre_ws,
+                                  glm::vec3 normal_ws) {
+    return glm::dot(normal_ws, centre_ws - x_ws) / glm::dot(normal_ws, direction_ws);
 }
 
 inline float splat_z(const InfluenceConstants& i, float t) {

@@ -9,16 +9,11 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-/// Where and along what a child arrives.
-struct Ray {
-    glm::vec3 direction, normal;
-    float t;
-};
-
 /// [Igehy99 eq. 10-12]
-glm::vec3 transferred(const glm::vec3& change, const glm::vec3& turn, const Ray& ray) {
-    const auto moved = change + ray.t * turn;
-    return moved - glm::dot(moved, ray.normal) / glm::dot(ray.direction, ray.normal) * ray.direction;
+glm::vec3 transferred(const glm::vec3& change, const glm::vec3& turn, float t, const glm::vec3& direction,
+                      const glm::vec3& normal) {
+    const auto moved = change + t * turn;
+    return moved - glm::dot(moved, normal) / glm::dot(direction, normal) * direction;
 }
 
 glm::vec3 mirrored(const glm::vec3& v, const glm::vec3& axis) {
@@ -42,11 +37,12 @@ struct Axes {
     glm::vec3 u, v;
 };
 
-Axes widened(const Axes& published, const Ray& ray, float half_turn) {
-    const auto across = scene::frame_around(ray.direction), plane = scene::frame_around(ray.normal);
+Axes widened(const Axes& published, const glm::vec3& direction, const glm::vec3& normal, float t,
+             float half_turn) {
+    const auto across = scene::frame_around(direction), plane = scene::frame_around(normal);
     const glm::vec3 sides[] = {published.u, published.v,
-                               transferred(glm::vec3(0), half_turn * across[0], ray),
-                               transferred(glm::vec3(0), half_turn * across[1], ray)};
+                               transferred(glm::vec3(0), half_turn * across[0], t, direction, normal),
+                               transferred(glm::vec3(0), half_turn * across[1], t, direction, normal)};
     float xx = 0, xy = 0, yy = 0;
     for (const auto& side : sides) {
         const float x = glm::dot(side, plane[0]), y = glm::dot(side, plane[1]);
@@ -58,7 +54,7 @@ Axes widened(const Axes& published, const Ray& ray, float half_turn) {
     const float shortest = longest > 0 ? std::max(xx * yy - xy * xy, 0.0f) / longest : 0.0f;
     const auto turn = half_angle(difference, xy, radius);
     const auto major = turn.x * plane[0] + turn.y * plane[1];
-    return {std::sqrt(longest) * major, std::sqrt(shortest) * glm::cross(ray.normal, major)};
+    return {std::sqrt(longest) * major, std::sqrt(shortest) * glm::cross(normal, major)};
 }
 
 }  // namespace
@@ -67,13 +63,14 @@ Photon photon_of(const Primary& primary, const Child& child, const glm::vec3& ma
                  float half_turn) {
     const float cosine = glm::dot(primary.shading_ws, map_direction);
     const bool along = cosine > 0;
-    const Ray ray{along ? map_direction : -map_direction, unpacked_direction(child.normal), child.distance};
-    const Rotation turned(primary.direction_ws, ray.direction);
-    Axes axes{transferred(primary.axis_u, turned(primary.turn_u), ray),
-              transferred(primary.axis_v, turned(primary.turn_v), ray)};
-    if (half_turn > 0) axes = widened(axes, ray, half_turn);
+    const auto direction = along ? map_direction : -map_direction, normal = unpacked_direction(child.normal);
+    const float t = child.distance;
+    const Rotation rotated(primary.direction_ws, direction);
+    Axes axes{transferred(primary.axis_u, rotated(primary.turn_u), t, direction, normal),
+              transferred(primary.axis_v, rotated(primary.turn_v), t, direction, normal)};
+    if (half_turn > 0) axes = widened(axes, direction, normal, t, half_turn);
     Photon result;
-    result.centre_ws = primary.position_ws + child.distance * ray.direction;
+    result.centre_ws = primary.position_ws + t * direction;
     result.source = primary.source;
     result.axis_u = axes.u;
     result.axis_v = axes.v;

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <ImfHeader.h>
 #include <ImfIO.h>
 
 #include <ostream>
 #include <stdexcept>
 
+#include "renderers/image/exr.h"
+
+/// For what reads and writes EXR files of its own layout.
 namespace ir {
+
+/// The texts of a file's header, but for those that are OpenEXR's own.
+ImageAttributes attributes_of(const Imf::Header& header);
 
 /// OpenEXR writes into a stream of ours, which remembers the failures that OpenEXR swallows when it closes.
 class ExrStream final : public Imf::OStream {
