@@ -138,7 +138,12 @@ void add_render(CLI::App& app, Run& run) {
             "or down), and height")
         ->each([](const std::string& spec) {
             // Printed as a version is, whatever else is missing.
-            if (spec == "help") throw CLI::CallForVersion(projects::light_help(), done);
+            if (spec == "help")
+                throw CLI::CallForVersion(
+                    projects::light_help() +
+                        "\n\nQuote a light: shells end a command at ';'. The sky is --env. Where a scene lies "
+                        "and how large it is: interreflect-cli scene SCENE.",
+                    done);
         });
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
     command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");

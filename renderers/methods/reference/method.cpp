@@ -96,7 +96,7 @@ MethodDescription description() {
     MethodDescription d;
     d.id = "reference";
     d.title = "Path-traced reference";
-    d.version = 3;
+    d.version = 4;
     d.summary =
         "Unbiased and slow: traces paths through Embree and adds up samples over frames. With a method's "
         "transport parameters it converges to what that method approximates. The picture comes with its own "

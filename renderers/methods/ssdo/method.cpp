@@ -27,7 +27,7 @@ MethodDescription description() {
         "Cheap and independent of the scene's size. What is hidden, beyond the picture's edge or turned away "
         "from the camera sends nothing, nothing in between shadows indirect light, and all surfaces are "
         "infinitely thick.";
-    d.version = 2;
+    d.version = 3;
     d.papers = {"Ritschel09"};
     d.missing_light = missing_light();
     d.selectors = {sample_selector()};

@@ -54,7 +54,7 @@ DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const
                          const DirectLightOptions& options) {
     note_many_materials(builder);
     const auto extended = extended_light(builder, scene, gbuffer, options.extended);
-    const auto shadow = shadow_maps(builder, scene, options.shadow_resolution);
+    const auto shadow = shadow_maps(builder, scene, options.shadow_resolution, options.extended.materials);
     const DirectLight result{
         builder.image({.text = graph::text_of(direct_output()), .format = gl::Format::rgba32f}), shadow};
     // Rays give sharp shadows only.
@@ -67,8 +67,9 @@ DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const
                              {{"MATERIALS", std::to_string(static_cast<int>(options.extended.materials))}}};
     auto pass = builder.pass("direct light");
     if (has_two_bodies) pass.has_two_bodies();
-    pass.reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,
-               gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material);
+    shadow.read_by(pass);
+    pass.reads(scene.materials, scene.lights, gbuffer.position, gbuffer.normal, gbuffer.geometric_normal,
+               gbuffer.albedo, gbuffer.material);
     if (extended) {
         source.defines["EXTENDED"] = "1";
         pass.reads("extended_light", *extended);

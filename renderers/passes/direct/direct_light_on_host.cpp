@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderers/core/parallel_for.h"
+#include "renderers/passes/direct/panes.h"
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/lights/punctual.h"
@@ -19,8 +20,8 @@ namespace {
 class DirectLightOnHost {
   public:
     DirectLightOnHost(const graph::PassContext& context, const GBuffer& gbuffer, graph::ObjectRef bvh,
-                      Transport::Materials materials, std::optional<graph::ImageRef> extended,
-                      graph::ImageRef radiance)
+                      std::optional<graph::ObjectRef> behind_panes, Transport::Materials materials,
+                      std::optional<graph::ImageRef> extended, graph::ImageRef radiance)
         : context_(context),
           view_(context.inputs().view),
           viewer_(viewer(view_)),
@@ -29,6 +30,10 @@ class DirectLightOnHost {
           materials_(materials),
           radiance_(context.pixels<glm::vec4>(radiance)) {
         if (extended) extended_ = context.pixels<glm::vec4>(*extended);
+        if (behind_panes) {
+            behind_panes_ = context.object<SurfaceLookup>(*behind_panes);
+            panes_.emplace(*bvh_, *behind_panes_, materials_);
+        }
         for (const auto& light : context.inputs().world->lights)
             if (is_punctual(light)) lights_.push_back(light);
     }
@@ -113,8 +118,19 @@ class DirectLightOnHost {
         }
         if (count == 0) return;
         const auto occluded = bvh_->occluded16(rays, true);
-        for (std::size_t k = 0; k < count; ++k)
-            if ((occluded >> k & 1) == 0) radiance_[pixels[k]] += glm::vec4(radiances[k], 0);
+        for (std::size_t k = 0; k < count; ++k) {
+            const bool is_lit = (occluded >> k & 1) == 0;
+            if (is_lit || panes_)
+                radiance_[pixels[k]] += glm::vec4(is_lit ? radiances[k] : radiances[k] * passed(rays, k), 0);
+        }
+    }
+
+    /// Fraction of a light behind something that comes through panes.
+    glm::vec3 passed(const Bvh::Packet16& rays, std::size_t k) const {
+        const float far = rays.far[k];
+        const auto sight =
+            panes_->look({rays.ox[k], rays.oy[k], rays.oz[k]}, {rays.dx[k], rays.dy[k], rays.dz[k]}, far);
+        return sight.end.is_hit() ? glm::vec3(0) : sight.passed(far);
     }
 
     const graph::PassContext& context_;
@@ -122,11 +138,30 @@ class DirectLightOnHost {
     Viewer viewer_;
     GBufferSurfaces surfaces_;
     std::shared_ptr<Bvh> bvh_;
+    std::shared_ptr<SurfaceLookup> behind_panes_;
+    std::optional<Panes> panes_;  ///< where there are any
     Transport::Materials materials_;
     std::span<const glm::vec4> extended_;
     std::span<glm::vec4> radiance_;
     std::vector<scene::Light> lights_;
 };
+
+/// What rays meet, where there may be panes. Made anew in each frame: it points into scene and world.
+std::optional<graph::ObjectRef> surfaces_behind_panes(graph::GraphBuilder& builder,
+                                                      Transport::Materials materials) {
+    if (!Panes::any_in(*builder.inputs().scene, materials)) return {};
+    const auto result = builder.object({.text = {.key = "direct.panes",
+                                                 .label = "Surfaces for shadow rays",
+                                                 .doc = "What shadow rays ask of panes of clear glass."}});
+    builder.pass("surfaces for shadow rays", graph::Queue::cpu)
+        .writes(result)
+        .execute([=](graph::PassContext& context) {
+            const auto made = std::make_shared<SurfaceLookup>(*context.inputs().scene,
+                                                              *context.inputs().world, false, true);
+            context.store(result, made, made->bytes());
+        });
+    return result;
+}
 
 }  // namespace
 
@@ -134,16 +169,18 @@ void direct_light_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer,
                           Transport::Materials materials, std::optional<graph::ImageRef> extended,
                           graph::ImageRef radiance) {
     const auto rays = bvh(builder);
+    const auto behind_panes = surfaces_behind_panes(builder, materials);
     const auto& view = builder.inputs().view;
     auto pass = builder.pass("direct light", graph::Queue::cpu);
     pass.reads(rays).writes(radiance).has_two_bodies();
+    if (behind_panes) pass.reads(*behind_panes);
     if (extended) pass.reads(*extended);
     GBufferSurfaces::declare_reads(pass, gbuffer);
     pass.execute_sliced(
         std::int64_t{1} * DirectLightOnHost::tiles_across(view.width) *
             DirectLightOnHost::tiles_across(view.height),
         [=](graph::PassContext& context, graph::Slice slice) {
-            DirectLightOnHost(context, gbuffer, rays, materials, extended, radiance).run(slice);
+            DirectLightOnHost(context, gbuffer, rays, behind_panes, materials, extended, radiance).run(slice);
         });
 }
 

@@ -219,10 +219,23 @@ void sample_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, const 
         2);
 }
 
+/// Texels along a side that images of any device may have. [OpenGL 4.5, table 23.53]
+constexpr int max_image_side_of_all = 16384;
+
+bool has_wide_map(graph::GraphBuilder& builder, const ExtendedLightOptions& options) {
+    const auto& map = builder.inputs().scene->environment.map;
+    if (!options.environment || !map || std::max(map->width, map->height) <= max_image_side_of_all)
+        return false;
+    builder.note("the environment map has " + std::to_string(map->width) + " x " +
+                 std::to_string(map->height) + " texels, more than " + std::to_string(max_image_side_of_all) +
+                 " a side: its light is sampled on the host");
+    return true;
+}
+
 SampledImages sample_sources(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                              const ExtendedLightOptions& options) {
     const auto images = declare_sampled_images(builder);
-    if (builder.inputs().processor == Processor::host)
+    if (builder.inputs().processor == Processor::host || has_wide_map(builder, options))
         sample_on_host(builder, gbuffer, images, options);
     else
         sample_on_device(builder, scene, gbuffer, images, options);

@@ -8,14 +8,14 @@
 namespace ir::passes {
 
 Panes::Panes(const Bvh& bvh, const SurfaceLookup& surfaces, Transport::Materials model)
-    : bvh_(bvh),
-      surfaces_(surfaces),
-      model_(model),
-      any_(model != Transport::Materials::lambert && any_in(surfaces.scene())) {}
+    : bvh_(bvh), surfaces_(surfaces), model_(model), any_(any_in(surfaces.scene(), model)) {}
 
-bool Panes::any_in(const scene::Scene& scene) {
-    return std::ranges::any_of(scene.materials,
-                               [](const auto& m) { return m.transmission > 0 && m.thickness <= 0; });
+bool Panes::may_be(const scene::Material& material) {
+    return material.transmission > 0 && material.thickness <= 0;
+}
+
+bool Panes::any_in(const scene::Scene& scene, Transport::Materials model) {
+    return model != Transport::Materials::lambert && std::ranges::any_of(scene.materials, may_be);
 }
 
 glm::vec3 Panes::Sight::passed(float distance) const {

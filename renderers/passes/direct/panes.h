@@ -18,7 +18,9 @@ class Panes {
 
     /// Whether there may be any.
     bool any() const { return any_; }
-    static bool any_in(const scene::Scene& scene);
+    /// Textures only lower what makes a material one.
+    static bool may_be(const scene::Material& material);
+    static bool any_in(const scene::Scene& scene, Transport::Materials model = Transport::Materials::gltf);
 
     /// A ray as far as it goes. The pane behind max_panes ends it.
     class Sight {

@@ -5,6 +5,7 @@
 
 #include "renderers/passes/rsm/rsm_on_host.h"
 #include "renderers/passes/scene/draw_triangles.h"
+#include "renderers/passes/shadow/texel_constants.h"
 
 namespace ir::passes {
 namespace {
@@ -31,35 +32,13 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, const std:
     return builder.image(std::move(desc));
 }
 
-/// Constants of triangles.vert and texel.glsl.
-struct DrawDepth {
-    glm::mat4 clip_from_world;
-    glm::vec3 eye_ws, view_right_ws, view_up_ws, view_axis_ws;
-    float perspective, far, resolution;
-    int material_index;
-    IR_FIELDS(clip_from_world, eye_ws, view_right_ws, view_up_ws, view_axis_ws, perspective, far, resolution,
-              material_index)
-};
-
 /// Constants of triangles.vert and rsm.frag.
 struct DrawSurfaces {
-    DrawDepth depth;
+    TexelConstants texel;
     bool normal_maps, opaque_only;
     int textures, layer;
-    IR_FIELDS(depth, normal_maps, opaque_only, textures, layer)
+    IR_FIELDS(texel, normal_maps, opaque_only, textures, layer)
 };
-
-DrawDepth depth_constants(const ShadowViewData& view, int resolution) {
-    return {.clip_from_world = view.clip_from_world,
-            .eye_ws = view.origin_ws,
-            .view_right_ws = view.right_ws,
-            .view_up_ws = view.up_ws,
-            .view_axis_ws = view.forward_ws,
-            .perspective = view.perspective,
-            .far = view.far,
-            .resolution = static_cast<float>(resolution),
-            .material_index = 0};
-}
 
 void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, Slice slice) {
     if (slice.first) *d.chunks = TriangleChunks(*p.inputs().world);
@@ -72,7 +51,7 @@ void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, 
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
         const auto& program = p.use({{"passes/scene/triangles.vert", "passes/rsm/depth.frag"}});
-        auto constants = depth_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
+        auto constants = texel_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
         for (const auto& range : p.inputs().world->ranges) {
             const auto runs =
                 d.chunks->seen(constants.clip_from_world, {range.first_triangle, range.triangle_count});
@@ -108,17 +87,17 @@ void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
         if (d.options.geometric_normal) source.defines["GEOMETRIC_NORMAL"] = "1";
         const auto& program = p.use(source);
         DrawSurfaces constants{
-            .depth = depth_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution),
+            .texel = texel_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution),
             .normal_maps = d.options.normal_maps,
             .opaque_only = d.options.opaque_only,
             .textures = 0,
             .layer = index};
         for (const auto& range : p.inputs().world->ranges) {
             const auto runs =
-                d.chunks->seen(constants.depth.clip_from_world, {range.first_triangle, range.triangle_count});
+                d.chunks->seen(constants.texel.clip_from_world, {range.first_triangle, range.triangle_count});
             if (runs.empty()) continue;
             const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
-            constants.depth.material_index = range.material;
+            constants.texel.material_index = range.material;
             constants.textures = bind_textures(p, d.scene, material);
             program.set(constants);
             draw_triangles(p, runs);

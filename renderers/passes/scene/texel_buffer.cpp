@@ -138,7 +138,8 @@ graph::BufferRef texel_buffer(graph::GraphBuilder& builder) {
     const auto layout = texel_layout(scene, std::min(max_texel_bytes, builder.max_buffer_bytes()));
     if (layout.reduced > 0)
         builder.note(std::to_string(layout.reduced) + " textures are reduced to at most " +
-                     std::to_string(layout.side) + " texels a side where rays hit them");
+                     std::to_string(layout.side) +
+                     " texels a side where rays hit them and where their emission is sampled");
     graph::BufferDesc desc;
     desc.text = {.key = "scene.texels",
                  .label = "Textures in one array",

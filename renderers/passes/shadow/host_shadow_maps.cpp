@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/core/half_float.h"
 #include "renderers/graph/image_layers.h"
 #include "renderers/passes/scene/light_data.h"
 
@@ -26,7 +27,9 @@ float receiver_depth(const ShadowViewData& view, glm::vec2 ndc, glm::vec3 positi
 HostShadowMaps::HostShadowMaps(const graph::PassContext& context, const ShadowMaps& shadow)
     : lights_(light_data(context.inputs().world->lights)),
       layers_(graph::layers<const float>(context, shadow.maps)),
-      resolution_(context.shape(shadow.maps).width) {
+      panes_(graph::layers<const std::uint64_t>(context, shadow.panes)),
+      resolution_(context.shape(shadow.maps).width),
+      pane_resolution_(context.shape(shadow.panes).width) {
     views_ = shadow_views(*context.inputs().world, resolution_);
 }
 
@@ -37,10 +40,20 @@ int HostShadowMaps::layer_of(const LightData& light, glm::vec3 position_ws) cons
     return light.shadow_layer + 2 * axis + (offset[axis] < 0 ? 1 : 0);
 }
 
-bool HostShadowMaps::is_lit(std::size_t light, glm::vec3 position_ws, glm::vec3 normal_ws,
-                            glm::vec3 to_light_ws) const {
+/// `place`: from the upper left corner, 0 to 1.
+glm::vec3 HostShadowMaps::passed_panes(std::size_t layer, glm::vec2 place) const {
+    const auto texel =
+        glm::min(glm::max(glm::vec2(0), glm::floor(place * static_cast<float>(pane_resolution_))),
+                 glm::vec2(static_cast<float>(pane_resolution_ - 1)));
+    const auto at = static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(pane_resolution_) +
+                    static_cast<std::size_t>(texel.x);
+    return glm::vec3(unpack_halves(panes_[layer][at]));
+}
+
+glm::vec3 HostShadowMaps::visibility(std::size_t light, glm::vec3 position_ws, glm::vec3 normal_ws,
+                                     glm::vec3 to_light_ws) const {
     const auto& source = lights_[light];
-    if (source.shadow_layers == 0) return true;
+    if (source.shadow_layers == 0) return glm::vec3(1);
     const auto layer = static_cast<std::size_t>(layer_of(source, position_ws));
     const auto& view = views_[layer];
     const bool perspective = view.perspective != 0;
@@ -58,15 +71,17 @@ bool HostShadowMaps::is_lit(std::size_t light, glm::vec3 position_ws, glm::vec3 
     const auto ndc =
         scale * glm::vec2(glm::dot(offset, view.right_ws) / glm::dot(view.right_ws, view.right_ws),
                           glm::dot(offset, view.up_ws) / glm::dot(view.up_ws, view.up_ws));
-    const auto place = glm::floor((ndc * glm::vec2(0.5f, -0.5f) + 0.5f) * resolution);
+    const auto place = ndc * glm::vec2(0.5f, -0.5f) + 0.5f;
     // The order of arguments makes 0 of what is no number.
-    const auto texel = glm::min(glm::max(glm::vec2(0), place), glm::vec2(resolution - 1));
+    const auto texel =
+        glm::min(glm::max(glm::vec2(0), glm::floor(place * resolution)), glm::vec2(resolution - 1));
     const auto texel_ndc = ((texel + 0.5f) / resolution * 2.0f - 1.0f) * glm::vec2(1, -1);
     const float expected =
         receiver_depth(view, texel_ndc, receiver_ws, normal_ws, depth, shadow_steepest_slope * texel_m);
     const auto at = static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(resolution_) +
                     static_cast<std::size_t>(texel.x);
-    return layers_[layer][at] * view.far >= expected - shadow_rounding * view.far;
+    if (layers_[layer][at] * view.far < expected - shadow_rounding * view.far) return glm::vec3(0);
+    return passed_panes(layer, place);
 }
 
 }  // namespace ir::passes

@@ -13,19 +13,22 @@ namespace ir::passes {
 /// Shadow maps on the host, by the rules of shaders/passes/shadow/shadow.glsl. Thread-safe.
 class HostShadowMaps {
   public:
-    /// For a pass of the cpu queue that reads the maps.
+    /// For a pass of the cpu queue that reads maps and panes.
     HostShadowMaps(const graph::PassContext& context, const ShadowMaps& shadow);
 
     /// As shadow_visibility of one texel. `normal_ws` is the geometric normal, turned to the light;
     /// `light` an index into World::lights, of unit direction `to_light_ws`.
-    bool is_lit(std::size_t light, glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 to_light_ws) const;
+    glm::vec3 visibility(std::size_t light, glm::vec3 position_ws, glm::vec3 normal_ws,
+                         glm::vec3 to_light_ws) const;
 
   private:
+    glm::vec3 passed_panes(std::size_t layer, glm::vec2 place) const;
     int layer_of(const LightData& light, glm::vec3 position_ws) const;
 
     std::vector<LightData> lights_;
     std::vector<std::span<const float>> layers_;
-    int resolution_;
+    std::vector<std::span<const std::uint64_t>> panes_;
+    int resolution_, pane_resolution_;
     std::vector<ShadowViewData> views_;
 };
 

@@ -6,8 +6,10 @@
 #include <memory>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/passes/direct/panes.h"
 #include "renderers/passes/scene/draw_triangles.h"
 #include "renderers/passes/scene/light_data.h"
+#include "renderers/passes/shadow/texel_constants.h"
 
 namespace ir::passes {
 
@@ -125,12 +127,47 @@ struct DrawShadow {
     IR_FIELDS(clip_from_world, origin_ws, depth_axis_ws)
 };
 
-void draw_shadow(const PassContext& p, const TriangleChunks& chunks, const ShadowViewData& view,
-                 bool masked) {
+struct ShadowDrawing {
+    SceneBuffers scene;
+    ShadowMaps shadow;
+    Transport::Materials model;
+    bool has_panes;
+    std::shared_ptr<TriangleChunks> chunks = std::make_shared<TriangleChunks>();  ///< of the frame's world
+};
+
+/// Constants of pane.frag.
+struct DrawPane {
+    TexelConstants texel;
+    bool normal_maps;
+    int textures;
+    IR_FIELDS(texel, normal_maps, textures)
+};
+
+const scene::Material& material_of(const PassContext& p, const scene::MaterialRange& range) {
+    return p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
+}
+
+/// Of these triangles those that are no panes.
+std::vector<TriangleRun> opaque_runs(const PassContext& p, const ShadowDrawing& d, TriangleRun among) {
+    if (!d.has_panes) return {among};
+    std::vector<TriangleRun> runs;
+    for (const auto& range : p.inputs().world->ranges) {
+        const auto begin = std::max(range.first_triangle, among.first),
+                   end = std::min(range.first_triangle + range.triangle_count, among.first + among.count);
+        if (begin < end && !Panes::may_be(material_of(p, range))) runs.push_back({begin, end - begin});
+    }
+    return runs;
+}
+
+void draw_shadow(const PassContext& p, const ShadowDrawing& d, const ShadowViewData& view, bool masked) {
     const auto opaque = p.inputs().world->opaque_triangles;
     const auto all = static_cast<std::uint32_t>(p.inputs().world->triangles());
-    const auto runs = chunks.seen(view.clip_from_world,
-                                  masked ? TriangleRun{opaque, all - opaque} : TriangleRun{0, opaque});
+    std::vector<TriangleRun> runs;
+    for (const auto& run :
+         opaque_runs(p, d, masked ? TriangleRun{opaque, all - opaque} : TriangleRun{0, opaque})) {
+        const auto seen = d.chunks->seen(view.clip_from_world, run);
+        runs.insert(runs.end(), seen.begin(), seen.end());
+    }
     if (runs.empty()) return;
     const auto& program =
         p.use({{"passes/shadow/shadow.vert", "passes/shadow/shadow.frag"}, {{"MASKED", masked ? "1" : "0"}}});
@@ -138,33 +175,73 @@ void draw_shadow(const PassContext& p, const TriangleChunks& chunks, const Shado
     draw_triangles(p, runs);
 }
 
-void draw_layers(const PassContext& p, const ShadowMaps& shadow, TriangleChunks& chunks, Slice slice) {
-    const auto views = shadow_views(*p.inputs().world, p.shape(shadow.maps).width);
+/// What may be panes: what passes them, or the depth of what is none.
+void draw_panes(const PassContext& p, const ShadowDrawing& d, const ShadowViewData& view, bool passed) {
+    gl::ProgramSource source{{"passes/scene/triangles.vert", "passes/shadow/pane.frag"},
+                             {{"MATERIALS", std::to_string(static_cast<int>(d.model))}}};
+    if (passed) source.defines["PASSED"] = "1";
+    const auto& program = p.use(source);
+    DrawPane constants{texel_constants(view, p.shape(d.shadow.maps).width), false, 0};
+    for (const auto& range : p.inputs().world->ranges) {
+        const auto& material = material_of(p, range);
+        if (!Panes::may_be(material)) continue;
+        constants.texel.material_index = range.material;
+        constants.textures = bind_textures(p, d.scene, material);
+        program.set(constants);
+        draw_triangles(p, d.chunks->seen(view.clip_from_world, {range.first_triangle, range.triangle_count}));
+    }
+}
+
+/// Before what the layer holds already.
+void multiply_by_panes(const PassContext& p, const ShadowDrawing& d, int layer, const ShadowViewData* view) {
+    const PassContext::Attachment depth{d.shadow.maps, layer};
+    p.bind_framebuffer({{d.shadow.panes, layer}}, view ? &depth : nullptr);
+    const float one[4] = {1, 1, 1, 1};
+    p.api().ClearBufferfv(GL_COLOR, 0, one);
+    if (!view) return;
+    p.api().DepthMask(GL_FALSE);
+    p.api().Enable(GL_BLEND);
+    p.api().BlendEquation(GL_FUNC_ADD);
+    p.api().BlendFunc(GL_ZERO, GL_SRC_COLOR);
+    draw_panes(p, d, *view, true);
+    p.api().Disable(GL_BLEND);
+    p.api().DepthMask(GL_TRUE);
+}
+
+void draw_layers(const PassContext& p, const ShadowDrawing& d, Slice slice) {
+    const auto views = shadow_views(*p.inputs().world, p.shape(d.shadow.maps).width);
     if (slice.first) {
-        p.upload(shadow.views, std::as_bytes(std::span(views)));
-        chunks = TriangleChunks(*p.inputs().world);
+        p.upload(d.shadow.views, std::as_bytes(std::span(views)));
+        *d.chunks = TriangleChunks(*p.inputs().world);
     }
     p.bind_empty_vertex_array();
     p.api().Enable(GL_DEPTH_TEST);
-    for (auto layer = slice.begin; layer < slice.end; ++layer) {
-        const PassContext::Attachment depth{shadow.maps, static_cast<int>(layer)};
+    for (auto at = slice.begin; at < slice.end; ++at) {
+        const int layer = static_cast<int>(at);
+        const auto* view =
+            static_cast<std::size_t>(at) < views.size() ? &views[static_cast<std::size_t>(at)] : nullptr;
+        const PassContext::Attachment depth{d.shadow.maps, layer};
         p.bind_framebuffer({}, &depth);
         const float far = 1;
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
-        if (static_cast<std::size_t>(layer) >= views.size()) continue;
         for (const bool masked : {false, true})
-            draw_shadow(p, chunks, views[static_cast<std::size_t>(layer)], masked);
+            if (view) draw_shadow(p, d, *view, masked);
+        if (view && d.has_panes) draw_panes(p, d, *view, false);
+        multiply_by_panes(p, d, layer, d.has_panes ? view : nullptr);
     }
     p.api().Disable(GL_DEPTH_TEST);
 }
 
 }  // namespace
 
-ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int resolution) {
+ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int resolution,
+                       Transport::Materials model) {
     int layers = 0;
     for (const auto& light : builder.inputs().world->lights) layers += shadow_layers(light);
+    const bool has_panes = Panes::any_in(*builder.inputs().scene, model);
     const auto& world = builder.inputs().world_fingerprint;
-    const auto fingerprint = world.empty() ? "" : world + " at " + std::to_string(resolution);
+    const auto fingerprint =
+        world.empty() ? "" : world + " at " + std::to_string(resolution) + (has_panes ? " behind panes" : "");
 
     graph::ImageDesc maps;
     maps.text = {"shadow.maps", "Shadow maps", "Depth along each map's axis over its far distance",
@@ -174,6 +251,14 @@ ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int res
     maps.extent = graph::Extent::fixed(resolution, resolution);
     maps.layers = std::max(1, layers);
     maps.fingerprint = fingerprint;
+    graph::ImageDesc panes = maps;
+    panes.text = {
+        "shadow.panes", "Panes before lights",
+        "Fraction of the light that comes through sheets of clear glass to what the shadow map holds",
+        Semantic::albedo};
+    panes.name = "shadow_panes";
+    panes.format = gl::Format::rgba16f;
+    if (!has_panes) panes.extent = graph::Extent::fixed(1, 1);
     graph::BufferDesc views;
     views.text = {"shadow.views", "Views of the shadow maps"};
     views.name = "ShadowViews";
@@ -181,18 +266,21 @@ ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int res
     views.elements = static_cast<std::uint64_t>(layers);
     views.fingerprint = fingerprint;
 
-    const ShadowMaps shadow{builder.image(maps), builder.buffer(views)};
-    builder.pass("shadow maps")
-        .reads(scene.positions, scene.indices, scene.uv0, scene.uv1, scene.triangle_materials,
-               scene.materials, scene.opacity, scene.opacity_words)
-        .writes(shadow.maps, shadow.views)
+    const ShadowDrawing drawing{
+        scene, {builder.image(maps), builder.image(panes), builder.buffer(views)}, model, has_panes};
+    auto pass = builder.pass("shadow maps");
+    if (has_panes) {
+        reads_triangles(pass, scene);
+        reads_textures(pass, scene);
+    } else {
+        pass.reads(scene.positions, scene.indices, scene.uv0, scene.uv1, scene.materials, scene.opacity,
+                   scene.opacity_words);
+    }
+    pass.reads(scene.triangle_materials)
+        .writes(drawing.shadow.maps, drawing.shadow.panes, drawing.shadow.views)
         .execute_sliced(
-            maps.layers,
-            [=, chunks = std::make_shared<TriangleChunks>()](PassContext& p, Slice slice) {
-                draw_layers(p, shadow, *chunks, slice);
-            },
-            1);
-    return shadow;
+            maps.layers, [=](PassContext& p, Slice slice) { draw_layers(p, drawing, slice); }, 1);
+    return drawing.shadow;
 }
 
 }  // namespace ir::passes

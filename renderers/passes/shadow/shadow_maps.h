@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "renderers/core/fields.h"
+#include "renderers/core/transport.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/scene/scene_buffers.h"
 #include "renderers/scene/world.h"
@@ -14,14 +15,22 @@ namespace ir::passes {
 /// point lights (+x, -x, +y, -y, +z, -z); orthographic about the world's bounds for directional lights.
 std::vector<ShadowViewData> shadow_views(const scene::World& world, int resolution);
 
-/// What blocks the light of point, spot and directional lights; alpha masks are respected, glass blocks.
+/// What blocks the light of point, spot and directional lights; alpha masks are respected. Sheets of clear
+/// glass let it pass (Panes), other glass blocks it.
 struct ShadowMaps {
-    graph::ImageRef maps;    ///< "shadow.maps" depth32f stack; see shaders/passes/shadow/shadow.glsl
+    graph::ImageRef maps;   ///< "shadow.maps" depth32f stack; see shaders/passes/shadow/shadow.glsl
+    graph::ImageRef panes;  ///< "shadow.panes" rgba16f stack: fraction of the light that comes through sheets
+                            ///< before what the map holds; one texel where there are none
     graph::BufferRef views;  ///< "shadow.views": a ShadowViewData for each layer
+
+    /// Of programs with that file.
+    void read_by(graph::PassBuilder& pass) const { pass.reads(views, maps, panes); }
 };
 
 /// Declares the pass "shadow maps". A light's layers begin at its `shadow_layer` in "scene.lights". The maps
-/// stay while world and resolution (texels, square) stay; without lights there is one empty layer.
-ShadowMaps shadow_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, int resolution);
+/// stay while world and resolution (texels, square) stay; without lights there is one empty layer. Lambert's
+/// materials know no glass.
+ShadowMaps shadow_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, int resolution,
+                       Transport::Materials model = Transport::Materials::lambert);
 
 }  // namespace ir::passes

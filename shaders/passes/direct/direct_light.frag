@@ -42,9 +42,9 @@ vec3 reflected(Light light, Surface surface, vec3 position_ws, vec3 n, vec3 geom
     float cosine = dot(n, light_in.direction_ws);
     if (cosine <= 0.0 || dot(geometric_n, light_in.direction_ws) <= 0.0 || light_in.irradiance == vec3(0))
         return vec3(0);
-    float visible = shadow_visibility(light, position_ws, geometric_n, light_in.direction_ws, shadow_filter_radius);
-    if (visible == 0.0) return vec3(0);
-    return brdf(surface, n, light_in.direction_ws, v) * light_in.irradiance * (cosine * visible);
+    vec3 visible = shadow_visibility(light, position_ws, geometric_n, light_in.direction_ws, shadow_filter_radius);
+    if (visible == vec3(0)) return vec3(0);
+    return brdf(surface, n, light_in.direction_ws, v) * light_in.irradiance * cosine * visible;
 }
 
 void main() {

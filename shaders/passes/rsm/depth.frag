@@ -1,6 +1,6 @@
 // The shadow map at the RSM's resolution.  [Smal19 §5.1]
 
-#include "passes/rsm/texel.glsl"
+#include "passes/shadow/texel.glsl"
 
 void main() {
     if (has_hole_here()) discard;

@@ -1,7 +1,7 @@
 // Writes what the light sees at the texel's centre.  [Smal19 §5.1]
 
 #define DISCARDS_EARLY
-#include "passes/rsm/texel.glsl"
+#include "passes/shadow/texel.glsl"
 
 #ifdef DEPTH_PREPASS
 uniform sampler2DArray depth_drawn_first;

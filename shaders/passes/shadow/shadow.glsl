@@ -19,6 +19,8 @@ struct ShadowView {
 };
 layout(std430) readonly buffer ShadowViews { ShadowView shadow_views[]; };
 uniform sampler2DArray shadow_maps;
+/// Fraction of the light that comes through sheets of clear glass to what the map holds.
+uniform sampler2DArray shadow_panes;
 
 /// The receiver is lifted along its normal by this many texels times the sine of the light's angle, which
 /// covers what its tangent plane misses of curved and folded surfaces.  [Holbert11, normal offset]
@@ -53,10 +55,11 @@ float receiver_depth(ShadowView view, vec2 ndc, vec3 position_ws, vec3 normal_ws
     return clamp(dot(normal_ws, position_ws - origin) / slope, depth - limit, depth + limit);
 }
 
-/// Fraction of (2 radius + 1)² texels about the point from which the light is seen; 1 without a map.
+/// Fraction of the light that comes to a point: of (2 radius + 1)² texels about it those from which the light is seen,
+/// 1 without a map, times what sheets of glass before it let pass.
 /// `normal_ws` is the geometric normal, turned to the light, `to_light_ws` of unit length.
-float shadow_visibility(Light light, vec3 position_ws, vec3 normal_ws, vec3 to_light_ws, int radius) {
-    if (light.shadow_layers == 0) return 1.0;
+vec3 shadow_visibility(Light light, vec3 position_ws, vec3 normal_ws, vec3 to_light_ws, int radius) {
+    if (light.shadow_layers == 0) return vec3(1);
     int layer = shadow_layer_of(light, position_ws);
     ShadowView view = shadow_views[layer];
     int resolution = textureSize(shadow_maps, 0).x;
@@ -73,7 +76,8 @@ float shadow_visibility(Light light, vec3 position_ws, vec3 normal_ws, vec3 to_l
     float scale = perspective ? 1.0 / depth : 1.0;
     vec2 ndc = scale * vec2(dot(offset, view.right_ws) / dot(view.right_ws, view.right_ws),
                             dot(offset, view.up_ws) / dot(view.up_ws, view.up_ws));
-    ivec2 centre = ivec2(floor((ndc * vec2(0.5, -0.5) + 0.5) * float(resolution)));
+    vec2 place = ndc * vec2(0.5, -0.5) + 0.5;
+    ivec2 centre = ivec2(floor(place * float(resolution)));
     float limit = STEEPEST_SLOPE * (float(radius) + 1.0) * texel_m;
 
     float lit = 0.0;
@@ -87,5 +91,7 @@ float shadow_visibility(Light light, vec3 position_ws, vec3 normal_ws, vec3 to_l
         }
     }
     float width = float(2 * radius + 1);
-    return lit / (width * width);
+    ivec2 panes = textureSize(shadow_panes, 0).xy;
+    vec3 passed = texelFetch(shadow_panes, ivec3(clamp(ivec2(place * vec2(panes)), ivec2(0), panes - 1), layer), 0).rgb;
+    return lit / (width * width) * passed;
 }

@@ -146,6 +146,39 @@ TEST_F(LightOnDeviceTest, AndTreesOfManyTexturedSourcesWithHoles) {
     expect_both_agree(shot_of(std::move(scene)), unfiltered(8));
 }
 
+/// More pixels than are sampled at once.
+TEST_F(LightOnDeviceTest, LargePicturesAreSampledInBands) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 2);
+    auto scene = small.scene();
+    scene.materials[0].metallic = 0;
+    scene::Light lamp;
+    lamp.type = scene::LightType::rectangle;
+    lamp.position = {0.3f, 1, 0.2f};
+    lamp.direction = {0, -1, 0};
+    lamp.size = {0.8f, 0.4f};
+    scene.lights.push_back(lamp);
+    const Shot shot(std::move(scene), looking({0, 1.3f, 3.2f}, {0, 0, 0}), 640, 420);
+    static_assert(640 * 420 > 1 << 18);
+    expect_both_agree(shot, unfiltered(1));
+}
+
+/// Wider than images of all devices may be.
+TEST_F(LightOnDeviceTest, WideEnvironmentMapsAreSampledOnTheHostAndSaySo) {
+    auto scene = room(Source::constant);
+    scene.environment = {{}, std::make_shared<Image>(16385, 2, 3, 0.8f)};
+    const auto shot = shot_of(std::move(scene));
+    body = Processor::gl;
+    const auto report = sample_anew(shot, unfiltered(4));
+    EXPECT_TRUE(ran_on_host(report, "light samples"));
+    EXPECT_TRUE(std::ranges::any_of(report.messages, [](const auto& message) {
+        return message.text.find("16385 x 2 texels") != std::string::npos;
+    }));
+    const double wide = mean_of(read("direct.radiance"));
+    sampled(shot_of(room(Source::constant)), unfiltered(4), 1);
+    EXPECT_NEAR(wide / mean_of(read("direct.radiance")), 1, 0.03);
+}
+
 TEST_F(LightOnDeviceTest, EqualsTheReference) {
     auto scene = closed_room();
     scene.materials[2].roughness = 0.5f;  // samples leave mirrors out as the reference's direct light,

@@ -93,10 +93,46 @@ TEST_F(PhotonsOfLampsTest, LightArrivesByTheFormFactor) {
     for (const auto& photon : primaries()) {
         const auto at = glm::abs(photon.position_ws);
         const bool arrives = photon.fate == 1 && at.y < 1e-3f;
-        all += photon.emitted.r;
+        all += photon.emitted.r * (1 + photon.missed);
         below += arrives && std::max(at.x, at.z) < 1 ? photon.emitted.r : 0;
     }
     EXPECT_NEAR(below / all / form_factor(), 1, 0.05);  // 3,600 photons
+}
+
+// A lamp of 0.5 m above a roof with an opening of 0.4 m: most light is lost on the roof, to the sky.
+TEST_F(PhotonsOfLampsTest, LightThroughAnOpeningHasMorePhotonsAndItsFlux) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 4);
+    for (const float side : {-1.0f, 1.0f}) {
+        const float edge = side * 0.2f, end = side * 4;
+        small.quad({edge, 2, -4}, {end, 2, -4}, {end, 2, 4}, {edge, 2, 4});
+        small.quad({-0.2f, 2, edge}, {0.2f, 2, edge}, {0.2f, 2, end}, {-0.2f, 2, end});
+    }
+    auto light = lamp_of(scene::LightType::rectangle, {0.5f, 0.5f});
+    light.position = {0, 3, 0};
+    auto settings = quick();
+    settings["emission"] = std::int64_t{64};
+    settings["directions"] = std::int64_t{2};
+    trace(Shot(with(small.scene(), {light}, glm::vec3(0.5f)), camera({0, 1, 3.9f}, {0, 0, 0}), 16, 16),
+          settings);
+    expect_balanced("opening");
+    double through = 0;
+    int photons = 0;
+    for (const auto& p : primaries()) {
+        if (p.fate != li::primary_splits || p.position_ws.y > 1) continue;
+        through += p.emitted.r;
+        ++photons;
+    }
+    double expected = 0;  // form factor of the lamp to the opening, by the midpoint rule
+    constexpr int n = 16;
+    for (int i = 0; i < n * n * n * n; ++i) {
+        const auto at = [&](int step, double size) { return ((i / step % n + 0.5) / n - 0.5) * size; };
+        const double x = at(1, 0.5) - at(n, 0.4), z = at(n * n, 0.5) - at(n * n * n, 0.4),
+                     d = x * x + z * z + 1;
+        expected += 0.16 / (pi * d * d) / (n * n * n * n);
+    }
+    EXPECT_NEAR(through / emitted() / expected, 1, 0.06);
+    EXPECT_GT(photons, 2 * expected * 64 * 64);
 }
 
 // Of n photons each has 1/n of the lamp's area and of the directions, π/(n cosθ) sr.

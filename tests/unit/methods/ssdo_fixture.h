@@ -13,6 +13,7 @@ namespace ir::test {
 
 class SsdoTest : public PassTest {
   protected:
+    /// By the method's defaults, but with Lambert's materials: what closed forms know.
     Image render(const Shot& shot, Settings settings, const std::string& key = "ssdo.indirect.raw",
                  Inspection picked = {}, std::uint64_t seed = 1) {
         const auto& all = methods::all_methods();
@@ -26,7 +27,6 @@ class SsdoTest : public PassTest {
         graph::FrameOptions options;
         options.wanted = {"*"};
         settings.try_emplace("materials", std::string("lambert"));
-        settings.try_emplace("environment_by", std::string("occlusion"));
         report =
             graph().run(**method, completed((*method)->description.parameters, settings), inputs, options);
         return read(key);
@@ -41,6 +41,12 @@ class SsdoTest : public PassTest {
     FrameReport report;
     Processor body = Processor::gl;  ///< that pictures are gathered by
 };
+
+/// The environment's light by directional occlusion: "ssdo.sky".
+inline Settings sky_by_occlusion(Settings settings) {
+    settings["environment_by"] = std::string("occlusion");
+    return settings;
+}
 
 inline Settings many_samples(int samples, double radius) {
     return {{"samples", std::int64_t{samples}},

@@ -18,7 +18,7 @@ TEST_F(SsdoTest, AnOpenPlaneIsExactlyOpenAndReceivesNothing) {
             body = bodies[radius > 0];
             Shot shot("builtin:plane", camera, 48, 48);
             shot.scene.environment = {{0.5f, 1, 2}, nullptr};
-            const auto indirect = render(shot, {{"max_distance", radius}});
+            const auto indirect = render(shot, sky_by_occlusion({{"max_distance", radius}}));
             const auto open = read("ssdo.accessibility"), sky = read("ssdo.sky.raw"),
                        albedo = read("gbuffer.albedo");
             for (int y = 0; y < 48; ++y)
@@ -136,12 +136,12 @@ TEST_F(SsdoTest, TheHostGathersAsTheDevice) {
         auto view = looking(camera.eye, camera.target);
         if (choice.orthographic) view = looking(camera.eye, camera.target, {0, 1, 0}, 1);
         const Shot shot(scene, view, 61, 43);
-        const Settings settings{{"estimator", std::string(choice.estimator)},
-                                {"turning", std::string(choice.turning)},
-                                {"materials", std::string(choice.materials)},
-                                {"max_distance", choice.radius},
-                                {"samples", std::int64_t{21}},
-                                {"blur", false}};
+        const auto settings = sky_by_occlusion({{"estimator", std::string(choice.estimator)},
+                                                {"turning", std::string(choice.turning)},
+                                                {"materials", std::string(choice.materials)},
+                                                {"max_distance", choice.radius},
+                                                {"samples", std::int64_t{21}},
+                                                {"blur", false}});
         const std::string keys[] = {"ssdo.indirect.raw", "ssdo.sky.raw", "ssdo.accessibility", "ssdo.cut"};
         std::map<std::string, Image> device;
         body = Processor::gl;
@@ -271,7 +271,7 @@ TEST_F(SsdoTest, WhatExplainsAPixelAddsUpToIt) {
     shot.scene.environment = {{0.5f, 1, 2}, nullptr};
     for (const char* estimator : {"density", "published"})
         for (const char* materials : {"lambert", "gltf"}) {
-            Settings settings = many_samples(70, 0.3);
+            auto settings = sky_by_occlusion(many_samples(70, 0.3));
             settings["estimator"] = std::string(estimator);
             settings["materials"] = std::string(materials);
             Inspection picked;
@@ -294,8 +294,13 @@ TEST_F(SsdoTest, WhatExplainsAPixelAddsUpToIt) {
 TEST_F(SsdoTest, PicturesAreTheSumsOfTheirParts) {
     Shot shot("builtin:cornell", "", 48, 48);
     shot.scene.environment = {{0.5f, 1, 2}, nullptr};
-    for (const char* paths : {"direct", "indirect", "full"}) {
-        const auto radiance = render(shot, {{"paths", std::string(paths)}}, "radiance");
+    for (const auto& [paths, by] : {std::pair{"direct", "samples"},
+                                    {"indirect", "samples"},
+                                    {"full", "samples"},
+                                    {"direct", "occlusion"},
+                                    {"full", "occlusion"}}) {
+        const auto radiance =
+            render(shot, {{"paths", std::string(paths)}, {"environment_by", std::string(by)}}, "radiance");
         const auto direct = read("ssdo.direct"), indirect = read("ssdo.indirect"),
                    emission = read("gbuffer.emission"), normal = read("gbuffer.geometric_normal");
         const bool full = std::string(paths) == "full";
@@ -338,7 +343,7 @@ TEST_F(SsdoTest, AnEnvironmentMapLightsAnOpenSlopeByItsIntegral) {
         }
     for (const auto each : bodies) {
         body = each;
-        const auto sky = render(shot, many_samples(4096, 1), "ssdo.sky.raw");
+        const auto sky = render(shot, sky_by_occlusion(many_samples(4096, 1)), "ssdo.sky.raw");
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(sky.at(8, 8, c), expected[c], 0.02 * expected[c]) << c;
     }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/unit/passes/pass_fixture.h"
+#include "tests/unit/passes/small_world.h"
 
 namespace ir::test {
 namespace {
@@ -91,6 +92,58 @@ TEST_F(DirectLightOnHost, IsTheDevicesButAtTheEdgesOfShadows) {
             EXPECT_NEAR(mean_traced / mean_drawn, 1, 0.02) << what;
         }
     }
+}
+
+/// Light falls along the normal of a pane on the middle of a floor.
+TEST_F(DirectLightOnHost, SheetsOfClearGlassLetLightPassAsLightSamplesDo) {
+    enum class Between { nothing, clear, two, rough, thick, wall_behind };
+    const glm::vec3 tint(0.9f, 0.6f, 0.3f);
+    constexpr auto glass = static_cast<SmallWorld::Material>(2);
+    const auto floor_below = [&](Between between, scene::LightType type) {
+        SmallWorld small;
+        small.square({0, 0, 0}, {0, 1, 0}, 2);
+        if (between != Between::nothing) small.square({0, 1, 0}, {0, 1, 0}, 0.3f, glass);
+        if (between == Between::two) small.square({0, 1.2f, 0}, {0, -1, 0}, 0.3f, glass);
+        if (between == Between::wall_behind) small.square({0, 1.5f, 0}, {0, 1, 0}, 0.2f);
+        auto scene = small.scene();
+        scene.materials.resize(3);
+        for (auto& material : scene.materials) material.metallic = 0;
+        auto& pane = scene.materials[glass];
+        pane.base_colour = glm::vec4(tint, 1);
+        pane.transmission = 1;
+        pane.roughness = between == Between::rough ? 0.5f : 0;
+        pane.thickness = between == Between::thick ? 0.1f : 0;
+        scene::Light light;
+        light.type = type;
+        light.position = {0, 2.5f, 0};
+        light.direction = {0, -1, 0};
+        light.intensity = 5;
+        scene.lights = {light};
+        return Shot(std::move(scene), looking({0, 0.5f, 3}, {0, 0, 0}), 17, 17);
+    };
+    const float interface = 0.04f;
+    const auto once = tint * (1 - 2 * interface / (1 + interface));
+    for (const auto type : {scene::LightType::point, scene::LightType::spot, scene::LightType::directional})
+        for (const auto processor : {Processor::gl, Processor::host}) {
+            const auto middle = [&](Between between, Materials materials = Materials::gltf) {
+                const auto image = radiance(floor_below(between, type), processor, materials);
+                return glm::vec3(image.at(8, 8, 0), image.at(8, 8, 1), image.at(8, 8, 2));
+            };
+            const auto open = middle(Between::nothing);
+            const auto expect = [&](Between between, glm::vec3 part) {
+                const auto found = middle(between) / open;
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(found[c], part[c], 2e-3) << static_cast<int>(between) << ", light "
+                                                         << static_cast<int>(type) << to_string(processor);
+            };
+            ASSERT_GT(open.r, 0);
+            expect(Between::clear, once);
+            expect(Between::two, once * once);
+            expect(Between::rough, glm::vec3(0));
+            expect(Between::thick, glm::vec3(0));
+            expect(Between::wall_behind, glm::vec3(0));
+            EXPECT_EQ(middle(Between::clear, Materials::lambert), glm::vec3(0));
+        }
 }
 
 TEST_F(DirectLightOnHost, DoesNotDependOnThreads) {

@@ -26,7 +26,8 @@ struct SenderInputs {
 
     void read_by(graph::PassBuilder& pass) const {
         surfaces.read_by(pass);
-        pass.reads(lights, shadow.views, shadow.maps);
+        shadow.read_by(pass);
+        pass.reads(lights);
     }
 };
 inline SenderInputs sender_inputs(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,

@@ -23,8 +23,20 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-/// Pairs of numbers of a photon; further ones are of rays in gaps.
-enum EmissionDimension : std::uint32_t { of_place, of_direction, of_gap };
+/// A photon is the first one of so many rays that is of use. In a lamp's light that comes in through a small
+/// opening, one ray each would leave a few photons of thousands.
+constexpr std::uint32_t rays_of_photon = 8;
+/// By which it is found out whether what its first surface reflects meets anything.
+constexpr std::uint32_t trial_rays = 2;
+
+/// Pairs of numbers of a ray; further ones are of rays in gaps.
+enum EmissionDimension : std::uint32_t {
+    of_place,
+    of_direction,
+    of_use,
+    of_trial,
+    of_gap = of_trial + trial_rays
+};
 
 /// Half-axes of what lies between a photon and its neighbours.
 struct Spacing {
@@ -65,33 +77,69 @@ class ExtendedEmission {
     /// `number` among all of them, `source` among the primary photons.
     Primary photon(const passes::Bvh& bvh, std::uint64_t number, std::uint32_t source) const {
         const bool is_lamp = number < photons_.lamps;
-        const auto all = is_lamp ? photons_.lamps : photons_.environment;
-        const auto index = is_lamp ? number : number - photons_.lamps;
-        const passes::PathSampler random(seed_ + (is_lamp ? 0 : 1), static_cast<std::uint32_t>(index));
+        const auto all = static_cast<std::uint32_t>(is_lamp ? photons_.lamps : photons_.environment);
+        const auto index = static_cast<std::uint32_t>(is_lamp ? number : number - photons_.lamps);
         const float choice = (static_cast<float>(index) + 0.5f) / static_cast<float>(all);
-        const auto light = (is_lamp ? lamps_ : environment_)
-                               .sample(choice, random.pair(of_place), random.pair(of_direction));
+        const auto& sources = is_lamp ? lamps_ : environment_;
+        Ray chosen;
+        int emitted = 0, useful = 0;
+        for (std::uint32_t i = 0; i < rays_of_photon; ++i) {
+            const passes::PathSampler random(seed_ + (is_lamp ? 0 : 1), index + i * all);
+            Ray ray;
+            ray.random = random;
+            ray.light = sources.sample(choice, random.pair(of_place), random.pair(of_direction));
+            if (!ray.light) continue;
+            ++emitted;
+            ray.hit = bvh.closest_hit(ray.light->origin_ws, ray.light->direction_ws, 0, infinity);
+            ray.use = use_of(bvh, ray);
+            const bool is_useful = random.pair(of_use).x < ray.use;
+            if (!chosen.light || (is_useful && useful == 0)) chosen = ray;
+            useful += is_useful;
+        }
         Primary primary = nothing(source);
-        if (!light) return primary;
-        primary.light = light_of(*light);
-        primary.emitted = light->flux / static_cast<float>(all);
-        primary.direction_ws = light->direction_ws;
-        const auto hit = bvh.closest_hit(light->origin_ws, light->direction_ws, 0, infinity);
-        if (!hit.is_hit()) return primary;
-        primary.path_length = hit.distance;
-        arrive(primary, surfaces_.at(hit, light->direction_ws));
+        if (!chosen.light) return primary;
+        primary.light = light_of(*chosen.light);
+        primary.emitted = chosen.light->flux / static_cast<float>(all);
+        primary.direction_ws = chosen.light->direction_ws;
+        if (useful == 0) return primary;
+        // It stands for its part of the rays, and for those that were left out because they are of less use.
+        const float part = static_cast<float>(useful) / (static_cast<float>(rays_of_photon) * chosen.use);
+        primary.emitted *= part;
+        primary.missed = static_cast<float>(emitted) / (static_cast<float>(rays_of_photon) * part) - 1;
+        primary.path_length = chosen.hit.distance;
+        arrive(primary, surfaces_.at(chosen.hit, chosen.light->direction_ws));
         if (primary.fate != primary_splits) return primary;
         // Directions of what is infinitely far do not spread on their way.
-        spread(primary, spacing_of(*light, static_cast<float>(all)), is_lamp ? hit.distance : 0);
-        if (hit.distance < narrow_)
-            primary.reflectance *=
-                passes::open_part(bvh, primary.position_ws, primary.normal_ws, narrow_, random, of_gap);
+        spread(primary, spacing_of(*chosen.light, static_cast<float>(all) / part),
+               is_lamp ? chosen.hit.distance : 0);
+        if (chosen.hit.distance < narrow_)
+            primary.reflectance *= passes::open_part(bvh, primary.position_ws, primary.normal_ws, narrow_,
+                                                     chosen.random, of_gap);
         return primary;
     }
 
     std::uint64_t bytes() const { return surfaces_.bytes(); }
 
   private:
+    struct Ray {
+        passes::PathSampler random;
+        std::optional<passes::EmittedLight> light;
+        passes::Hit hit;
+        float use = 0;  ///< probability with which it is taken
+    };
+    /// What its first surface reflects is of more use where something else is in sight of it.
+    float use_of(const passes::Bvh& bvh, const Ray& ray) const {
+        if (!ray.hit.is_hit()) return 0;
+        const auto at = surfaces_.at(ray.hit, ray.light->direction_ws);
+        const auto around = scene::frame_around(at.geometric_normal_ws);
+        const auto origin = passes::offset_origin(at.position_ws, at.geometric_normal_ws);
+        std::uint32_t met = 0;
+        for (std::uint32_t i = 0; i < trial_rays; ++i)
+            met += bvh.occluded(
+                origin, glm::normalize(around * passes::sample_cosine_ts(ray.random.pair(of_trial + i))), 0,
+                infinity);
+        return static_cast<float>(met + 1) / (trial_rays + 1);
+    }
     static std::vector<int> extended_lights(const scene::World& world) {
         std::vector<int> result;
         for (std::size_t i = 0; i < world.lights.size(); ++i)

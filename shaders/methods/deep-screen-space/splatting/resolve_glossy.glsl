@@ -34,9 +34,9 @@ vec3 sent_to_one_side(Surfel surfel, vec3 direction_ws, float variance) {
         vec3 l = light.direction_ws;
         float cosine = dot(s.shading_normal_ws, l);
         if (cosine <= 0.0 || dot(s.geometric_normal_ws, l) <= 0.0 || light.irradiance == vec3(0)) continue;
-        float visible = shadow_visibility(lights[i], surfel.centre_ws + light_offset * surfel.radius * s.geometric_normal_ws,
-                                          s.geometric_normal_ws, l, 0);
-        if (visible == 0.0) continue;
+        vec3 visible = shadow_visibility(lights[i], surfel.centre_ws + light_offset * surfel.radius * s.geometric_normal_ws,
+                                         s.geometric_normal_ws, l, 0);
+        if (visible == vec3(0)) continue;
         sum += (whole_brdf(s, l, -direction_ws) - stored * below_interface(s, l)) * light.irradiance *
                (cosine * visible);
     }

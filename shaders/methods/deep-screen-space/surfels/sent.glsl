@@ -22,8 +22,8 @@ vec3 reflected(HitSurface s, vec3 position_ws, float radius, vec3 extended) {
         float cosine = dot(s.shading_normal_ws, light.direction_ws);
         if (cosine <= 0.0 || dot(s.geometric_normal_ws, light.direction_ws) <= 0.0 || light.irradiance == vec3(0))
             continue;
-        float visible = shadow_visibility(lights[i], position_ws + light_offset * radius * s.geometric_normal_ws,
-                                          s.geometric_normal_ws, light.direction_ws, 0);
+        vec3 visible = shadow_visibility(lights[i], position_ws + light_offset * radius * s.geometric_normal_ws,
+                                         s.geometric_normal_ws, light.direction_ws, 0);
         sum += below_interface(s, light.direction_ws) * light.irradiance * (cosine * visible);
     }
     return albedo / PI * sum;

@@ -69,7 +69,7 @@ Primary emitted_photon(uint source, ivec2 texel, int layer, float side) {
     p.cosine_sum = 1.0;
     p.normal_ws = p.shading_ws = -p.direction_ws;
     p.reflectance = vec3(0);
-    p.unused0 = p.unused1 = p.unused2 = 0.0;
+    p.missed = p.unused0 = p.unused1 = 0.0;
     return p;
 }
 

@@ -25,8 +25,9 @@ Entry entry(bool is_there, vec3 flux) { return Entry(is_there ? flux : vec3(0), 
 Entry entry_of(uint index, uint row) {
     Primary p = primaries[index];
     bool arrives = p.fate == PRIMARY_SPLITS;
-    if (row == ROW_EMITTED) return entry(p.emitted != vec3(0), p.emitted);
-    if (row == ROW_NOTHING) return entry(p.fate == PRIMARY_NOTHING && p.emitted != vec3(0), p.emitted);
+    if (row == ROW_EMITTED) return entry(p.emitted != vec3(0), p.emitted * (1.0 + p.missed));
+    if (row == ROW_NOTHING && p.fate != PRIMARY_NOTHING) return Entry(p.emitted * p.missed, 0u);
+    if (row == ROW_NOTHING) return entry(p.emitted != vec3(0), p.emitted);
     if (row == ROW_RANGE)
         return entry(p.fate != PRIMARY_NOTHING && p.reached < 1.0, p.emitted * (1.0 - p.reached));
     if (row == ROW_DEGENERATE) return entry(p.fate == PRIMARY_DEGENERATE, arrived_flux(p));

@@ -18,11 +18,11 @@ struct Primary {
     vec3 normal_ws;       // geometric, on the light's side
     float solid_angle;    // sr of the pixel; m² for a directional light; 0 of a source with an extent
     vec3 shading_ws;      // shading normal
-    float unused0;
+    float missed;         // of rays that met nothing and that the photon stands for, beside it: part of `emitted`
     vec3 emitted;         // W
-    float unused1;
+    float unused0;
     vec3 reflectance;     // ρ
-    float unused2;
+    float unused1;
 };
 
 // What stands in place of a light's number.

@@ -99,9 +99,9 @@ graph::ImageRef resolve_light_on_host(graph::GraphBuilder& builder, const passes
     const auto incoming = passes::bounce::declare_incoming_light(builder, samples);
     auto pass = builder.pass("light of the winners", graph::Queue::cpu);
     pass.has_two_bodies()
-        .reads(objects.surfaces, shadow.maps, visible.splats.surfels.records, visible.splats.surfels.stored,
-               visible.splats.surfels.lights, visible.gbuffer.position, visible.nearest, distance,
-               visible.directions.directions)
+        .reads(objects.surfaces, shadow.maps, shadow.panes, visible.splats.surfels.records,
+               visible.splats.surfels.stored, visible.splats.surfels.lights, visible.gbuffer.position,
+               visible.nearest, distance, visible.directions.directions)
         .writes(incoming);
     if (objects.has_sources()) pass.reads(objects.bvh, objects.sources);
     const auto& view = builder.inputs().view;

@@ -51,8 +51,9 @@ glm::vec3 HostSenders::sum_of_lights(const Place& place, const Reflect& reflect)
         const float cosine = glm::dot(s.shading_normal_ws, light->direction_ws);
         if (cosine <= 0 || glm::dot(s.geometric_normal_ws, light->direction_ws) <= 0) continue;
         const auto raised = place.position_ws + place.lift * s.geometric_normal_ws;
-        if (!shadows_.is_lit(i, raised, s.geometric_normal_ws, light->direction_ws)) continue;
-        sum += reflect(light->direction_ws) * light->irradiance * cosine;
+        const auto visible = shadows_.visibility(i, raised, s.geometric_normal_ws, light->direction_ws);
+        if (visible == glm::vec3(0)) continue;
+        sum += reflect(light->direction_ws) * light->irradiance * cosine * visible;
     }
     return sum;
 }

@@ -32,7 +32,7 @@ void shade_on_host(graph::GraphBuilder& builder, const passes::ShadowMaps& shado
     const auto surfaces = passes::host_surfaces(builder, parameters.transport.normal_maps);
     auto pass = builder.pass("shade surfels", graph::Queue::cpu);
     pass.has_two_bodies()
-        .reads(surfaces, shadow.maps, surfels.records, surfels.stored)
+        .reads(surfaces, shadow.maps, shadow.panes, surfels.records, surfels.stored)
         .writes(lights.buffer)
         .counts(lights.count);
     if (irradiance) pass.reads(*irradiance);

@@ -1,4 +1,4 @@
-// What both draws of an RSM share: where the texel's ray meets the triangle.
+// Where the ray of a map's texel meets a triangle of passes/scene/triangles.vert.
 #include "passes/scene/drawn_material.glsl"
 
 uniform vec3 eye_ws, view_right_ws, view_up_ws, view_axis_ws;
