@@ -1,6 +1,7 @@
 #include "renderers/passes/rsm/rsm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "renderers/passes/rsm/rsm_on_host.h"
@@ -36,9 +37,10 @@ struct DrawDepth {
     glm::mat4 clip_from_world;
     glm::vec3 eye_ws, view_right_ws, view_up_ws, view_axis_ws;
     float perspective, far, resolution;
+    LightCone cone;
     int material_index;
     IR_FIELDS(clip_from_world, eye_ws, view_right_ws, view_up_ws, view_axis_ws, perspective, far, resolution,
-              material_index)
+              cone, material_index)
 };
 
 /// Constants of triangles.vert and rsm.frag.
@@ -49,7 +51,7 @@ struct DrawSurfaces {
     IR_FIELDS(depth, normal_maps, opaque_only, textures, layer)
 };
 
-DrawDepth depth_constants(const ShadowViewData& view, int resolution) {
+DrawDepth depth_constants(const PassContext& p, const ShadowViewData& view, int resolution) {
     return {.clip_from_world = view.clip_from_world,
             .eye_ws = view.origin_ws,
             .view_right_ws = view.right_ws,
@@ -58,6 +60,7 @@ DrawDepth depth_constants(const ShadowViewData& view, int resolution) {
             .perspective = view.perspective,
             .far = view.far,
             .resolution = static_cast<float>(resolution),
+            .cone = light_cone(*p.inputs().world, view),
             .material_index = 0};
 }
 
@@ -72,7 +75,8 @@ void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, 
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
         const auto& program = p.use({{"passes/scene/triangles.vert", "passes/rsm/depth.frag"}});
-        auto constants = depth_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
+        auto constants =
+            depth_constants(p, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
         for (const auto& range : p.inputs().world->ranges) {
             const auto runs =
                 d.chunks->seen(constants.clip_from_world, {range.first_triangle, range.triangle_count});
@@ -108,7 +112,7 @@ void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
         if (d.options.geometric_normal) source.defines["GEOMETRIC_NORMAL"] = "1";
         const auto& program = p.use(source);
         DrawSurfaces constants{
-            .depth = depth_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution),
+            .depth = depth_constants(p, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution),
             .normal_maps = d.options.normal_maps,
             .opaque_only = d.options.opaque_only,
             .textures = 0,
@@ -144,6 +148,12 @@ graph::ImageRef draw_depth_first(graph::GraphBuilder& builder, const Drawing& dr
 }
 
 }  // namespace
+
+LightCone light_cone(const scene::World& world, const ShadowViewData& view) {
+    const auto& light = world.lights.at(static_cast<std::size_t>(view.light));
+    if (light.type != scene::LightType::spot) return {};
+    return {light.direction, std::cos(light.outer_angle)};
+}
 
 Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmOptions& options) {
     Rsm rsm;
@@ -204,7 +214,9 @@ std::vector<OutputDescription> rsm_outputs(const Condition& active_when, bool ge
          .label = "RSM: base colour",
          .kind = OutputKind::stack,
          .semantic = Semantic::albedo,
-         .doc = "What the light sees: linear base colour; a: roughness. 0 where there is nothing." + layers,
+         .doc = "What the light sees: linear base colour; a: roughness. 0 where there is nothing, or where a "
+                "spot does not shine." +
+                layers,
          .active_when = active_when},
         {.key = "rsm.normal_metalness",
          .label = "RSM: normal",

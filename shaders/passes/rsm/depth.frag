@@ -3,6 +3,6 @@
 #include "passes/rsm/texel.glsl"
 
 void main() {
-    if (has_hole_here()) discard;
+    if (is_outside_cone() || has_hole_here()) discard;
     gl_FragDepth = texel_depth();
 }
