@@ -1,6 +1,7 @@
 #include "renderers/passes/rsm/rsm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "renderers/passes/rsm/rsm_on_host.h"
@@ -32,12 +33,22 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, const std:
     return builder.image(std::move(desc));
 }
 
+/// Constants of triangles.vert and depth.frag.
+struct DrawDepth {
+    TexelConstants texel;
+    LightCone cone;
+    IR_FIELDS(texel, cone)
+};
+DrawDepth depth_constants(const PassContext& p, const ShadowViewData& view, int resolution) {
+    return {texel_constants(view, resolution), light_cone(*p.inputs().world, view)};
+}
+
 /// Constants of triangles.vert and rsm.frag.
 struct DrawSurfaces {
-    TexelConstants texel;
+    DrawDepth depth;
     bool normal_maps, opaque_only;
     int textures, layer;
-    IR_FIELDS(texel, normal_maps, opaque_only, textures, layer)
+    IR_FIELDS(depth, normal_maps, opaque_only, textures, layer)
 };
 
 void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, Slice slice) {
@@ -51,12 +62,13 @@ void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, 
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
         const auto& program = p.use({{"passes/scene/triangles.vert", "passes/rsm/depth.frag"}});
-        auto constants = texel_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
+        auto constants =
+            depth_constants(p, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
         for (const auto& range : p.inputs().world->ranges) {
             const auto runs =
-                d.chunks->seen(constants.clip_from_world, {range.first_triangle, range.triangle_count});
+                d.chunks->seen(constants.texel.clip_from_world, {range.first_triangle, range.triangle_count});
             if (runs.empty()) continue;
-            constants.material_index = range.material;
+            constants.texel.material_index = range.material;
             program.set(constants);
             draw_triangles(p, runs);
         }
@@ -87,17 +99,17 @@ void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
         if (d.options.geometric_normal) source.defines["GEOMETRIC_NORMAL"] = "1";
         const auto& program = p.use(source);
         DrawSurfaces constants{
-            .texel = texel_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution),
+            .depth = depth_constants(p, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution),
             .normal_maps = d.options.normal_maps,
             .opaque_only = d.options.opaque_only,
             .textures = 0,
             .layer = index};
         for (const auto& range : p.inputs().world->ranges) {
-            const auto runs =
-                d.chunks->seen(constants.texel.clip_from_world, {range.first_triangle, range.triangle_count});
+            const auto runs = d.chunks->seen(constants.depth.texel.clip_from_world,
+                                             {range.first_triangle, range.triangle_count});
             if (runs.empty()) continue;
             const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
-            constants.texel.material_index = range.material;
+            constants.depth.texel.material_index = range.material;
             constants.textures = bind_textures(p, d.scene, material);
             program.set(constants);
             draw_triangles(p, runs);
@@ -123,6 +135,12 @@ graph::ImageRef draw_depth_first(graph::GraphBuilder& builder, const Drawing& dr
 }
 
 }  // namespace
+
+LightCone light_cone(const scene::World& world, const ShadowViewData& view) {
+    const auto& light = world.lights.at(static_cast<std::size_t>(view.light));
+    if (light.type != scene::LightType::spot) return {};
+    return {light.direction, std::cos(light.outer_angle)};
+}
 
 Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmOptions& options) {
     Rsm rsm;
@@ -183,7 +201,9 @@ std::vector<OutputDescription> rsm_outputs(const Condition& active_when, bool ge
          .label = "RSM: base colour",
          .kind = OutputKind::stack,
          .semantic = Semantic::albedo,
-         .doc = "What the light sees: linear base colour; a: roughness. 0 where there is nothing." + layers,
+         .doc = "What the light sees: linear base colour; a: roughness. 0 where there is nothing, or where a "
+                "spot does not shine." +
+                layers,
          .active_when = active_when},
         {.key = "rsm.normal_metalness",
          .label = "RSM: normal",

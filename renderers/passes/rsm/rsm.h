@@ -24,8 +24,16 @@ struct RsmOptions {
     bool exact_albedo = false;
 };
 
-/// Reflective shadow maps: what each light sees, one layer per shadow view. Empty texels are 0.
-/// [Smal19 §5.1]
+/// Constants of shaders/passes/rsm/cone.glsl: a spot shines where the cosine to its axis is no less.
+struct LightCone {
+    glm::vec3 cone_axis_ws{0};
+    float cone_cosine = -2;  ///< the light has no cone
+    IR_FIELDS(cone_axis_ws, cone_cosine)
+};
+LightCone light_cone(const scene::World& world, const ShadowViewData& view);
+
+/// Reflective shadow maps: what each light sees, one layer per shadow view. Empty texels are 0, and so are
+/// those outside a spot's cone. [Smal19 §5.1]
 struct Rsm {
     graph::ImageRef albedo_roughness;  ///< "rsm.albedo_roughness" rgba8, or rgba16f where it was asked
                                        ///< for: linear base colour, roughness

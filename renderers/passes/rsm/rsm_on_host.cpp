@@ -33,8 +33,9 @@ class HostLayer {
             albedos_ = context.pixels<std::uint32_t>(rsm.albedo_roughness, layer);
         if (options.geometric_normal)
             geometric_normals_ = context.pixels<glm::vec4>(rsm.geometric_normal, layer);
-        if (static_cast<std::size_t>(layer) < options.views.size())
-            view_ = &options.views[static_cast<std::size_t>(layer)];
+        if (static_cast<std::size_t>(layer) >= options.views.size()) return;
+        view_ = &options.views[static_cast<std::size_t>(layer)];
+        cone_ = light_cone(*context.inputs().world, *view_);
     }
 
     /// Rows first … first + packet_side - 1.
@@ -54,9 +55,14 @@ class HostLayer {
         return {view_->origin_ws + lateral, view_->forward_ws};
     }
 
+    bool is_in_cone(glm::vec3 direction, float length) const {
+        return glm::dot(direction, cone_.cone_axis_ws) >= cone_.cone_cosine * length;
+    }
+
     void fill(int first_x, int first_y) const {
         Bvh::Packet16 packet;
         Hit hits[packet_side * packet_side];
+        bool is_lit = false;
         for (int i = 0; view_ && i < packet_side * packet_side; ++i) {
             const auto [origin, direction] = ray(static_cast<float>(first_x + i % packet_side) + 0.5f,
                                                  static_cast<float>(first_y + i / packet_side) + 0.5f);
@@ -65,9 +71,10 @@ class HostLayer {
             packet.dx[i] = direction.x / length, packet.dy[i] = direction.y / length;
             packet.dz[i] = direction.z / length;
             packet.near[i] = view_->near * length, packet.far[i] = view_->far * length;
-            packet.active[i] = -1;
+            packet.active[i] = is_in_cone(direction, length) ? -1 : 0;
+            is_lit = is_lit || packet.active[i];
         }
-        if (view_) bvh_.closest_hits16(packet, true, hits);
+        if (is_lit) bvh_.closest_hits16(packet, true, hits);
         for (int i = 0; i < packet_side * packet_side; ++i) {
             const int x = first_x + i % packet_side, y = first_y + i / packet_side;
             const auto texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(resolution_) +
@@ -124,6 +131,7 @@ class HostLayer {
     const Bvh& bvh_;
     const SurfaceLookup& surfaces_;
     const ShadowViewData* view_ = nullptr;
+    LightCone cone_;
     std::span<std::uint32_t> albedos_;
     std::span<std::uint64_t> exact_albedos_, normals_;
     std::span<glm::vec4> geometric_normals_;

@@ -78,8 +78,9 @@ void load_tile(ivec2 corner) {
 
 /// Kernel and edges: of the neighbour at `offset`, whose surface is `q`.
 float weight(FilterSurface p, vec4 q, vec2 gradient, ivec2 offset) {
+    float expected = dot(gradient, vec2(offset));
     return KERNEL[abs(offset.x)] * KERNEL[abs(offset.y)] * normal_weight(p.normal, q.xyz) *
-           depth_weight(q.w - p.depth, abs(dot(gradient, vec2(offset))), p.depth);
+           depth_weight(q.w - p.depth - expected, abs(expected), p.depth);
 }
 
 #ifdef GUIDED

@@ -54,9 +54,11 @@ vec2 depth_gradient(FilterSurface s, vec2 position_px) {
                           ray_direction_dx, ray_direction_dy);
 }
 
-/// exp(-|Δz| / (σ_z |∇z·(p - q)| + ε)), `expected` being |∇z·(p - q)|.  [Smal19 eq. 7.1]
-float depth_weight(float difference, float expected, float depth) {
-    return exp(-abs(difference) / (sigma_depth * expected + DEPTH_EPSILON * depth));
+/// exp(-|Δz - ∇z·(q - p)| / (σ_z |∇z·(q - p)| + ε)): `off_plane` is the first difference, `expected` |∇z·(q - p)|.
+/// DEVIATION [Smal19 eq. 7.1]: the print has |Δz| there, so that in a slanted plane neighbours count exp(-1/σ_z)
+/// along the slope and 1 across it: noise is left as streaks across the slope.
+float depth_weight(float off_plane, float expected, float depth) {
+    return exp(-abs(off_plane) / (sigma_depth * expected + DEPTH_EPSILON * depth));
 }
 
 /// max(0, n(p)·n(q))^σ_n.  [Smal19 eq. 7.2]

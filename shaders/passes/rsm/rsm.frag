@@ -2,6 +2,7 @@
 
 #define DISCARDS_EARLY
 #include "passes/shadow/texel.glsl"
+#include "passes/rsm/cone.glsl"
 
 #ifdef DEPTH_PREPASS
 uniform sampler2DArray depth_drawn_first;
@@ -25,7 +26,7 @@ void main() {
 #ifdef DEPTH_PREPASS
     if (depth > texelFetch(depth_drawn_first, ivec3(gl_FragCoord.xy, layer), 0).r + ROUNDING) discard;
 #endif
-    if (has_hole_here()) discard;
+    if (is_outside_cone() || has_hole_here()) discard;
     gl_FragDepth = depth;
 
     Material material = materials[material_index];

@@ -208,7 +208,7 @@ TEST_F(SpatialFilterTest, NothingLeaksOverStepsOfDepthOrNormal) {
 }
 
 TEST_F(SpatialFilterTest, ASlopeIsNoEdge) {
-    // a floor to the horizon: neighbours along the slope count exp(-1/σ_z), those across it fully
+    // a floor to the horizon: neighbours along the slope count as much as those across it
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 30);
     const Shot shot(small.scene(), looking({0, 1, 0}, {0, 0.5f, -3}), 64, 64);
@@ -217,11 +217,7 @@ TEST_F(SpatialFilterTest, ASlopeIsNoEdge) {
     filter_once(shot, estimate, spatial(1, 0));
     const auto image = read("filter.irradiance");
     EXPECT_GT(image.at(34, 50), 0.02f);
-    EXPECT_NEAR(image.at(32, 51) / image.at(33, 50), std::exp(-1.0), 0.05);
-    auto strict = spatial(1, 0);
-    strict.sigma_depth = 0.1f;
-    filter_once(shot, estimate, strict);
-    EXPECT_LT(read("filter.irradiance").at(32, 51), 1e-3f);
+    EXPECT_NEAR(image.at(32, 51) / image.at(33, 50), 1, 0.06) << "as printed it is exp(-1/σ_z), 0.37";
 }
 
 TEST_F(SpatialFilterTest, TheSameInputGivesTheSameBytes) {

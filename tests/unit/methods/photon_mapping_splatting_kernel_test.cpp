@@ -48,11 +48,32 @@ TEST_F(SplattingKernel, RadiusFollowsTheTilesDensity) {
         EXPECT_NEAR(k.radius, r, 1e-4 * r) << count;
         EXPECT_NEAR(glm::length(k.axis_u), r, 2e-3 * r);
         EXPECT_NEAR(glm::length(k.axis_v), r, 2e-3 * r);
-        EXPECT_NEAR(glm::length(k.axis_w), 0.25 * r, 1e-3 * r);
+        EXPECT_NEAR(glm::length(k.axis_w), unbounded().normal_axis * r, 1e-3 * r);
         EXPECT_NEAR(k.contribution.r, 2 / (std::numbers::pi * r * r), 2e-3 * 2 / (std::numbers::pi * r * r));
         const double without_the_4 = 0.5 * r, printed_n_tile = 1;
         EXPECT_GT(std::abs(k.radius - without_the_4 * printed_n_tile), 0.3 * r);
     }
+}
+
+/// What a tile shows of a slanted surface is larger than what it shows of one that faces the viewer.
+TEST_F(SplattingKernel, SlantedSurfacesHaveKernelsForAsManyPhotons) {
+    for (const bool parallel : {false, true})
+        for (const float cosine : {0.7f, 0.3f, 0.04f}) {
+            const float sine = std::sqrt(1 - cosine * cosine);
+            shot_ =
+                Shot(wide_square(), camera_at({0, -distance * sine, distance * cosine}, {0, 0, 0}, parallel),
+                     kernel_size, kernel_size);
+            auto parameters = unbounded();
+            SomePhoton photon{.position_ws = {0, 0, 0}};
+            const double seen = parallel ? 4 * 4 / (64.0 * 64) * 256 : tile_area(parameters);
+            const double area = seen / std::max(cosine, 0.1f);
+            const auto k = kernel(parameters, photon, 4);
+            EXPECT_NEAR(k.radius, std::sqrt(area / (4 * std::numbers::pi)), 2e-3 * k.radius) << cosine;
+            parameters.max_radius = 1e-4f;
+            parameters.min_radius_texels = 6;  // so that the kernel covers the pixel's middle
+            const double texel = std::sqrt(area) / parameters.tile_size;
+            EXPECT_NEAR(kernel(parameters, photon).radius, 6 * texel, 1e-2 * texel) << cosine;
+        }
 }
 
 TEST_F(SplattingKernel, RadiusGrowsWithTheRootOfThePhotonsAskedFor) {

@@ -74,5 +74,39 @@ TEST_F(RsmOnHost, ShowsWhatIsDrawn) {
     }
 }
 
+/// A wide spot and a point light at one place see the same in the spot's cone, and outside it there is
+/// nothing.
+TEST_F(RsmOnHost, OutsideASpotsConeTheMapIsEmpty) {
+    auto scene = scene::load_scene("builtin:still-life");
+    scene::Light light;
+    light.position = scene::bounds_of(scene, 0).centre();
+    light.direction = glm::normalize(glm::vec3(0.3f, -1, 0.2f));
+    scene.lights.assign(2, light);
+    scene.lights[0].type = scene::LightType::spot;
+    scene.lights[0].outer_angle = 1.3f;
+    const Shot shot(scene, scene.cameras.at(0), 8, 8);
+    const auto views = passes::shadow_views(shot.world, rsm_size);
+    ASSERT_EQ(views.size(), 12u);
+    for (const auto processor : {Processor::gl, Processor::host}) {
+        const auto maps = layers(shot, false, processor);
+        int inside = 0;
+        for (std::size_t face = 0; face < 6; ++face)
+            for (int y = 0; y < rsm_size; ++y)
+                for (int x = 0; x < rsm_size; ++x) {
+                    const auto ndc = (glm::vec2(x, y) + 0.5f) / (0.5f * rsm_size) - 1.0f;
+                    const auto& view = views[face];
+                    const auto direction = view.forward_ws + ndc.x * view.right_ws - ndc.y * view.up_ws;
+                    const float cosine = glm::dot(glm::normalize(direction), scene.lights[0].direction),
+                                beyond = cosine - std::cos(scene.lights[0].outer_angle);
+                    if (std::abs(beyond) < 1e-5f) continue;
+                    const auto &spot = maps[face], &point = maps[face + 6];
+                    inside += beyond > 0;
+                    ASSERT_EQ(spot.depth.at(x, y), beyond > 0 ? point.depth.at(x, y) : 1) << face;
+                    ASSERT_EQ(spot.normal.at(x, y, 3), beyond > 0 ? point.normal.at(x, y, 3) : 0) << face;
+                }
+        EXPECT_GT(inside, rsm_size * rsm_size);
+    }
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -72,8 +72,9 @@ void add_edges(ParameterTable<Parameters>& table) {
         .add(&Parameters::sigma_depth,
              {.key = "sigma_depth",
               .label = "Depth tolerance",
-              .doc = "σ_z: how fast a neighbour's weight falls with its difference in depth, in units of "
-                     "what the surface's slope lets expect. Small values keep edges and noise.",
+              .doc = "σ_z: how fast a neighbour's weight falls with its distance in depth from the pixel's "
+                     "plane, in units of how far the plane goes in depth on the way there. Small values keep "
+                     "edges and noise.",
               .citation = "Smal19 eq. 7.1",
               .hard = {0, 1000},
               .soft = {0.1, 10}})

@@ -8,6 +8,7 @@
 #include "renderers/passes/scan/scan.h"
 #include "shaders/lib/scattering.glsl.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
+#include "shaders/methods/photon-mapping/splatting/kernel.glsl.h"
 #include "shaders/methods/photon-mapping/tracing/path.glsl.h"
 #include "shaders/methods/photon-mapping/tracing/tally.glsl.h"
 
@@ -92,7 +93,8 @@ Culling culling_by(const scene::View& view, const Parameters& parameters, float 
     const auto divisor = static_cast<float>(1 << index_of(parameters.splat_resolution));
     const float texel = divisor * 2 / (std::abs(view.clip_from_view[1][1]) * static_cast<float>(view.height));
     // at the right and lower edge a texel may end outside of the picture
-    result.texel_reach = longest * std::max(1.0f, parameters.min_radius_texels) * texel;
+    result.texel_reach =
+        longest * std::max(1.0f, parameters.min_radius_texels / std::sqrt(least_facing)) * texel;
     return result;
 }
 

@@ -70,11 +70,11 @@ HWY_INLINE Floats log_weight(const FilterPlanes& planes, const FilterRules& rule
                              std::size_t at, glm::ivec2 offset) {
     const auto depth = load(planes.depth, at);
     const auto cosine = dot(p.normal, normal_at(planes, at));
-    const auto expected = hn::Abs(hn::MulAdd(p.gradient_x, set(static_cast<float>(offset.x)),
-                                             hn::Mul(p.gradient_y, set(static_cast<float>(offset.y)))));
+    const auto expected = hn::MulAdd(p.gradient_x, set(static_cast<float>(offset.x)),
+                                     hn::Mul(p.gradient_y, set(static_cast<float>(offset.y))));
     const auto tolerance =
-        hn::MulAdd(set(rules.edges.sigma_depth), expected, hn::Mul(set(depth_epsilon), p.depth));
-    const auto depths = hn::Div(hn::Abs(hn::Sub(depth, p.depth)), tolerance);
+        hn::MulAdd(set(rules.edges.sigma_depth), hn::Abs(expected), hn::Mul(set(depth_epsilon), p.depth));
+    const auto depths = hn::Div(hn::Abs(hn::Sub(hn::Sub(depth, p.depth), expected)), tolerance);
     const auto normals =
         hn::Mul(set(rules.edges.sigma_normal), hn::Log(f, hn::Min(hn::Max(cosine, set(1e-30f)), set(1))));
     const auto counts = hn::And(hn::Lt(depth, set(1e30f)), hn::Gt(cosine, set(0)));

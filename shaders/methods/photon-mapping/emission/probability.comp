@@ -13,7 +13,7 @@ void main() {
     int resolution = textureSize(shadow_maps, 0).x;
     if (any(greaterThanEqual(place.xy, ivec2(resolution)))) return;
     float value = 0.0;
-    if (place.z < layers_drawn) {
+    if (place.z < layers_drawn && texelFetch(rsm_normal_metalness, place, 0).w != 0.0) {
         RsmTexel t = rsm_texel(place.xy, place.z);
         float survival = rsm_survival(t);
         if (survival > 0.0) value = survival * t.part * t.extent_part;

@@ -16,7 +16,8 @@ float ghosting(ivec2 pixel, FilterSurface p, History history) {
         if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
         FilterSurface q = surface_at(at);
         if (!is_surface(q)) continue;
-        float w = depth_weight(q.depth - p.depth, abs(dot(gradient, vec2(offset))), p.depth) *
+        float expected = dot(gradient, vec2(offset));
+        float w = depth_weight(q.depth - p.depth - expected, abs(expected), p.depth) *
                   normal_weight(p.normal, q.normal);
         vec3 e = unfiltered(at, q).value.rgb;
         m1 += w * e;

@@ -18,7 +18,16 @@ float tile_area(float depth, float c_tile, bool perspective) {
     return perspective ? depth * depth * c_tile : c_tile;
 }
 
-/// r: of a disc with a photon's share of the tile.  [Smal19 §6.1.1]
+/// Surfaces that are seen more edge-on than this cosine are taken for no larger.
+// C++: ir::methods::photon_mapping::least_facing
+const float LEAST_FACING = 0.1;
+
+/// Of what is seen as this area, faced: `facing` is n·d with d to the eye, 1 long along the view axis.
+/// DEVIATION [Smal19 §6.1.1]: the print takes surfaces for faced, so that of n_tile photons a kernel on a slanted one
+/// holds n_tile times the cosine, and leaves noise in streaks. The bound is for the longest kernels.
+float surface_area(float area, float facing) { return area / max(facing, LEAST_FACING); }
+
+/// r: of a disc with a photon's share of the tile's surface.  [Smal19 §6.1.1]
 float density_radius(float area, float photons_in_tile) {
     return sqrt(area / (PI * photons_in_tile));
 }

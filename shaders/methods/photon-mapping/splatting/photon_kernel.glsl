@@ -36,9 +36,11 @@ float photons_of_tile(vec3 position_ws) {
 /// overflow half floats. With 0.71 texels in place of 0.2 the noise is 3.4 times less.
 float kernel_radius(Photon photon) {
     float depth = view_depth(photon.position_ws);
-    float r = density_radius(tile_area(depth, c_tile, perspective), photons_of_tile(photon.position_ws));
+    float facing = facing_part(photon.position_ws, normal_of(photon));
+    float tile = surface_area(tile_area(depth, c_tile, perspective), facing);
+    float r = density_radius(tile, photons_of_tile(photon.position_ws));
     float s_l = ray_length_scale(photon.ray_length, l_max, min_ray_length_scale);
-    float texel = sqrt(tile_area(depth, c_texel, perspective));
+    float texel = sqrt(surface_area(tile_area(depth, c_texel, perspective), facing));
     return shrinking * max(s_l * density_scale(r, r_min, r_max, n_tile), min_radius_texels * texel);
 }
 

@@ -31,6 +31,11 @@ bool faces_viewer(vec3 position_ws, vec3 normal_ws) {
     return dot(normal_ws, perspective ? eye_ws - position_ws : -view_axis_ws) > 0.0;
 }
 
+/// What is seen of a surface's area, faced, over that area: n·d with d to the eye, 1 long along the view axis.
+float facing_part(vec3 position_ws, vec3 normal_ws) {
+    return dot(normal_ws, perspective ? (eye_ws - position_ws) / view_depth(position_ws) : -view_axis_ws);
+}
+
 /// Depth for the depth test: larger is closer, and linear in the picture on planes. near / z keeps the relative
 /// precision of floats at every distance.
 float reversed_depth(float depth) {

@@ -6,6 +6,7 @@
 #include "renderers/core/constants.h"
 #include "renderers/methods/photon-mapping/unpacked.h"
 #include "renderers/scene/frame.h"
+#include "shaders/methods/photon-mapping/splatting/kernel.glsl.h"
 #include "shaders/methods/photon-mapping/splatting/photon_kernel.glsl.h"
 
 namespace ir::methods::photon_mapping {
@@ -16,9 +17,9 @@ int clamped(float value, int end) {
     return static_cast<int>(std::min(std::max(0.0f, value), static_cast<float>(end)));
 }
 
-/// tile_area of kernel.glsl.
-float faced_area(float depth, float constant, bool perspective) {
-    return perspective ? depth * depth * constant : constant;
+/// surface_area of tile_area of kernel.glsl.
+float surface_area(float depth, float constant, bool perspective, float facing) {
+    return (perspective ? depth * depth * constant : constant) / std::max(facing, least_facing);
 }
 
 /// Unit: stretched_direction of kernel.glsl.
@@ -60,13 +61,16 @@ bool KernelMaker::faces_viewer(glm::vec3 position_ws, glm::vec3 normal_ws) const
 }
 
 /// kernel_radius of photon_kernel.glsl.
-float KernelMaker::radius(const Photon& photon) const {
+float KernelMaker::radius(const Photon& photon, glm::vec3 n) const {
     const auto& view = r_.view;
     const float depth = glm::dot(photon.position_ws - view.eye_ws, view.view_axis_ws);
-    const float share = faced_area(depth, r_.c_tile, view.perspective) / photons_of_tile(photon.position_ws);
+    const float facing =
+        glm::dot(n, view.perspective ? (view.eye_ws - photon.position_ws) / depth : -view.view_axis_ws);
+    const float share =
+        surface_area(depth, r_.c_tile, view.perspective, facing) / photons_of_tile(photon.position_ws);
     const float s_l = std::clamp(photon.ray_length / r_.l_max, r_.min_ray_length_scale, 1.0f);
     const float s_d = std::clamp(std::sqrt(share / pi), r_.r_min, r_.r_max) * std::sqrt(r_.n_tile);
-    const float texel = std::sqrt(faced_area(depth, r_.c_texel, view.perspective));
+    const float texel = std::sqrt(surface_area(depth, r_.c_texel, view.perspective, facing));
     return r_.shrinking * std::max(s_l * s_d, r_.min_radius_texels * texel);
 }
 
@@ -132,7 +136,7 @@ std::optional<HostKernel> KernelMaker::make(const Photon& photon, TexelBox& box)
     box = {};
     if (!std::isfinite(centre.x + centre.y + centre.z) || !faces_viewer(centre, n)) return {};
     const auto u = stretched_direction(n, to_light), t = glm::cross(n, u);
-    const float size = radius(photon), cosine = glm::dot(n, to_light);
+    const float size = radius(photon, n), cosine = glm::dot(n, to_light);
     const glm::vec3 axes = size * glm::vec3(cosine * r_.s_max > 1 ? 1 / cosine : r_.s_max, 1, r_.s_n);
     const glm::mat3 half_axes(axes.x * u, axes.y * t, axes.z * n);
     box = box_of(centre, half_axes);

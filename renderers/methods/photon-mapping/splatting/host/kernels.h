@@ -51,7 +51,7 @@ class KernelMaker {
     std::optional<HostKernel> make(const Photon& photon, TexelBox& box) const;
 
   private:
-    float radius(const Photon& photon) const;
+    float radius(const Photon& photon, glm::vec3 n) const;
     float photons_of_tile(glm::vec3 position_ws) const;
     bool faces_viewer(glm::vec3 position_ws, glm::vec3 normal_ws) const;
     bool finds_surface(const HostKernel& kernel, glm::vec3 n, glm::vec3 place_ws, float half_thickness,
