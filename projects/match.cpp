@@ -79,6 +79,11 @@ std::string shown(const Value& value) {
     return ir::to_string(value);
 }
 
+/// To the millisecond.
+std::string shown_seconds(double seconds) {
+    return ir::to_string(std::round(1000 * seconds) / 1000);
+}
+
 /// Light that is in one of two pictures alone, of the first few sources; empty: none. The sources are asked
 /// for only where the two use them differently.
 std::string differing_light(const MethodDescription& method, const Settings& values,
@@ -109,8 +114,8 @@ std::string mismatch(const Project& project, const Experiment& experiment, const
         (mine.contains("light_motion") && mine.at("light_motion") != its.at("light_motion")))
         found.push_back("motions of lights");
     if (std::abs(seconds - truth_seconds) > same_moment && is_moving(project, experiment, facts.is_animated))
-        found.push_back("time (" + shown(seconds) + " s after its last frame, the reference has " +
-                        shown(truth_seconds) + " s)");
+        found.push_back("time (" + shown_seconds(seconds) + " s after its last frame, the reference has " +
+                        shown_seconds(truth_seconds) + " s)");
     const auto* method = registry.find(experiment.method);
     const auto* reference = registry.find(truth.method);
     if (method && reference) {

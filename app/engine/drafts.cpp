@@ -76,6 +76,17 @@ void enlarge(LiveResult& result, const Experiment& coarse, const Experiment& ful
 
 }  // namespace
 
+void Drafts::compile_preview(Machine& machine) {
+    Experiment experiment;
+    experiment.scene = "builtin:plane";
+    experiment.width = experiment.height = 8;
+    try {
+        Execution(machine, preview_of(experiment)).run_frame({});
+    } catch (const std::exception&) {
+        // The first picture that is asked for says what is wrong.
+    }
+}
+
 /// What was built in the frame and stands still in the next does not count.
 double Drafts::steady_ms(const FrameReport& report, double ms) {
     for (const auto& pass : report.passes)

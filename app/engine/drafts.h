@@ -16,6 +16,9 @@ class Drafts {
     Drafts(Machine& machine, std::shared_ptr<graph::SharedContents> shared)
         : machine_(machine), shared_(std::move(shared)) {}
 
+    /// Draws a preview of next to nothing, so that the first one of a scene waits for no compiler.
+    static void compile_preview(Machine& machine);
+
     /// Another picture is asked for. The first draft is the finest that lets a hand follow, else the preview;
     /// there is none where the full picture is as quick.
     void begin(const Experiment& experiment);

@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "app/engine/drafts.h"
 #include "app/engine/live_session.h"
 #include "app/engine/render_queue.h"
 #include "app/engine/thread_priority.h"
@@ -90,6 +91,7 @@ bool RenderThread::State::render_start() {
     }
     session = std::make_unique<LiveSession>(*machine);
     tell(callbacks.on_ready, machine->context().info());
+    Drafts::compile_preview(*machine);
     return true;
 }
 

@@ -26,14 +26,18 @@ void blend(const graph::PassContext& context, const Volumes& volumes, const gl::
 
 }  // namespace
 
-graph::ImageRef add_up(graph::GraphBuilder& builder, const Volumes& volumes) {
+graph::ImageRef add_up(graph::GraphBuilder& builder, const Volumes& volumes, Transport::Falloff falloff) {
     const auto sum = declare(builder, "volumes.sum"), raw = declare(builder, "volumes.raw");
-    auto pass = builder.pass("additive");
-    read_volumes(pass, volumes);
-    pass.writes(sum).execute_sliced(volumes.triangles,
-                                    [volumes, sum](graph::PassContext& context, graph::Slice slice) {
-                                        blend(context, volumes, drawing_with("additive.frag"), {sum}, slice);
-                                    });
+    if (builder.inputs().processor == Processor::host) {
+        add_up_on_host(builder, volumes, falloff, sum);
+    } else {
+        auto pass = builder.pass("additive");
+        read_volumes(pass, volumes);
+        pass.has_two_bodies().writes(sum).execute_sliced(
+            volumes.triangles, [volumes, sum](graph::PassContext& context, graph::Slice slice) {
+                blend(context, volumes, drawing_with("additive.frag"), {sum}, slice);
+            });
+    }
     builder.pass("compensate")
         .reads("sums", sum)
         .writes("raw", raw)

@@ -1,4 +1,3 @@
-
 #include <algorithm>
 
 #include "renderers/core/parallel_for.h"
@@ -8,7 +7,6 @@
 #include "renderers/passes/raytracing/ray_offset.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
-namespace {}  // namespace
 
 void find_nearest_on_host(graph::GraphBuilder& builder, const Volumes& volumes,
                           const passes::bounce::Directions& directions, const Bounced& bounced) {

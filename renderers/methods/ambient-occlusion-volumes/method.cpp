@@ -19,7 +19,8 @@ MethodDescription description() {
         "pixel in it decides exactly how the triangle occludes its point, seen by the camera or not. With "
         "visibility, samples of a pixel keep the nearest triangle along directions of their own: exact "
         "rays, found by a depth test, or traced where the processor is the host. Without, form factors of "
-        "all triangles add up and occlude too much where things lie behind each other. The time grows with "
+        "all triangles add up and occlude too much where things lie behind each other; the host goes through "
+        "them by tiles of the picture. The time grows with "
         "the number of volumes that cover a pixel: with triangles and with the cube of the maximum "
         "distance. Fall-off: with visibility as everywhere; "
         "without, smooth is the published product of distances to the volume's planes, and a triangle that "
@@ -65,7 +66,7 @@ graph::ImageRef with_visibility(graph::GraphBuilder& builder, const Volumes& vol
 
 graph::ImageRef without_visibility(graph::GraphBuilder& builder, const Volumes& volumes,
                                    const Parameters& parameters, const graph::ResourceText& text) {
-    const auto raw = add_up(builder, volumes);
+    const auto raw = add_up(builder, volumes, parameters.transport.falloff);
     explain(builder, volumes, nullptr, nullptr);
     return passes::blur(builder, volumes.gbuffer, raw, parameters.reconstruction.blur, text);
 }
@@ -80,11 +81,11 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
                                                      : without_visibility(builder, volumes, parameters, text);
     count_volumes(builder, volumes);
     passes::lit(builder, gbuffer, direct, accessibility, parameters.ambient);
-    const bool draws = !parameters.visibility || builder.inputs().processor == Processor::gl;
-    if (parameters.transport.max_distance == 0 && draws)
+    const bool has_volumes = !parameters.visibility || builder.inputs().processor == Processor::gl;
+    if (parameters.transport.max_distance == 0 && has_volumes)
         builder.note(
-            "ambient-occlusion-volumes: max_distance is 0, so every volume is as large as the scene and is "
-            "drawn over most of the picture; give a distance.");
+            "ambient-occlusion-volumes: max_distance is 0, so every volume is as large as the scene and "
+            "covers most of the picture; give a distance.");
 }
 
 }  // namespace

@@ -5,11 +5,10 @@
 
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/raytracing/ray_offset.h"
+#include "shaders/methods/ambient-occlusion-volumes/triangle.glsl.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {
-
-using graph::FieldType;
 
 /// Boxes of what tiles of the picture show.
 struct Tiles {
@@ -115,7 +114,7 @@ Volumes declare_volumes(graph::GraphBuilder& builder, const passes::SceneBuffers
         {.text = {.key = "volumes.occluders",
                   .label = "Occluders",
                   .doc = "Whether a triangle's volume is drawn, and the mean of the triangle's mask."},
-         .fields = {{"drawn", FieldType::u32}, {"coverage", FieldType::f32}},
+         .fields = record_fields<Occluder>(),
          .elements = std::max<std::uint64_t>(1, world.triangles())});
     std::optional<Tiles> tiles;
     if (parameters.culling) tiles = declare_tiles(builder, gbuffer);

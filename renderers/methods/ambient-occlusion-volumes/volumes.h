@@ -59,7 +59,11 @@ void draw_volumes(const graph::PassContext& context, std::int64_t begin, std::in
 
 /// Declares the passes "additive" and "compensate": "volumes.sum", the form factors of all triangles with
 /// their fall-off, and "volumes.raw", the accessibility that is made of it, which is returned. [McGuire10]
-graph::ImageRef add_up(graph::GraphBuilder& builder, const Volumes& volumes);
+graph::ImageRef add_up(graph::GraphBuilder& builder, const Volumes& volumes, Transport::Falloff falloff);
+
+/// The same on the host's threads, without drawing: the pass "additive", which fills `sum`.
+void add_up_on_host(graph::GraphBuilder& builder, const Volumes& volumes, Transport::Falloff falloff,
+                    graph::ImageRef sum);
 
 /// Declares the pass "count volumes".
 void count_volumes(graph::GraphBuilder& builder, const Volumes& volumes);

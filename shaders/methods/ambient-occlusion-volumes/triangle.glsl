@@ -30,7 +30,8 @@ bool is_there(uint triangle, float u, float v) {
     return is_covered(material, uv);
 }
 
-/// Of every triangle, written by cull.comp.
+// Of every triangle, written by cull.comp.
+// C++: ir::methods::ambient_occlusion_volumes::Occluder
 struct Occluder {
     uint drawn;
     float coverage;  // mean of the mask

@@ -18,9 +18,6 @@ namespace fs = std::filesystem;
 
 /// Pixels that fill a view of a window with four of them: 480×270, or as many in another aspect.
 constexpr int min_pixels = 480 * 270;
-/// Where a whole window would take minutes without a GPU. The notes of the sample say so.
-const std::set<std::string> smaller{"bzb-fig2"};
-constexpr int min_pixels_of_smaller = 240 * 160;
 /// Bytes of what is said of the views, which stands beside them without being scrolled.
 constexpr std::size_t max_said_first = 300;
 constexpr std::uintmax_t max_card_bytes = 60'000;
@@ -50,11 +47,9 @@ TEST_P(Samples, OpenWithoutWarnings) {
 }
 
 TEST_P(Samples, RenderAtASizeThatFillsTheirViews) {
-    const bool is_smaller = smaller.count(GetParam().stem().string()) > 0;
     for (const auto& experiment : loaded.project.experiments) {
         const auto size = projects::effective(experiment).size;
-        EXPECT_GE(size.x * size.y, is_smaller ? min_pixels_of_smaller : min_pixels)
-            << experiment.id << ": " << size.x << "×" << size.y;
+        EXPECT_GE(size.x * size.y, min_pixels) << experiment.id << ": " << size.x << "×" << size.y;
     }
 }
 

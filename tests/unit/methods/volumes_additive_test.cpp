@@ -167,5 +167,32 @@ TEST_F(VolumesAdditiveTest, AMaskTakesItsMean) {
     EXPECT_GT(compared, 100);
 }
 
+TEST_F(VolumesAdditiveTest, TheHostAddsUpTheSame) {
+    SmallWorld world;
+    world.square({0, 0, 0}, {0, 1, 0}, 2);
+    world.square({0, 0.3f, 0}, {0, -1, 0}, 1, SmallWorld::masked);
+    world.add_soup(40, 5);
+    for (const float height : {0.0f, 4.0f}) {
+        const Shot shot(world.scene(), volumes_camera({2.5f, 1.2f, 2.5f}, {0, 0, 0}, height), 45, 39);
+        for (const char* sides : {"front", "both"})
+            for (const char* falloff : {"hard", "smooth"}) {
+                std::map<Processor, Image> sums;
+                for (const auto processor : {Processor::gl, Processor::host}) {
+                    on = processor;
+                    sums[on] = render(shot, additive_volumes(0.5, sides, falloff), "volumes.sum");
+                }
+                const auto &device = sums[Processor::gl], &host = sums[Processor::host];
+                double mean = 0;
+                int different = 0;
+                for (std::size_t i = 0; i < device.pixels.size(); ++i) {
+                    mean += device.pixels[i] / double(device.pixels.size());
+                    different += std::abs(host.pixels[i] - device.pixels[i]) > 1e-3f;
+                }
+                EXPECT_GT(mean, 0.05);
+                EXPECT_LE(different, 20) << "at edges, where the G-buffers differ: " << sides << falloff;
+            }
+    }
+}
+
 }  // namespace
 }  // namespace ir::test

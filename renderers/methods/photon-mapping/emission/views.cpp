@@ -1,8 +1,11 @@
 #include "renderers/methods/photon-mapping/emission/views.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "renderers/core/constants.h"
 #include "renderers/gl/dispatch_items.h"
+#include "renderers/image/colour_map.h"
 #include "renderers/methods/photon-mapping/emission/histogram.h"
 #include "shaders/methods/photon-mapping/emission/show_samples.comp.h"
 
@@ -16,7 +19,9 @@ constexpr std::uint64_t max_elements = 1 << 20;
 /// Points that are shown where no light is: the set as it would be.
 constexpr unsigned points_without_light = 256;
 /// Texels a side of "emission.points" at least, so that points stay apart.
-constexpr int min_picture = 256;
+constexpr int min_picture = 512;
+/// Texels of a dot's radius at most; its dots cover about this part of the picture at most.
+constexpr double max_radius = 3.5, max_covered = 0.15;
 
 /// What is shown of the points on their way.
 struct Shown {
@@ -60,6 +65,20 @@ struct WarpSteps {
 
 WarpSteps warp_steps(const EmissionSets& sets, const Shown& shown) {
     return {sets, shown.source, shown.first_step, shown.steps, points_without_light};
+}
+
+/// Constants of show_points.comp.
+struct ShowPoints {
+    WarpSteps steps;
+    bool survive;
+    glm::vec3 colour;
+    float radius;
+    IR_FIELDS(steps, survive, colour, radius)
+};
+
+/// What the numbers of `field` say of points.
+Categories fates(const std::string& field) {
+    return {field, {{0, "the roulette ends it", tints::sky}, {1, "a photon leaves", tints::orange}}};
 }
 
 /// Constants of show_samples.comp.
@@ -127,8 +146,18 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
             map.dispatch(size, size, shown.steps);
             p.barrier();
             const auto& dots = p.use(dots_source);
-            dots.set(constants);
-            gl::dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points));
+            const double area =
+                double(size) * size * max_covered / double(std::max<std::uint64_t>(1, shown.points));
+            const auto radius = std::min(max_radius, std::sqrt(area / pi));
+            // One colour after the other: where dots meet, the order of points does not show.
+            for (const auto& fate : fates("").values) {
+                glm::vec3 colour;
+                for (int c = 0; c < 3; ++c)
+                    colour[c] = linear_from_srgb(fate.colour[static_cast<std::size_t>(c)] / 255.0f);
+                dots.set(ShowPoints{constants, fate.value == 1, colour, static_cast<float>(radius)});
+                gl::dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points));
+                p.barrier();
+            }
         });
 }
 
@@ -184,16 +213,18 @@ std::vector<OutputDescription> view_outputs() {
                 "each step of warping: horizontally (odd) and vertically (even) in turns, from the whole map "
                 "to texels. All steps stand side by side, maps below each other. probability: of the texel "
                 "that the point comes to.",
-         .categories = {{"survives",
-                         {{0, "the roulette ends it", tints::sky}, {1, "a photon leaves", tints::orange}}}},
+         .categories = {fates("survives")},
          .explains = true,
          .active_when = from_rsm()},
         {.key = "emission.points",
          .label = "Points over the map",
          .kind = OutputKind::stack,
-         .doc = "The map chosen (of all maps the first), as coarse as each step of warping sees it, with the "
-                "points of the emission set: orange where a photon leaves, blue where the roulette ends it. "
-                "Layer 0: before warping; then horizontally and vertically in turns.",
+         .semantic = Semantic::albedo,
+         .doc =
+             "The map chosen (of all maps the first), as coarse as each step of warping sees it, with a dot "
+             "for each point of the emission set. Layer 0: before warping; then horizontally and "
+             "vertically in turns.",
+         .categories = {fates("")},
          .explains = true,
          .active_when = from_rsm()},
         {.key = "emission.histogram",

@@ -13,7 +13,7 @@ void main() {
     uvec2 cell = uvec2(place.xy) * (1u << uint((place.z + 1) / 2)) / uint(size);
     float value = scaling_at(cell, shown_source, level);
     float mean = mean_probability(shown_source, levels);
-    // dark enough for the points in front; a quarter of white at four times the mean
-    float grey = mean > 0.0 ? min(0.25, 0.0625 * value / mean) : 0.0;
+    // linear, and dark enough for the dots in front
+    float grey = mean > 0.0 ? min(0.25, 0.02 * value / mean) : 0.0;
     imageStore(picture, place, vec4(vec3(grey), 1));
 }
