@@ -153,6 +153,18 @@ TEST_F(DraftsTest, TagsTakeTurnsWithTheirDrafts) {
     EXPECT_LT(a, b);
 }
 
+TEST_F(DraftsTest, ThePreviewWaitsForNoCompiler) {
+    Machine machine{{"egl", {}, false, 0}};
+    Drafts::compile_preview(machine);
+    std::vector<std::string> compiled;
+    machine.programs().on_compile = [&](const std::string& files) { compiled.push_back(files); };
+    Drafts drafts(machine, std::make_shared<graph::SharedContents>());
+    const auto request = drafted(request_of("a", "hbao"));
+    drafts.begin(request.experiment);
+    EXPECT_EQ(drafts.render(request, {})->fineness, Fineness::preview);
+    EXPECT_EQ(compiled, std::vector<std::string>{});
+}
+
 TEST_F(DraftsTest, RestWithinWhatTheMemoryBudgetLeavesOver) {
     Drafts drafts(egl_machine(), std::make_shared<graph::SharedContents>());
     const auto request = drafted(request_of("a", "hbao"));
