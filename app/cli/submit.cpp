@@ -175,8 +175,10 @@ void add_submit(CLI::App& app, Run& run) {
         ->capture_default_str();
     command->add_option("--name", flags->name, "Name of the job (default: interreflect-COMMAND)");
     command->add_option("--log", flags->log, "File for what tasks print (default: NAME-JOB_TASK.log)");
-    command->add_option("--sbatch", flags->options,
-                        "One more option of sbatch, as in --sbatch=--partition=short; repeat for more");
+    command
+        ->add_option("--sbatch", flags->options,
+                     "One more option of sbatch, as in --sbatch=--partition=short; repeat for more")
+        ->allow_extra_args(false);  // what follows is the command
     command->add_option("--script", flags->script, "File for the script, too");
     command->add_flag("--run", flags->run, "Give the script to sbatch");
     command->prefix_command();
