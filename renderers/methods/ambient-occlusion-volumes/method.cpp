@@ -25,6 +25,7 @@ MethodDescription description() {
         "distance. Fall-off: with visibility as everywhere; "
         "without, smooth is the published product of distances to the volume's planes, and a triangle that "
         "occludes counts as a whole.";
+    d.version = 2;
     d.papers = {"McGuire10", "Nalbach15"};
     d.background = 1;
     d.missing_light = passes::missing_in_lit();

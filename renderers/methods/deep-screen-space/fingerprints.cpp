@@ -28,7 +28,7 @@ std::string surfel_fingerprint(const graph::FrameInputs& inputs, float reach, co
     add(text, inputs.view.view_from_world);
     add(text, inputs.view.clip_from_view);
     add(text, table.settings(parameters),
-        {"backs", "light_offset", "sender_samples", "glossy_senders", "reserve"});
+        {"backs", "light_offset", "sender_samples", "glossy_senders", "highlight_rays", "reserve"});
     return text.str();
 }
 
@@ -38,9 +38,9 @@ std::string splat_fingerprint(const graph::FrameInputs& inputs, const std::strin
     std::ostringstream text;
     text << surfels << " splats " << static_cast<int>(inputs.processor) << ' ' << inputs.seed;
     add(text, parameter_table().settings(parameters),
-        {"light_offset", "sender_samples", "glossy_senders", "reserve", "falloff", "environment_light",
-         "disc_light", "ambient", "estimator", "blur", "blur_radius", "blur_plane_tolerance",
-         "blur_normal_power", "material_tolerance", "balance", "history"});
+        {"light_offset", "sender_samples", "glossy_senders", "highlight_rays", "reserve", "falloff",
+         "environment_light", "disc_light", "ambient", "estimator", "blur", "blur_radius",
+         "blur_plane_tolerance", "blur_normal_power", "material_tolerance", "balance", "history"});
     return text.str();
 }
 

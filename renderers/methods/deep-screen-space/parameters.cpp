@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/core/constants.h"
 #include "renderers/passes/direct/lit.h"
 
 namespace ir::methods::deep_screen_space {
@@ -30,6 +31,13 @@ ParameterTable<Parameters> parameter_table() {
     table.add(&Parameters::ambient, passes::ambient_parameter());
     table.include(&Parameters::light, passes::light_parameters());
     return table;
+}
+
+float highlight_share(const Parameters& parameters) {
+    const auto radius = static_cast<float>(parameters.reconstruction.blur.used_radius());
+    // (Σ w)² / Σ w² of the Gaussian of σ = radius / 2
+    const float pixels = std::max(1.0f, pi * radius * radius);
+    return parameters.highlight_rays / (pixels * static_cast<float>(parameters.directions.samples));
 }
 
 Reach reach_of(const Parameters& parameters, const scene::World& world) {

@@ -25,19 +25,21 @@ enum class LastShell { ends, open };
 enum class Shells { full_discs, shells };
 enum class Influence { constant, estimated };
 
+inline constexpr int max_levels = 6;
+
 /// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
 struct Parameters {
     // parameters.cpp
     bool visibility = true;  ///< by bounced z-buffer; else additive, as published in 2014
     Transport transport = default_occlusion;
     passes::bounce::DirectionParameters directions;
-    passes::bounce::ReconstructionParameters reconstruction;
+    passes::bounce::ReconstructionParameters reconstruction{.balance = 0.1f};
     passes::ReprojectionParameters reprojection;
     float ambient = 0.5f;
     passes::LightParameters light;
 
     // surfels/parameters.cpp
-    float surfel_radius = 1.5f;  ///< pixels: of the ideal surfel, seen face on
+    float surfel_radius = 2;  ///< pixels: of the ideal surfel, seen face on
     Placement placement = Placement::systematic;
     float fine_area = 0.5f;  ///< part of the ideal area that fine surfels aim at
     bool thinning = true;
@@ -46,6 +48,7 @@ struct Parameters {
     float light_offset = 0;  ///< radii: how far above its centre a surfel asks for shadows
     int sender_samples = 4;
     bool glossy_senders = true;
+    float highlight_rays = 4;  ///< that meet a highlight at least, of those that a pixel gathers; 0: any
     bool frustum_culling = true;
     float reserve = 5;  ///< surfels per pixel that memory is reserved for at first
 
@@ -62,7 +65,7 @@ struct Parameters {
     Level0 level0 = Level0::triangles;
     bool splat_culling = true;
     Influence influence = Influence::estimated;
-    float trade_off = 0.005f;  ///< ε
+    float trade_off = 0.0025f;  ///< ε
 };
 
 ParameterTable<Parameters> parameter_table();
@@ -81,6 +84,11 @@ Reach reach_of(const Parameters& parameters, const scene::World& world);
 inline bool sends_highlights(const Parameters& parameters) {
     return parameters.glossy_senders && parameters.transport.materials != Transport::Materials::lambert;
 }
+
+/// Part of the solid angle 1 / density of a ray over which highlights are averaged with visibility: that
+/// which as many rays share as should meet one, of those that the reconstruction of a pixel gathers. 0: they
+/// are not.
+float highlight_share(const Parameters& parameters);
 
 /// What random choices of a frame are made of: where surfels lie, which pixels form a sub-image, which
 /// sub-image a surfel is splatted into. The run's seed in one word; frames that are averaged each have

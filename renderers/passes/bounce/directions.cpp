@@ -12,12 +12,17 @@ struct ChooseDirections {
     IR_FIELDS(receivers, seed_low, seed_high, frame)
 };
 
+/// Pixels of a side of the blocks that share a sequence, as a power of 2. Pixels whose frames are averaged
+/// have one each.
+constexpr int block_bits = 5;
+
 gl::ProgramSource source_of(const Receivers& receivers) {
     gl::ProgramSource source{{"passes/bounce/directions.comp"}};
     receivers.define(source);
     const auto& parameters = receivers.options.parameters;
     source.defines["COSINE"] = parameters.distribution == Distribution::cosine ? "1" : "0";
     source.defines["STRATIFIED"] = parameters.spread == Spread::stratified ? "1" : "0";
+    source.defines["BLOCK_BITS"] = std::to_string(receivers.options.vary ? 0 : block_bits);
     return source;
 }
 
@@ -35,12 +40,12 @@ void add_choices(ParameterTable<DirectionParameters>& table, const Condition& ac
         .add(&DirectionParameters::spread,
              {.key = "spread",
               .label = "Spread of samples",
-              .doc = "How the directions of one pixel lie to each other. Each by itself is as likely as "
-                     "before.",
+              .doc = "How directions lie to each other. Each by itself is as likely as before.",
               .citation = "Kollig02",
               .choices = {{"stratified", "Stratified",
-                           "Spread evenly over the hemisphere or the lobes, over the frames, too: less "
-                           "noise."},
+                           "Spread evenly over the hemisphere or the lobes: those of a pixel, and of pixels "
+                           "next to each other together, or where frames are averaged of a pixel's frames. "
+                           "Less noise."},
                           {"independent", "Independent", "Each drawn by itself, as published."}},
               .active_when = active_when})
         .add(

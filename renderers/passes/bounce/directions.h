@@ -12,7 +12,8 @@ namespace ir::passes::bounce {
 /// cosine.
 enum class Distribution { uniform, cosine };
 
-/// stratified: the samples of a pixel, and of its frames, are spread evenly; independent: each for itself.
+/// stratified: the samples of a pixel, and with them those of its neighbours or of its frames, are spread
+/// evenly; independent: each for itself.
 enum class Spread { stratified, independent };
 
 inline constexpr int max_samples = 16;
@@ -21,7 +22,7 @@ inline constexpr int max_samples = 16;
 struct DirectionParameters {
     int samples = 4;  ///< per pixel, 1 … max_samples
     Spread spread = Spread::stratified;
-    Distribution distribution = Distribution::uniform;
+    Distribution distribution = Distribution::cosine;
     float min_roughness = 0.05f;  ///< smoother receivers are taken for this rough
 };
 

@@ -9,18 +9,28 @@ layout(rgba32f) uniform writeonly image2DArray directions;
 
 uniform uint seed_low, seed_high, frame;
 
+/// Of the pixel in its block: those of a quarter, of a quarter of that and so on follow each other.
+uint place_in_block(ivec2 pixel) {
+    uint place = 0u;
+    for (int bit = 0; bit < BLOCK_BITS; ++bit)
+        place |= (uint(pixel.x) >> bit & 1u | (uint(pixel.y) >> bit & 1u) << 1) << 2 * bit;
+    return place;
+}
+
 /// Words that are uniform one by one, for the lobe and the place in it. Stratified, those of all samples and
-/// frames of a pixel are a (0, 2)-sequence and, for the lobe, multiples of the golden ratio, all shifted by the
-/// pixel's hash. [Kollig02; Cranley76]
+/// frames of a block of pixels are a (0, 2)-sequence and, for the lobe, multiples of the golden ratio, all shifted
+/// by the block's hash: in every aligned square of pixels they are spread as evenly as their number allows.
+/// [Kollig02; Cranley76; Ahmed20]
 uvec3 random_words(ivec2 pixel, uint number, uint samples) {
-    uint place = uint(pixel.x) | uint(pixel.y) << 16u;
 #if STRATIFIED
-    uvec3 words = pcg4d(uvec4(place, seed_low, seed_high, 0u)).xyz;
-    uint i = frame * samples + number, second = 0u;
+    ivec2 block = pixel >> BLOCK_BITS;
+    uvec3 words = pcg4d(uvec4(uint(block.x) | uint(block.y) << 16u, seed_low, seed_high, 0u)).xyz;
+    uint i = (frame + place_in_block(pixel)) * samples + number, second = 0u;
     for (uint rest = i, column = 1u << 31u; rest != 0u; rest >>= 1u, column ^= column >> 1u)
         if ((rest & 1u) != 0u) second ^= column;
     return words + uvec3(i * 2654435769u, bitfieldReverse(i), second);
 #else
+    uint place = uint(pixel.x) | uint(pixel.y) << 16u;
     return pcg4d(uvec4(place, seed_low, seed_high, frame * samples + number)).xyz;
 #endif
 }

@@ -86,6 +86,7 @@ class SurfelTest : public PassTest {
     static SurfelRun whole() {
         SurfelRun run;
         run.parameters.frustum_culling = false;
+        run.parameters.surfel_radius = 1.5f;
         return run;
     }
 };

@@ -39,6 +39,7 @@ TEST_F(ReconstructionTest, ThePublishedEstimateOfAnOpenPlaneIsNoisy) {
     const auto shot = Wall().shot(64, 64);
     auto r = BounceRun::with(4, Spread::independent, 0);
     r.reconstruction.estimator = Estimator::published;
+    r.options.parameters.distribution = Distribution::uniform;
     reconstruct(shot, r);
     const Moments independent(result());
     expect_moments(independent, 1, std::sqrt(1.0 / 12));

@@ -15,8 +15,8 @@ void add_reach(ParameterTable<Parameters>& table) {
                      "reaches 2^l times as far as the first. More levels do less work per distance and are "
                      "coarser: with a maximum distance the first shell is 1/2^(levels − 1) of it.",
               .citation = "Nalbach15 §4.1",
-              .hard = {1, 6},
-              .soft = {1, 6},
+              .hard = {1, max_levels},
+              .soft = {1, max_levels},
               .on_change = OnChange::reallocate})
         .add(
             &Parameters::shell_radius,

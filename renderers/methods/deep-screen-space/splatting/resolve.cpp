@@ -13,7 +13,8 @@ struct Resolve {
     VisibleLevel rules;
     int levels;
     unsigned seed;
-    IR_FIELDS(senders, rules, levels, seed)
+    float highlight_share;
+    IR_FIELDS(senders, rules, levels, seed, highlight_share)
 };
 
 struct Senders {
@@ -63,7 +64,8 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
     passes::bounce::compute_by_tiles(
         pass, builder, source_of(visible, senders),
         Resolve{sender_constants(builder.inputs(), parameters), visible_level(visible.splats),
-                visible.splats.hierarchy.levels, random_seed(builder.inputs(), parameters)});
+                visible.splats.hierarchy.levels, random_seed(builder.inputs(), parameters),
+                highlight_share(parameters)});
     return incoming;
 }
 

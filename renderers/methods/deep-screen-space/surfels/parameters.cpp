@@ -106,7 +106,22 @@ void add_light(ParameterTable<Parameters>& table) {
                                                   "light, each towards the surface that it "
                                                   "lights. Off: their diffuse part alone.",
                                            .citation = "Nalbach15 §3.2",
-                                           .active_when = only_indirect});
+                                           .active_when = only_indirect})
+        .add(
+            &Parameters::highlight_rays,
+            {.key = "highlight_rays",
+             .label = "Rays of a highlight",
+             .doc =
+                 "With visibility: how many of the rays that a pixel gathers meet a highlight of a sender at "
+                 "least. Smaller ones are widened as far as these rays are apart, with the same light. 0: "
+                 "highlights stay as they are, as published; of one that few rays meet each makes a "
+                 "bright blotch.",
+             .citation = "Kaplanyan13",
+             .hard = {0, 1000},
+             .soft = {0, 16},
+             .active_when = {"glossy_senders", {true}},
+             .since_version = 6,
+             .value_in_older_projects = 0.0});
 }
 
 void add_costs(ParameterTable<Parameters>& table) {

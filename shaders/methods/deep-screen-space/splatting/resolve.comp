@@ -21,6 +21,7 @@ layout(rgba32f) uniform writeonly image2DArray incoming;
 #endif
 #if GLOSSY_SENDERS
 #include "methods/deep-screen-space/splatting/resolve_glossy.glsl"
+#include "methods/deep-screen-space/splatting/ray_footprint.glsl"
 #endif
 
 uniform sampler2D gbuffer_position;
@@ -33,7 +34,8 @@ int shell_at(SplatLevel l, Surfel s, vec3 x_ws) {
     return max(splat_shell(l, x_ws, s.centre_ws), 0);
 }
 
-vec3 sent_by_disc(uint index, vec3 direction_ws, ivec3 at) {
+vec3 sent_by_disc(uint index, vec4 ray, ivec3 at) {
+    vec3 direction_ws = ray.xyz;
     Surfel s = surfels[index];
     vec3 x_ws = texelFetch(gbuffer_position, at.xy, 0).xyz;
     SplatLevel l = splat_level(levels - 1, s);
@@ -42,7 +44,9 @@ vec3 sent_by_disc(uint index, vec3 direction_ws, ivec3 at) {
                                   unit_float(pcg4d(uvec4(at, seed)).w));
 #if GLOSSY_SENDERS
     float distance_m = splat_plane_distance(x_ws, direction_ws, s.centre_ws, s.normal_ws);
-    radiance += sent_to_one_side(s, direction_ws, disc_slope_variance(s.radius, shell, distance_m));
+    float variance = disc_slope_variance(s.radius, shell, distance_m) +
+                     ray_slope_variance(s.triangle, distance_m, ray.w);
+    radiance += sent_to_one_side(s, direction_ws, variance);
 #endif
     return radiance;
 }
@@ -76,21 +80,23 @@ vec3 sent_by_triangle(Surfel s, vec3 direction_ws, ivec3 at) {
 #endif
 
 /// By what "splats.nearest" says of the sample.
-vec3 sent(uint winner, vec3 direction_ws, ivec3 at) {
+vec3 sent(uint winner, vec4 ray, ivec3 at) {
+    vec3 direction_ws = ray.xyz;
 #if EXACT
     if ((winner & EXACT_HIT) != 0u) {
-        Surfel s = point_of(winner & ~EXACT_HIT, texelFetch(gbuffer_position, at.xy, 0).xyz +
-                                                     texelFetch(distances, at, 0).x * direction_ws);
+        float distance_m = texelFetch(distances, at, 0).x;
+        vec3 position_ws = texelFetch(gbuffer_position, at.xy, 0).xyz + distance_m * direction_ws;
+        Surfel s = point_of(winner & ~EXACT_HIT, position_ws);
         if (BLACK_BACKS != 0 && dot(s.normal_ws, direction_ws) > 0.0) return vec3(0);
         vec3 radiance = sent_by_triangle(s, direction_ws, at);
 #if GLOSSY_SENDERS
-        radiance += sent_to_one_side(s, direction_ws, 0.0);
+        radiance += sent_to_one_side(s, direction_ws, ray_slope_variance(s.triangle, distance_m, ray.w));
 #endif
         return max(radiance, 0.0);
     }
 #endif
     if (BLACK_BACKS != 0 && dot(surfels[winner - 1u].normal_ws, direction_ws) > 0.0) return vec3(0);
-    return max(sent_by_disc(winner - 1u, direction_ws, at), 0.0);
+    return max(sent_by_disc(winner - 1u, ray, at), 0.0);
 }
 
 void main() {
@@ -101,7 +107,7 @@ void main() {
         ivec3 at = ivec3(pixel, i);
         uint winner = texelFetch(nearest, at, 0).x;
         vec3 radiance = vec3(0);
-        if (winner != 0u) radiance = sent(winner, texelFetch(directions, at, 0).xyz, at);
+        if (winner != 0u) radiance = sent(winner, texelFetch(directions, at, 0), at);
         imageStore(incoming, at, vec4(radiance, winner != 0u ? 1 : 0));
     }
 }

@@ -19,6 +19,13 @@ float widened_roughness(float roughness, float variance) {
     return min(sqrt(sqrt(alpha * alpha + 2.0 * variance)), 1.0);
 }
 
+/// How much more a highlight of its own roughness reflects than the widened one, which loses light between
+/// microfacets. `cosine`: to the ray; the fit is wrong at grazing angles.
+float widened_gain(float own, float widened, float cosine) {
+    float bounded = max(cosine, 0.1);
+    return directional_albedo(vec3(1), own, bounded).x / directional_albedo(vec3(1), widened, bounded).x;
+}
+
 /// At the surfel's centre, where what it stores was found, and from there towards the ray's origin: a point of an
 /// enlarged disc need not lie on the surface. `variance`: of the half vectors' slopes.
 vec3 sent_to_one_side(Surfel surfel, vec3 direction_ws, float variance) {
@@ -26,7 +33,9 @@ vec3 sent_to_one_side(Surfel surfel, vec3 direction_ws, float variance) {
     HitSurface s = hit_surface(surfel.triangle, weights.x, weights.y, direction_ws, normal_maps != 0);
     vec3 sum = vec3(0);
     if (s.is_unlit) return sum;
-    s.roughness = widened_roughness(s.roughness, variance);
+    float own = s.roughness;
+    s.roughness = widened_roughness(own, variance);
+    float gain = widened_gain(own, s.roughness, dot(s.shading_normal_ws, -direction_ws));
     vec3 stored = diffuse_albedo(s) / PI;
     for (int i = 0; i < light_count; ++i) {
         if (!is_punctual(lights[i])) continue;
@@ -38,7 +47,7 @@ vec3 sent_to_one_side(Surfel surfel, vec3 direction_ws, float variance) {
                                          s.geometric_normal_ws, l, 0);
         if (visible == vec3(0)) continue;
         sum += (whole_brdf(s, l, -direction_ws) - stored * below_interface(s, l)) * light.irradiance *
-               (cosine * visible);
+               (gain * cosine * visible);
     }
     return sum;
 }

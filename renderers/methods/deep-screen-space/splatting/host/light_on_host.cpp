@@ -45,8 +45,9 @@ class HostLight {
 
     /// By what "splats.nearest" says of a sample. `ray`: its number among all, which is that of its pixel
     /// and as many for each layer before as there are pixels.
-    glm::vec3 sent(std::uint32_t winner, glm::vec3 direction_ws, float distance, std::size_t ray) const {
-        if (winner & exact_hit) return sent_by_triangle(winner & ~exact_hit, direction_ws, distance, ray);
+    glm::vec3 sent(std::uint32_t winner, const glm::vec4& direction, float distance, std::size_t ray) const {
+        const glm::vec3 direction_ws(direction);
+        if (winner & exact_hit) return sent_by_triangle(winner & ~exact_hit, direction, distance, ray);
         const auto& surfel = discs_.surfels[winner - 1];
         const bool is_front = glm::dot(surfel.normal_ws, direction_ws) <= 0;
         if (!is_front && parameters_.backs == Backs::black) return glm::vec3(0);
@@ -57,20 +58,23 @@ class HostLight {
         if (!is_glossy_) return radiance;
         const auto place = senders_.place(surfel.triangle, glm::unpackUnorm2x16(surfel.barycentrics),
                                           surfel.centre_ws, surfel.radius, direction_ws);
-        const float variance = discs_.slope_variance(winner - 1, shell, distance);
+        const float variance = discs_.slope_variance(winner - 1, shell, distance) +
+                               senders_.ray_slope_variance(surfel.triangle, distance, direction.w);
         return glm::max(radiance + senders_.glossy_rest(place, direction_ws, variance), glm::vec3(0));
     }
 
   private:
-    glm::vec3 sent_by_triangle(std::uint32_t triangle, glm::vec3 direction_ws, float distance,
+    glm::vec3 sent_by_triangle(std::uint32_t triangle, const glm::vec4& direction, float distance,
                                std::size_t ray) const {
+        const glm::vec3 direction_ws(direction);
         const auto position = glm::vec3(positions_[ray % pixels()]) + distance * direction_ws;
         const auto weights = weights_at(world_, triangle, position);
         const auto place = senders_.place(triangle, weights, position, 0, direction_ws);
         if (parameters_.backs == Backs::black && !place.surface.is_front) return glm::vec3(0);
         const auto extended =
             level0_ ? level0_->irradiance(triangle, weights, direction_ws, ray) : glm::vec3(0);
-        return glm::max(senders_.all(place, direction_ws, extended), glm::vec3(0));
+        const float variance = senders_.ray_slope_variance(triangle, distance, direction.w);
+        return glm::max(senders_.all(place, direction_ws, extended, variance), glm::vec3(0));
     }
 
     const scene::World& world_;

@@ -83,27 +83,33 @@ class HostSplats {
         each_texel(tile, glm::ivec2(width_, height_), [&](glm::uvec2 pixel) { to(number_of(pixel), pixel); });
     }
 
-    /// The same with the pixels that stand in a tile of the level: those of a sub-image meet the same discs.
+    /// The same with the pixels that stand in a tile of the level, and their places there: those of a
+    /// sub-image meet the same discs.
     template <class To>
     void each_pixel(std::int64_t tile, int level, const To& to) const {
         const auto& hierarchy = visible_.splats.hierarchy;
         const auto width = static_cast<std::size_t>(hierarchy.width);
         each_texel(tile, glm::ivec2(hierarchy.width, hierarchy.height), [&](glm::uvec2 place) {
             const auto word = layout_[static_cast<std::size_t>(level)][place.y * width + place.x];
-            if (word == padding) return;
-            const glm::uvec2 pixel(word & 0xffff, word >> 16);
-            to(number_of(pixel), pixel);
+            if (word != padding) to(number_of({word & 0xffff, word >> 16}), place);
         });
     }
 
-    bool is_ray(std::size_t pixel, const glm::vec4& direction) const {
-        return positions_[pixel].w != 0 && direction != glm::vec4(0);
-    }
+    bool is_surface(std::size_t pixel) const { return positions_[pixel].w != 0; }
 
-    Receiver receiver(std::size_t pixel) const {
+    /// What all rays of a pixel share.
+    struct Origin {
+        Receiver receiver;
+        RayRanges::Start start;
+        float known;  ///< m, up to which triangles decide; 0 where level 0 has discs
+    };
+    Origin origin(std::size_t pixel) const {
         const auto& parameters = visible_.splats.parameters;
-        return {positions_[pixel], normals_[pixel], parameters.discs, parameters.backs == Backs::open,
-                tree_.get()};
+        const auto start = ranges_->start(positions_[pixel]);
+        return {{positions_[pixel], normals_[pixel], parameters.discs, parameters.backs == Backs::open,
+                 tree_.get()},
+                start,
+                parameters.level0 == Level0::triangles ? start.exact_reach : 0};
     }
 
     /// Where the pixel stands on the level.
@@ -113,15 +119,20 @@ class HostSplats {
         return {word & 0xffff, word >> 16};
     }
 
-    void ask(DiscRay& ray, glm::uvec2 pixel, int level, int sample, RayRanges::Range range) const {
+    /// Which sub-image of the level that is, and for each sample the cell of its discs.
+    std::uint32_t sub_image(glm::uvec2 place, int level) const {
         const auto& hierarchy = visible_.splats.hierarchy;
-        const auto sub_image =
-            place(pixel, level) / (glm::uvec2(hierarchy.width, hierarchy.height) >> unsigned(level));
-        auto cell = sub_image.y << level | sub_image.x;
-        if (is_stratified())
-            cell = (cell -
-                    sub_image_offset(static_cast<unsigned>(level), static_cast<unsigned>(sample), seed_)) &
-                   ((1u << 2 * level) - 1);
+        const auto at = place / (glm::uvec2(hierarchy.width, hierarchy.height) >> unsigned(level));
+        return at.y << level | at.x;
+    }
+    std::uint32_t cell(std::uint32_t sub_image, int level, int sample) const {
+        if (!is_stratified()) return sub_image;
+        const auto offset =
+            sub_image_offset(static_cast<unsigned>(level), static_cast<unsigned>(sample), seed_);
+        return (sub_image - offset) & ((1u << 2 * level) - 1);
+    }
+
+    void ask(DiscRay& ray, std::uint32_t cell, int level, RayRanges::Range range) const {
         ray.winner = 0;
         levels_[static_cast<std::size_t>(level)]->ask(ray, cell, range.near, range.far);
     }
@@ -132,43 +143,41 @@ class HostSplats {
         float distance = -1;  ///< m
     };
 
-    /// What triangles decide of a ray on level 0: up to which distance, and what it met there.
-    struct Exact {
-        float known = 0;  ///< m
-        passes::Hit hit = {};
-    };
-    Exact exact(const Receiver& from, glm::vec3 direction_ws) const {
-        const float reach = known_up_to(from.x_ws);
-        if (reach == 0) return {};
-        return {reach, tree_->closest_hit(passes::offset_origin(from.x_ws, from.geometric_normal_ws),
-                                          direction_ws, 0, reach)};
+    /// What the ray met among the triangles that decide on level 0.
+    passes::Hit exact_hit_of(const Origin& from, glm::vec3 direction_ws) const {
+        if (from.known == 0) return {};
+        const auto& receiver = from.receiver;
+        return tree_->closest_hit(passes::offset_origin(receiver.x_ws, receiver.geometric_normal_ws),
+                                  direction_ws, 0, from.known);
     }
 
     /// Before discs are asked.
-    Winner first_winner(std::size_t index, glm::vec3 direction_ws) const {
-        const auto hit = exact(receiver(index), direction_ws).hit;
+    Winner first_winner(const Origin& from, glm::vec3 direction_ws) const {
+        const auto hit = exact_hit_of(from, direction_ws);
         if (hit.is_hit()) return {exact_hit | hit.triangle, 0, hit.distance};
         return {};
     }
 
+    /// Whether coarser levels may have another winner.
+    bool is_open(std::uint32_t finer) const {
+        return finer == 0 || (!(finer & exact_hit) && nearest_decides(visible_.splats));
+    }
+
     /// After the finer levels, as combine.comp chooses.
-    Winner winner(Winner finer, std::size_t index, glm::uvec2 pixel, glm::vec3 direction_ws, int level,
-                  int sample) const {
-        if (finer.number & exact_hit || (finer.number != 0 && !nearest_decides(visible_.splats)))
-            return finer;
-        const auto from = receiver(index);
-        auto range = ranges_->of(level, from.x_ws, direction_ws);
-        DiscRay ray(from, direction_ws);
-        ray.known = known_up_to(from.x_ws);
+    Winner winner(Winner finer, const Origin& from, glm::vec3 direction_ws, int level,
+                  std::uint32_t cell) const {
+        auto range = ranges_->of(level, from.start, direction_ws);
+        DiscRay ray(from.receiver, direction_ws);
+        ray.known = from.known;
         if (finer.number != 0) {
             range.far = std::min(range.far, finer.distance);
             ray.z = splat_z(rules_.influence, finer.distance);
         }
-        ask(ray, pixel, level, sample, range);
+        ask(ray, cell, level, range);
         if (ray.winner == 0) return finer;
         const auto& winner = surfels_[ray.winner - 1];
         return {ray.winner, level,
-                splat_plane_distance(from.x_ws, direction_ws, winner.centre_ws, winner.normal_ws)};
+                splat_plane_distance(from.receiver.x_ws, direction_ws, winner.centre_ws, winner.normal_ws)};
     }
 
   private:
@@ -182,10 +191,6 @@ class HostSplats {
     }
     std::size_t number_of(glm::uvec2 pixel) const {
         return std::size_t{pixel.y} * static_cast<std::size_t>(width_) + pixel.x;
-    }
-    /// m; 0 where level 0 has discs.
-    float known_up_to(glm::vec3 x_ws) const {
-        return visible_.splats.parameters.level0 == Level0::triangles ? ranges_->exact_reach(x_ws) : 0;
     }
     bool is_stratified() const { return visible_.splats.parameters.sub_images == SubImages::stratified; }
 
@@ -204,30 +209,39 @@ class HostSplats {
     std::vector<std::unique_ptr<DiscLevel>> levels_;
 };
 
-/// Calls `run(splats, sample, stage, tile)` for all of them, sample by sample, so that only the discs of one
-/// are held, and stage by stage.
+/// Samples that meet the same discs.
+struct Samples {
+    int first, end;
+};
+
+/// Calls `run(splats, samples, stage, tile)` for all of them, so that only the discs of one sample are held,
+/// and stage by stage.
 template <class Run>
 void execute(graph::PassBuilder& pass, const VisibleSplats& visible, graph::ObjectRef bvh, int stages,
              const Run& make_run) {
     const auto& hierarchy = visible.splats.hierarchy;
-    const auto tiles = tiles_of(hierarchy).count(), of_sample = tiles * stages;
+    const bool shared = visible.splats.parameters.sub_images == SubImages::stratified;
+    const int together = shared ? visible.splats.samples : 1;
+    const auto tiles = tiles_of(hierarchy).count(), of_samples = tiles * stages;
     const auto splats = std::make_shared<HostSplats>(visible, bvh);
     pass.reads(visible.splats.surfels.records, visible.splats.surfels.stored, hierarchy.places,
                hierarchy.layout, visible.gbuffer.position, visible.gbuffer.geometric_normal,
                visible.directions.directions);
     if (bvh.index >= 0) pass.reads(bvh);
-    pass.execute_sliced(of_sample * visible.splats.samples, [=](PassContext& p, Slice slice) {
+    pass.execute_sliced(of_samples * visible.splats.samples / together, [=](PassContext& p, Slice slice) {
         const int threads = p.inputs().threads;
         tbb::task_arena arena(arena_size(threads));
         arena.execute([&] {
             if (slice.first) splats->begin(p);
             const auto run = make_run(p, slice);
             for (auto item = slice.begin; item < slice.end;) {
-                const auto sample = static_cast<int>(item / of_sample);
-                const auto stage = static_cast<int>(item % of_sample / tiles);
+                const int sample = static_cast<int>(item / of_samples) * together;
+                const auto stage = static_cast<int>(item % of_samples / tiles);
                 const auto first = item % tiles, end = std::min(tiles, first + slice.end - item);
-                if (item % of_sample == 0) splats->begin_sample(sample);
-                tbb::parallel_for(first, end, [&](std::int64_t tile) { run(*splats, sample, stage, tile); });
+                if (item % of_samples == 0) splats->begin_sample(sample);
+                tbb::parallel_for(first, end, [&](std::int64_t tile) {
+                    run(*splats, Samples{sample, sample + together}, stage, tile);
+                });
                 item += end - first;
             }
         });
@@ -245,29 +259,46 @@ void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible,
         return [directions = graph::layers<const glm::vec4>(p, visible.directions.directions),
                 nearest = graph::layers<std::uint32_t>(p, visible.nearest),
                 levels = graph::layers<std::uint16_t>(p, visible.hit_level),
-                distances = graph::layers<float>(p, distance)](const HostSplats& splats, int sample,
+                distances = graph::layers<float>(p, distance)](const HostSplats& splats, Samples samples,
                                                                int stage, std::int64_t tile) {
-            const auto layer = static_cast<std::size_t>(sample);
-            const auto store = [&](std::size_t index, const HostSplats::Winner& winner) {
+            const auto store = [&](std::size_t layer, std::size_t index, const HostSplats::Winner& winner) {
                 nearest[layer][index] = winner.number;
                 levels[layer][index] = glm::packHalf1x16(static_cast<float>(winner.level));
                 distances[layer][index] = winner.distance;
             };
+            const auto each_ray = [&](std::size_t index, const auto& to) {
+                for (int sample = samples.first; sample < samples.end; ++sample) {
+                    const auto& direction = directions[static_cast<std::size_t>(sample)][index];
+                    to(static_cast<std::size_t>(sample), direction, direction != glm::vec4(0));
+                }
+            };
             if (stage == 0) {
                 splats.each_pixel(tile, [&](std::size_t index, glm::uvec2) {
-                    const auto& direction = directions[layer][index];
-                    store(index, splats.is_ray(index, direction) ? splats.first_winner(index, direction)
-                                                                 : HostSplats::Winner{});
+                    const bool is_surface = splats.is_surface(index);
+                    const auto from = splats.origin(index);
+                    each_ray(index, [&](std::size_t layer, glm::vec3 direction, bool is_ray) {
+                        store(layer, index,
+                              is_surface && is_ray ? splats.first_winner(from, direction)
+                                                   : HostSplats::Winner{});
+                    });
                 });
                 return;
             }
-            splats.each_pixel(tile, stage - 1, [&](std::size_t index, glm::uvec2 pixel) {
-                const auto& direction = directions[layer][index];
-                if (!splats.is_ray(index, direction)) return;
-                const HostSplats::Winner finer{nearest[layer][index],
-                                               static_cast<int>(glm::unpackHalf1x16(levels[layer][index])),
-                                               distances[layer][index]};
-                store(index, splats.winner(finer, index, pixel, direction, stage - 1, sample));
+            const int level = stage - 1;
+            splats.each_pixel(tile, level, [&](std::size_t index, glm::uvec2 place) {
+                if (!splats.is_surface(index)) return;
+                const auto from = splats.origin(index);
+                const auto sub_image = splats.sub_image(place, level);
+                each_ray(index, [&](std::size_t layer, glm::vec3 direction, bool is_ray) {
+                    const auto finer = nearest[layer][index];
+                    if (!is_ray || !splats.is_open(finer)) return;
+                    const HostSplats::Winner known{
+                        finer, static_cast<int>(glm::unpackHalf1x16(levels[layer][index])),
+                        distances[layer][index]};
+                    const auto cell = splats.cell(sub_image, level, static_cast<int>(layer));
+                    const auto found = splats.winner(known, from, direction, level, cell);
+                    if (found.number != finer) store(layer, index, found);
+                });
             });
         };
     });
@@ -285,24 +316,27 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
             for (const auto layer : winners) std::ranges::fill(layer, 0u);
         }
         return [=, directions = graph::layers<const glm::vec4>(p, visible.directions.directions)](
-                   const HostSplats& splats, int sample, int, std::int64_t tile) {
+                   const HostSplats& splats, Samples samples, int, std::int64_t tile) {
             const auto& hierarchy = visible.splats.hierarchy;
-            splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {
+            const auto fill = [&](std::size_t index, glm::uvec2 pixel, int sample) {
                 const auto& direction = directions[static_cast<std::size_t>(sample)][index];
-                if (!splats.is_ray(index, direction)) return;
-                const auto from = splats.receiver(index);
-                const auto [known, hit] = splats.exact(from, direction);
+                if (!splats.is_surface(index) || direction == glm::vec4(0)) return;
+                const auto from = splats.origin(index);
+                const auto hit = splats.exact_hit_of(from, direction);
                 for (int level = 0; level < hierarchy.levels && !hit.is_hit(); ++level) {
-                    DiscRay ray(from, direction);
-                    ray.known = known;
-                    splats.ask(ray, pixel, level, sample, {});
-                    if (ray.winner == 0) continue;
+                    DiscRay ray(from.receiver, direction);
+                    ray.known = from.known;
                     const auto at = splats.place(pixel, level);
+                    splats.ask(ray, splats.cell(splats.sub_image(at, level), level, sample), level, {});
+                    if (ray.winner == 0) continue;
                     const auto texel = at.y * static_cast<std::size_t>(hierarchy.width) + at.x;
                     const auto layer = static_cast<std::size_t>(sample * hierarchy.levels + level);
                     depths[layer][texel] = ray.z;
                     winners[layer][texel] = ray.winner;
                 }
+            };
+            splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {
+                for (int sample = samples.first; sample < samples.end; ++sample) fill(index, pixel, sample);
             });
         };
     });

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "renderers/passes/lights/punctual.h"
+#include "renderers/passes/reflection/reflection.h"
 #include "renderers/passes/scattering/microfacets.h"
 
 namespace ir::methods::deep_screen_space {
@@ -20,17 +21,26 @@ float widened_roughness(float roughness, float variance) {
     return std::min(std::sqrt(std::sqrt(alpha * alpha + 2 * variance)), 1.0f);
 }
 
+/// As there.
+float widened_gain(float own, float widened, float cosine) {
+    const float bounded = std::max(cosine, 0.1f);
+    return passes::directional_albedo(glm::vec3(1), own, bounded).x /
+           passes::directional_albedo(glm::vec3(1), widened, bounded).x;
+}
+
 }  // namespace
 
 HostSenders::HostSenders(const graph::PassContext& context, graph::ObjectRef surfaces,
                          const passes::ShadowMaps& shadow, const Parameters& parameters)
     : surfaces_(context.object<passes::SurfaceLookup>(surfaces)),
       scene_(*context.inputs().scene),
-      lights_(context.inputs().world->lights),
+      world_(*context.inputs().world),
+      lights_(world_.lights),
       shadows_(context, shadow),
       materials_(parameters.transport.materials),
       is_glossy_(sends_highlights(parameters)),
-      light_offset_(parameters.light_offset) {}
+      light_offset_(parameters.light_offset),
+      highlight_share_(highlight_share(parameters)) {}
 
 HostSenders::Place HostSenders::place(std::uint32_t triangle, glm::vec2 weights, glm::vec3 position_ws,
                                       float radius, glm::vec3 direction_ws) const {
@@ -72,20 +82,50 @@ glm::vec3 HostSenders::diffuse(const Place& place, glm::vec3 extended) const {
     return one_over_pi * colour * sum + of_extended(s, extended);
 }
 
+/// Widens the highlight, and gives the factor that keeps its light.
+float HostSenders::widen(passes::Surface& s, glm::vec3 direction_ws, float variance) const {
+    const float own = s.roughness;
+    s.roughness = widened_roughness(own, variance);
+    return widened_gain(own, s.roughness, glm::dot(s.shading_normal_ws, -direction_ws));
+}
+
 glm::vec3 HostSenders::glossy_rest(Place place, glm::vec3 direction_ws, float variance) const {
     auto& s = place.surface;
     if (!is_glossy_ || s.is_unlit) return glm::vec3(0);
-    s.roughness = widened_roughness(s.roughness, variance);
+    const float gain = widen(s, direction_ws, variance);
     const auto stored = one_over_pi * albedo(s);
-    return sum_of_lights(
-        place, [&](glm::vec3 l) { return whole_brdf(s, l, -direction_ws) - stored * below_interface(s, l); });
+    return gain * sum_of_lights(place, [&](glm::vec3 l) {
+               return whole_brdf(s, l, -direction_ws) - stored * below_interface(s, l);
+           });
 }
 
-glm::vec3 HostSenders::all(const Place& place, glm::vec3 direction_ws, glm::vec3 extended) const {
-    const auto& s = place.surface;
+glm::vec3 HostSenders::all(Place place, glm::vec3 direction_ws, glm::vec3 extended, float variance) const {
+    auto& s = place.surface;
     if (!is_glossy_ || s.is_unlit) return diffuse(place, extended);
-    return of_extended(s, extended) +
-           sum_of_lights(place, [&](glm::vec3 l) { return whole_brdf(s, l, -direction_ws); });
+    const float gain = widen(s, direction_ws, variance);
+    const auto stored = one_over_pi * albedo(s);
+    return of_extended(s, extended) + sum_of_lights(place, [&](glm::vec3 l) {
+               return gain * whole_brdf(s, l, -direction_ws) + (1 - gain) * stored * below_interface(s, l);
+           });
+}
+
+float HostSenders::triangle_curvature(std::uint32_t triangle) const {
+    float largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto a = world_.indices[3 * std::size_t{triangle} + i],
+                   b = world_.indices[3 * std::size_t{triangle} + (i + 1) % 3];
+        largest =
+            std::max(largest, glm::distance(world_.normals[a], world_.normals[b]) /
+                                  std::max(glm::distance(world_.positions[a], world_.positions[b]), 1e-6f));
+    }
+    return largest;
+}
+
+float HostSenders::ray_slope_variance(std::uint32_t triangle, float distance_m, float density) const {
+    if (highlight_share_ == 0) return 0;
+    const float radius = std::sqrt(highlight_share_ / (std::numbers::pi_v<float> * density));  // at 1 m
+    const float turn = radius * distance_m * triangle_curvature(triangle);
+    return radius * radius / 16 + turn * turn / 4;
 }
 
 float HostSenders::ior(const passes::Surface& surface) const {

@@ -31,7 +31,10 @@ class HostSenders {
     /// `variance`: of the slopes of half vectors along each axis, over which highlights are averaged.
     glm::vec3 glossy_rest(Place place, glm::vec3 direction_ws, float variance) const;
     /// Both together.
-    glm::vec3 all(const Place& place, glm::vec3 direction_ws, glm::vec3 extended) const;
+    glm::vec3 all(Place place, glm::vec3 direction_ws, glm::vec3 extended, float variance) const;
+
+    /// As ray_footprint.glsl.
+    float ray_slope_variance(std::uint32_t triangle, float distance_m, float density) const;
 
   private:
     template <class Reflect>
@@ -41,14 +44,18 @@ class HostSenders {
     glm::vec3 below_interface(const passes::Surface& surface, glm::vec3 to_light_ws) const;
     glm::vec3 whole_brdf(const passes::Surface& surface, glm::vec3 l, glm::vec3 v) const;
     float ior(const passes::Surface& surface) const;
+    float widen(passes::Surface& surface, glm::vec3 direction_ws, float variance) const;
+    float triangle_curvature(std::uint32_t triangle) const;
 
     std::shared_ptr<passes::SurfaceLookup> surfaces_;
     const scene::Scene& scene_;
+    const scene::World& world_;
     const std::vector<scene::Light>& lights_;
     passes::HostShadowMaps shadows_;
     Transport::Materials materials_;
     bool is_glossy_;
     float light_offset_;  ///< radii
+    float highlight_share_;
 };
 
 }  // namespace ir::methods::deep_screen_space

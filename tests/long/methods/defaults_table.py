@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""The table of deep screen space at its defaults in docs/accuracy.md: light, RMSE and FLIP of eight scenes, beside
+the screen-space methods.
+
+    defaults_table.py build/release/bin/interreflect-cli [--size 156x104] [--samples 1024] [--only "still life"]
+
+Prints Markdown. References are kept in --keep, so that another run takes them from there. With --check it exits with 1
+where the method is not ahead by FLIP, or keeps too little light, in a row where it was. Scenes of INTERREFLECT_SCENES
+that are not there are left out.
+"""
+
+import argparse
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, field
+
+METHOD = "deep-screen-space"
+AO = {"paths": "ao", "max_distance": "1"}
+LIGHT = {"paths": "indirect", "max_distance": "0"}
+SEEDS = 2  # of the methods: 1, 2
+TRUTH_SEED, COARSE_SEED = 7, 8  # of the reference
+
+
+@dataclass
+class Row:
+    name: str
+    scene: str
+    transport: dict = field(default_factory=lambda: LIGHT)
+    place: list = field(default_factory=list)  # camera and lights
+    min_light: float = 0.9
+    is_ahead: bool = True  # by FLIP, with --check
+
+    @property
+    def is_light(self):
+        return self.transport is LIGHT
+
+    @property
+    def competitor(self):
+        return "ssdo" if self.is_light else "hbao"
+
+    @property
+    def flip(self):
+        return "hdr-flip" if self.is_light else "flip"
+
+
+ROWS = [
+    Row("graveyard, AO", "builtin:graveyard", AO),
+    Row("still life", "builtin:still-life"),
+    Row("dominoes", "builtin:dominoes", min_light=0.8),
+    Row("conference", "builtin:conference"),
+    Row("living-room", "rooms/living-room/living-room.glb",
+        place=["--light", "rect:position=2.3,2.7,-1.5;direction=0,-1,0;size=1,1;radiance=10"]),
+    Row("Cornell", "builtin:cornell"),
+    Row("atrium", "builtin:atrium"),
+    Row("Sponza", "sponza.glb", place=["--eye=-10,2,0", "--target=0,3,0", "--light",
+                                       "spot:position=-4,6,0;direction=0,-1,0;flux=2000;outer=60"]),
+]
+
+
+class Table:
+    def __init__(self, options):
+        self.cli, self.size, self.samples = str(pathlib.Path(options.cli).resolve()), options.size, options.samples
+        self.keep = pathlib.Path(options.keep or tempfile.mkdtemp())
+        self.keep.mkdir(parents=True, exist_ok=True)
+
+    def run(self, *arguments):
+        done = subprocess.run([self.cli, *arguments], capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(done.stderr)
+        return done.stdout
+
+    def render(self, row, method, seed, match=0):
+        kind = f"reference-{match}" if match else method
+        out = self.keep / f"{row.name.replace(', ', '-').replace(' ', '-')}-{self.size}-{kind}-{seed}.exr"
+        if match and out.exists():
+            return out
+        settings = [word for item in row.transport.items() for word in ("--set", "=".join(item))]
+        self.run("render", "--quiet", "--scene", path_of(row.scene), "--method", method, "--size", self.size, "--seed", str(seed),
+                 "--out", str(out), *row.place, *settings, *(["--match", "--samples", str(match)] if match else []))
+        return out
+
+    def errors(self, row, picture, truth):
+        text = self.run("compare", str(picture), str(truth), "--json", "--metric",
+                        f"rmse,{row.flip},mean,reference-mean")
+        found = json.loads(text)
+        return found.get("metrics", found)
+
+    def measure(self, row):
+        truth = self.render(row, METHOD, TRUTH_SEED, self.samples)
+        coarse = self.render(row, METHOD, COARSE_SEED, max(1, self.samples // 4))
+        noise = self.errors(row, coarse, truth)["rmse"] / math.sqrt(5)  # s²/N and 4 s²/N add up
+        result = {}
+        for method in (METHOD, row.competitor):
+            each = [self.errors(row, self.render(row, method, seed), truth) for seed in range(1, SEEDS + 1)]
+            mean = lambda of: sum(map(of, each)) / len(each)
+            result[method] = (mean(lambda e: e["mean"] / e["reference-mean"]),
+                              math.sqrt(mean(lambda e: e["rmse"] ** 2)), mean(lambda e: e[row.flip]))
+        return result, noise
+
+    def print(self, row):
+        result, noise = self.measure(row)
+        own, other = result[METHOD], result[row.competitor]
+        print(f"| {row.name} | {own[0]:.2f} | {own[1]:.3g} | {own[2]:.3f} | `{row.competitor}` | {other[0]:.2f} | "
+              f"{other[1]:.3g} | {other[2]:.3f} | {noise:.2g} |", flush=True)
+        problems = []
+        if own[0] < row.min_light:
+            problems.append(f"{row.name}: {own[0]:.3f} of the light, less than {row.min_light}")
+        if row.is_ahead and own[2] >= other[2]:
+            problems.append(f"{row.name}: not ahead of {row.competitor} by FLIP")
+        return problems
+
+
+def path_of(scene):
+    """None where it is not there."""
+    if scene.startswith("builtin:"):
+        return scene
+    path = pathlib.Path(os.environ.get("INTERREFLECT_SCENES", "")) / scene
+    return str(path) if path.exists() else None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("cli")
+    parser.add_argument("--size", default="156x104")
+    parser.add_argument("--samples", type=int, default=1024, help="of the reference")
+    parser.add_argument("--keep", help="folder for the pictures (default: one of its own)")
+    parser.add_argument("--only", action="append", help="name of a row; repeat for more")
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    table, problems = Table(options), []
+    print("| scene | light | RMSE | ꟻLIP | beside | light | RMSE | ꟻLIP | noise |\n" + "|---" * 9 + "|")
+    for row in ROWS:
+        if path_of(row.scene) and (not options.only or row.name in options.only):
+            problems += table.print(row)
+    if options.check and problems:
+        sys.exit("\n".join(problems))
+
+
+if __name__ == "__main__":
+    main()
