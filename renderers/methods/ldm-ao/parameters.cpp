@@ -5,6 +5,23 @@
 namespace ir::methods::ldm_ao {
 namespace {
 
+void add_nodes(ParameterTable<Parameters>& table) {
+    table.add(
+        &Parameters::nodes,
+        {.key = "nodes",
+         .label = "Nodes",
+         .doc = "What a map holds of each surface. Slopes need a max_distance, the rule tangent-plane and "
+                "exact=none; else nodes are plain.",
+         .citation = "Aalund15 §3.1",
+         .choices = {{"plain", "Depths", "The depth at the texel's centre, as published: 2 bytes."},
+                     {"sloped", "Depths and slopes",
+                      "Also the slopes of the surface there, 8 bits each: 4 bytes. A hit must lie before "
+                      "the point by its depth at the texel's centre, and by its slopes at the point's own "
+                      "place. Of the slope tolerance 0.3 are enough then."}},
+         .on_change = OnChange::reallocate,
+         .active_when = {"storage", {std::string("arrays"), std::string("packed-arrays")}}});
+}
+
 void add_exact(ParameterTable<Parameters>& table) {
     table
         .add(&Parameters::exact,
@@ -44,6 +61,7 @@ ParameterTable<Parameters> parameter_table() {
         &Parameters::transport,
         transport_parameters({.paths = {"ao"}, .keys = {"max_distance", "falloff", "normal_maps"}}));
     table.include(&Parameters::maps, passes::ldm::self_hit_parameters());
+    add_nodes(table);
     add_exact(table);
     table
         .add(&Parameters::progressive,

@@ -14,6 +14,7 @@ enum class AmbientSource { constant, environment };
 
 struct Parameters {
     passes::ldm::MapParameters maps;
+    passes::ldm::NodeKind nodes = passes::ldm::NodeKind::sloped;
     Transport transport = default_occlusion;
     Exact exact = Exact::none;
     float exact_texels = 4;
