@@ -82,7 +82,10 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     }
     options.nodes = nodes_of(parameters, options.storage);
     const auto& inputs = builder.inputs();
-    if (parameters.progressive) options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
+    if (parameters.progressive)
+        options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
+    else if (parameters.orientation == Orientation::tilted)
+        options.rotation = passes::ldm::tilt();
     const auto maps = passes::ldm::declare_maps(builder, options);
     const auto images = declare_images(builder, parameters);
     std::optional<ExactHits> exact;

@@ -70,6 +70,21 @@ ParameterTable<Parameters> parameter_table() {
               .doc = "Turns the set of directions at random in every frame and averages over frames. Turning "
                      "adds noise; without it frames are equal.",
               .citation = "Aalund15 §6"})
+        .add(
+            &Parameters::orientation,
+            {.key = "orientation",
+             .label = "Orientation",
+             .doc =
+                 "How the set of directions lies. Edges of floors, walls and ledges lie level, as its collars "
+                 "do, and so are met by many directions at once.",
+             .citation = "Aalund15 §3.2",
+             .choices =
+                 {{"level", "Level", "The pole of the partition is +Y, as published."},
+                  {"tilted", "Tilted",
+                   "The set is turned, so that collars are parallel to no axis: less error in rooms, but "
+                   "views of directions have no bounds of regions."}},
+             .on_change = OnChange::reallocate,
+             .active_when = {"progressive", {false}}})
         .add(&Parameters::ambient_source,
              {.key = "ambient_source",
               .label = "Light from outside",

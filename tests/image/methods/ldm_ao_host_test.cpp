@@ -51,6 +51,7 @@ const std::vector<Case> cases{
     {"Leaks", "builtin:crevice", "wall-half", maps(64, 200, 0)},
     {"WideDip", atrium, "nave", maps(32, 100, 2, set({{"max_dip", 4.0}, {"slope_tolerance", 2.0}}))},
     {"Hairs", "builtin:hairball?detail=0.1", "", maps(32, 150, 0)},
+    {"Tilted", atrium, "nave", maps(32, 200, 1, set({{"orientation", std::string("tilted")}}))},
     {"Sloped", atrium, "nave", sloped(maps(32, 200, 1)), 6e-5},  // codes, too, are rounded differently
     {"SlopedSmooth", atrium, "gallery", sloped(maps(32, 200, 5, set({{"falloff", std::string("smooth")}}))),
      6e-5},
