@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "renderers/passes/gbuffer/pixel_rays.h"
-#include "renderers/passes/raytracing/ray_offset.h"
 #include "shaders/methods/ambient-occlusion-volumes/triangle.glsl.h"
 
 namespace ir::methods::ambient_occlusion_volumes {

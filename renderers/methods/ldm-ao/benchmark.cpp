@@ -52,7 +52,8 @@ Settings settings(int directions, int resolution, const std::string& storage, co
     return {{"directions", std::int64_t{directions}},
             {"resolution", std::int64_t{resolution}},
             {"storage", storage},
-            {"builder", builder}};
+            {"builder", builder},
+            {"nodes", std::string("plain")}};  // which all storages have
 }
 
 /// Of both processors.
@@ -126,8 +127,13 @@ graph::Benchmark figure8() {
         auto set = settings(512, 200, storage, "compute");
         set["max_distance"] = double{max_distance};
         set["falloff"] = std::string("smooth");  // else any hit up to there would do, also for Embree
-        if (benchmark.variants.empty())
+        if (benchmark.variants.empty()) {
             benchmark.variants.push_back({.label = "host", .settings = set, .processor = Processor::host});
+            auto sloped = set;
+            sloped["nodes"] = std::string("sloped");
+            benchmark.variants.push_back(
+                {.label = "host, sloped nodes", .settings = sloped, .processor = Processor::host});
+        }
         benchmark.variants.push_back({.label = storage, .settings = set, .processor = Processor::gl});
     }
     benchmark.total_of = all_passes;

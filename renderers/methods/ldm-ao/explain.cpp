@@ -20,6 +20,13 @@ const Categories what_was_hit{"hit",
                                {0, "miss", tints::sky},
                                {1, "hit", tints::orange}}};
 
+const Categories what_an_entry_is{"role",
+                                  {{0, "none", tints::grey},
+                                   {1, "the point's own", tints::green},
+                                   {2, "hit along the direction", tints::orange},
+                                   {3, "hit against it", tints::sky},
+                                   {4, "passed over by its slopes", tints::purple}}};
+
 Categories yes_or_no(const std::string& field, const std::string& no, const std::string& yes) {
     return {field, {{0, no, tints::grey}, {1, yes, tints::green}}};
 }
@@ -80,10 +87,12 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);
     pass.writes("Entries", explanation.entries.elements)
         .writes("Walk", explanation.walk.elements)
-        .writes("Texels", explanation.texel.elements);
+        .writes("Texels", explanation.texel.elements)
+        .writes("Nodes", explanation.nodes.elements);
     pass.counts("EntryCount", explanation.entries.count)
         .counts("WalkCount", explanation.walk.count)
-        .counts("TexelCount", explanation.texel.count);
+        .counts("TexelCount", explanation.texel.count)
+        .counts("NodeCount", explanation.nodes.count);
     pass.execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"methods/ldm-ao/explain_entries.comp"}};
         source.defines = ldm::defines_of(context, *maps);
@@ -129,11 +138,7 @@ std::vector<OutputDescription> explanation_outputs() {
          .unit = "m",
          .doc = "All depths at the texel that the map chosen is queried for the pixel's point. depth: metres "
                 "along the map's direction, from the point. layer: 0 is the first along that direction.",
-         .categories = {{"role",
-                         {{0, "none", tints::grey},
-                          {1, "the point's own", tints::green},
-                          {2, "hit along the direction", tints::orange},
-                          {3, "hit against it", tints::sky}}}},
+         .categories = {what_an_entry_is},
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.walk",
@@ -162,6 +167,17 @@ std::vector<OutputDescription> explanation_outputs() {
              "middle.",
          .when_empty = no_surface,
          .explains = true},
+        {.key = "ldm.explain.nodes",
+         .label = "Surfaces of nodes",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc =
+             "Of each entry under the pixel the texel's outline, tilted as the node's slopes say that its "
+             "surface lies, but not steeper than 4. slope_u, slope_v: depth gained along the texel's sides, "
+             "in m per m. Nodes without slopes lie flat.",
+         .categories = {what_an_entry_is},
+         .when_empty = no_surface,
+         .explains = true},
     };
 }
 
@@ -184,7 +200,9 @@ Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& m
                            "Entries under the pixel"),
         .walk = declare("walk", record_fields<WalkLine>(), maps_chosen * expected_entries, "walk_count",
                         "Lines of the walk"),
-        .texel = declare("texel", record_fields<Texel>(), maps_chosen, "texel_count", "Texels queried")};
+        .texel = declare("texel", record_fields<Texel>(), maps_chosen, "texel_count", "Texels queried"),
+        .nodes = declare("nodes", record_fields<NodeOutline>(), maps_chosen * expected_entries, "node_count",
+                         "Nodes under the pixel")};
 }
 
 void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,

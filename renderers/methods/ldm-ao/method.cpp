@@ -20,6 +20,7 @@ MethodDescription description() {
         "in these directions from the sorted depths. Nothing is precomputed. Errors come from the number of "
         "directions and from the maps' texels.";
     d.papers = {"Aalund15", "Leopardi06", "Lefebvre14"};
+    d.version = 2;
     d.background = 1;
     d.missing_light = passes::missing_in_lit({{"ambient_source", {std::string("constant")}}});
     d.selectors = {passes::ldm::map_selector_description()};
@@ -59,6 +60,15 @@ std::string needs_lists(const Parameters& parameters) {
     return {};
 }
 
+/// Which nodes maps in this storage have.
+passes::ldm::NodeKind nodes_of(const Parameters& parameters, passes::ldm::StorageKind storage) {
+    // Without a limit of distance only outermost depths count, which are seldom near.
+    const bool asks_slopes = passes::ldm::may_keep_slopes(storage) && parameters.transport.max_distance > 0 &&
+                             parameters.exact == Exact::none &&
+                             parameters.maps.self_hit == passes::ldm::SelfHit::tangent_plane;
+    return asks_slopes ? parameters.nodes : passes::ldm::NodeKind::plain;
+}
+
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
@@ -70,8 +80,12 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
                      reason);
         options.storage = passes::ldm::StorageKind::arrays;
     }
+    options.nodes = nodes_of(parameters, options.storage);
     const auto& inputs = builder.inputs();
-    if (parameters.progressive) options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
+    if (parameters.progressive)
+        options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
+    else if (parameters.orientation == Orientation::tilted)
+        options.rotation = passes::ldm::tilt();
     const auto maps = passes::ldm::declare_maps(builder, options);
     const auto images = declare_images(builder, parameters);
     std::optional<ExactHits> exact;

@@ -5,6 +5,23 @@
 namespace ir::methods::ldm_ao {
 namespace {
 
+void add_nodes(ParameterTable<Parameters>& table) {
+    table.add(
+        &Parameters::nodes,
+        {.key = "nodes",
+         .label = "Nodes",
+         .doc = "What a map holds of each surface. Slopes need a max_distance, the rule tangent-plane and "
+                "exact=none; else nodes are plain.",
+         .citation = "Aalund15 §3.1",
+         .choices = {{"plain", "Depths", "The depth at the texel's centre, as published: 2 bytes."},
+                     {"sloped", "Depths and slopes",
+                      "Also the slopes of the surface there, 8 bits each: 4 bytes. A hit must lie before "
+                      "the point by its depth at the texel's centre, and by its slopes at the point's own "
+                      "place. Of the slope tolerance 0.3 are enough then."}},
+         .on_change = OnChange::reallocate,
+         .active_when = {"storage", {std::string("arrays"), std::string("packed-arrays")}}});
+}
+
 void add_exact(ParameterTable<Parameters>& table) {
     table
         .add(&Parameters::exact,
@@ -44,6 +61,7 @@ ParameterTable<Parameters> parameter_table() {
         &Parameters::transport,
         transport_parameters({.paths = {"ao"}, .keys = {"max_distance", "falloff", "normal_maps"}}));
     table.include(&Parameters::maps, passes::ldm::self_hit_parameters());
+    add_nodes(table);
     add_exact(table);
     table
         .add(&Parameters::progressive,
@@ -52,6 +70,21 @@ ParameterTable<Parameters> parameter_table() {
               .doc = "Turns the set of directions at random in every frame and averages over frames. Turning "
                      "adds noise; without it frames are equal.",
               .citation = "Aalund15 §6"})
+        .add(
+            &Parameters::orientation,
+            {.key = "orientation",
+             .label = "Orientation",
+             .doc =
+                 "How the set of directions lies. Edges of floors, walls and ledges lie level, as its collars "
+                 "do, and so are met by many directions at once.",
+             .citation = "Aalund15 §3.2",
+             .choices =
+                 {{"level", "Level", "The pole of the partition is +Y, as published."},
+                  {"tilted", "Tilted",
+                   "The set is turned, so that collars are parallel to no axis: less error in rooms, but "
+                   "views of directions have no bounds of regions."}},
+             .on_change = OnChange::reallocate,
+             .active_when = {"progressive", {false}}})
         .add(&Parameters::ambient_source,
              {.key = "ambient_source",
               .label = "Light from outside",

@@ -9,14 +9,19 @@ namespace ir::methods::ldm_ao {
 /// Which hits come from exact rays instead of the maps.
 enum class Exact { none, near, all };
 
+/// How the set of directions lies. Counts from 0 in the order of the choices of parameter "orientation".
+enum class Orientation { level, tilted };
+
 /// What shines from outside in the output "lit".
 enum class AmbientSource { constant, environment };
 
 struct Parameters {
     passes::ldm::MapParameters maps;
+    passes::ldm::NodeKind nodes = passes::ldm::NodeKind::sloped;
     Transport transport = default_occlusion;
     Exact exact = Exact::none;
     float exact_texels = 4;
+    Orientation orientation = Orientation::level;
     bool progressive = false;
     AmbientSource ambient_source = AmbientSource::constant;
     float ambient = 0.5f;

@@ -85,6 +85,7 @@ struct Explanation {
     graph::CountedBuffer entries;  ///< "ldm.explain.entries": the sequence at the texel that is queried
     graph::CountedBuffer walk;     ///< "ldm.explain.walk": what was found from there, and the way there
     graph::CountedBuffer texel;    ///< "ldm.explain.texel": its outline
+    graph::CountedBuffer nodes;    ///< "ldm.explain.nodes": outlines that lie as its nodes' surfaces do
 };
 
 /// Their descriptions.

@@ -56,7 +56,7 @@ class ArrayStorage : public Storage {
     void begin_batch(const graph::PassContext&) const override {}
     void store(const graph::PassContext& context, const FragmentList& list,
                const Chunk& chunk) const override {
-        std::map<std::string, std::string> defines;
+        auto defines = node_defines(layout_);
         if (is_wide(context)) defines["LDM_WIDE"] = "1";
         if (holds_ == Holds::one_chunk) defines["ONE_CHUNK"] = "1";
         const ArrayTable constants{chunk_constants(chunk, layout_),
@@ -74,7 +74,7 @@ class ArrayStorage : public Storage {
     std::uint64_t table_bytes(const graph::PassContext& context) const override {
         return 4 * batch_rows() * (1 + row_words() * (is_wide(context) ? 2 : 1));
     }
-    double fragment_bytes() const override { return 2; }
+    double fragment_bytes() const override { return layout_.keeps_slopes() ? 4 : 2; }
 
     graph::BufferRef depths() const { return sorted_.depths; }
 
@@ -135,12 +135,12 @@ class PackedStorage : public Storage {
         depths_ =
             declare(builder, {.text = {.key = "ldm.packed_depths",
                                        .label = "Packed depths",
-                                       .doc = "Sorted depths, texel by texel, 11 bits each; 32 of them fill "
-                                              "11 words.",
+                                       .doc = "Sorted depths, texel by texel, of 11 bits each, with codes of "
+                                              "slopes 27; 32 of them fill as many words.",
                                        .semantic = Semantic::depth},
                               .name = "LdmPackedDepths",
                               .fields = {{"word", FieldType::u32}},
-                              .elements = texels * expected_layers * packed_bits / 32,
+                              .elements = texels * expected_layers * node_bits() / 32,
                               .growable = true});
         texels_ =
             declare(builder, {.text = {.key = "ldm.packed_texels",
@@ -190,9 +190,10 @@ class PackedStorage : public Storage {
         chunk_.store(context, list, {0, chunk.maps});
         const PackChunk constants{chunk_constants(chunk, layout_), static_cast<unsigned>(table_words()),
                                   static_cast<unsigned>(context.capacity(depths_))};
+        auto defines = node_defines(layout_);
+        defines["LDM_PACKED_BITS"] = std::to_string(packed_bits);
         const auto run = [&](const char* file, std::int64_t invocations) {
-            run_program(context, {{file}, {{"LDM_PACKED_BITS", std::to_string(packed_bits)}}}, constants,
-                        invocations);
+            run_program(context, {{file}, defines}, constants, invocations);
         };
         run("passes/ldm/packed_count.comp", constants.chunk.texel_count);
         run("passes/ldm/packed_rows.comp", constants.chunk.row_count);
@@ -203,9 +204,10 @@ class PackedStorage : public Storage {
     std::uint64_t table_bytes(const graph::PassContext&) const override {
         return 4 * (batch_rows() + table_words());
     }
-    double fragment_bytes() const override { return packed_bits / 8.0; }
+    double fragment_bytes() const override { return node_bits() / 8.0; }
 
   private:
+    int node_bits() const { return packed_bits + (layout_.keeps_slopes() ? 16 : 0); }
     std::uint64_t batch_rows() const {
         return static_cast<std::uint64_t>(layout_.batch_maps) * layout_.resolution;
     }

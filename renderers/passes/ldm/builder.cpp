@@ -28,7 +28,8 @@ std::string fingerprint_of(const graph::FrameInputs& inputs, const Options& opti
     std::ostringstream text;
     text << std::hexfloat << inputs.geometry_fingerprint << " maps " << options.directions << " x "
          << options.resolution << ' ' << static_cast<int>(options.storage) << ' '
-         << static_cast<int>(options.builder) << ' ' << options.fixed_layers;
+         << static_cast<int>(options.builder) << ' ' << options.fixed_layers << ' '
+         << static_cast<int>(options.nodes);
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) text << ' ' << options.rotation[column][row];
     return text.str();
@@ -39,6 +40,7 @@ Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
     layout.resolution = options.resolution;
     layout.maps = options.directions;
     layout.fixed_layers = options.fixed_layers;
+    layout.nodes = options.nodes;
     const int batches = builder.batches(options.directions);
     layout.batch_maps = (options.directions + batches - 1) / batches;
     const auto fitting = static_cast<int>(std::max<std::uint64_t>(1, chunk_texels / layout.map_texels()));
@@ -57,13 +59,15 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                       .elements = state_words,
                                       .fingerprint = maps.layout.fingerprint});
     if (maps.inserts_directly()) return;
+    std::vector<graph::Field> fields{{"texel", FieldType::u32}, {"arrival_depth", FieldType::u32}};
+    if (maps.layout.keeps_slopes()) fields.push_back({"slopes", FieldType::u32});
     maps.list.fragments = builder.buffer(
         {.text = {.key = "ldm.fragment_list",
                   .label = "Fragments of a chunk",
-                  .doc = "Texel, and order of arrival << 16 | depth in quanta, of the chunk of "
-                         "maps that was built last."},
+                  .doc = "Texel, order of arrival << 16 | depth in quanta, and codes of slopes if "
+                         "nodes have such, of the chunk of maps that was built last."},
          .name = "LdmFragments",
-         .fields = {{"texel", FieldType::u32}, {"arrival_depth", FieldType::u32}},
+         .fields = fields,
          .elements = texels * expected_layers,
          .growable = true,
          .fingerprint = maps.layout.fingerprint});
@@ -193,7 +197,8 @@ class BatchBuild {
     }
 
     void prepare(const graph::PassContext& context, const char* step) const {
-        gl::ProgramSource source{{"passes/ldm/prepare.comp"}, {{step, "1"}}};
+        gl::ProgramSource source{{"passes/ldm/prepare.comp"}, node_defines(maps_->layout)};
+        source.defines[step] = "1";
         if (maps_->inserts_directly()) source.defines["DIRECT"] = "1";
         const auto& program = context.use(source);
         const auto fragments = maps_->list.fragments;
@@ -270,7 +275,9 @@ void reads_maps(graph::PassBuilder& pass, const Maps& maps) {
 }
 
 std::map<std::string, std::string> defines_of(const graph::PassContext& context, const Maps& maps) {
-    return maps.storage->defines(context);
+    auto defines = maps.storage->defines(context);
+    defines.merge(node_defines(maps.layout));
+    return defines;
 }
 
 FrameConstants frame_constants(const Maps& maps, std::int64_t first, std::int64_t count) {

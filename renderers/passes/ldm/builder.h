@@ -26,6 +26,7 @@ struct Options {
     StorageKind storage = StorageKind::arrays;
     BuilderKind builder = BuilderKind::compute;
     int fixed_layers = 16;
+    NodeKind nodes = NodeKind::plain;
     glm::dmat3 rotation{1};  ///< of the whole set of directions
 };
 

@@ -83,6 +83,11 @@ std::vector<Direction> leopardi_directions(int count) {
     return result;
 }
 
+glm::dmat3 tilt() {
+    const auto about = [](double angle, const glm::dvec3& axis) { return glm::angleAxis(angle, axis); };
+    return glm::mat3_cast(about(0.63, {1, 0, 0}) * about(0.41, {0, 0, 1}));
+}
+
 glm::dmat3 random_rotation(std::uint64_t seed, int frame) {
     std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                         static_cast<std::uint32_t>(frame)};

@@ -27,6 +27,10 @@ std::vector<int> collar_counts(int regions);
 /// every second half is left out. [Aalund15 §3.2, Leopardi06]
 std::vector<Direction> leopardi_directions(int count);
 
+/// A rotation after which collars are parallel to no floor, wall or ledge: edges that lie level, as collars
+/// do, would be met by many directions at once.
+glm::dmat3 tilt();
+
 /// A random rotation, uniform over all rotations, that depends on seed and frame alone.
 glm::dmat3 random_rotation(std::uint64_t seed, int frame);
 

@@ -13,7 +13,7 @@ std::vector<Choice> storages(Asks asks) {
         {"arrays", "Arrays",
          "Contiguous sorted arrays (count, prefix sum, scatter, sort): 2 bytes per fragment. The "
          "default: smaller and, measured on a software rasteriser, faster than lists.",
-         Effect::cost},
+         asks == Asks::any ? Effect::image : Effect::cost},  // nodes with slopes give another picture
         {"sparse-arrays", "Sparsity-aware arrays",
          "Contiguous sorted arrays whose offsets are kept, and summed, for texels with fragments "
          "alone (S-buffer).",

@@ -10,6 +10,7 @@ namespace {
 
 gl::ProgramSource source_for(const Maps& maps, std::vector<std::string> files, bool masked) {
     gl::ProgramSource source{std::move(files)};
+    if (!maps.finds_faces()) source.defines = node_defines(maps.layout);
     if (masked) source.defines["MASKED"] = "1";
     if (maps.finds_faces()) {
         source.defines["LDM_FACES"] = "1";

@@ -18,15 +18,18 @@ graph::BufferRef declare_deep_texels(graph::GraphBuilder& builder, const Layout&
 
 SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& layout) {
     SortedDepths sorted;
-    sorted.depths = builder.buffer({.text = {.key = "ldm.depths",
-                                             .label = "Depths",
-                                             .doc = "Sorted depths in quanta, texel by texel; two per word.",
-                                             .semantic = Semantic::depth},
-                                    .name = "LdmDepths",
-                                    .fields = {{"pair", FieldType::u32}},
-                                    .elements = layout.batch_maps * layout.map_texels() * expected_layers / 2,
-                                    .growable = true,
-                                    .fingerprint = layout.fingerprint});
+    const auto nodes_per_word = layout.keeps_slopes() ? 1 : 2;
+    sorted.depths = builder.buffer(
+        {.text = {.key = "ldm.depths",
+                  .label = "Depths",
+                  .doc = "Sorted depths in quanta, texel by texel: two per word, "
+                         "or one << 16 | codes of its slopes.",
+                  .semantic = Semantic::depth},
+         .name = "LdmDepths",
+         .fields = {{"pair", FieldType::u32}},
+         .elements = layout.batch_maps * layout.map_texels() * expected_layers / nodes_per_word,
+         .growable = true,
+         .fingerprint = layout.fingerprint});
     sorted.unsorted =
         builder.buffer({.text = {.key = "ldm.unsorted",
                                  .label = "Depths of a chunk",

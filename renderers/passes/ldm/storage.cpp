@@ -14,6 +14,15 @@ ChunkConstants chunk_constants(const Chunk& chunk, const Layout& layout) {
             .resolution = static_cast<unsigned>(layout.resolution)};
 }
 
+bool may_keep_slopes(StorageKind kind) {
+    return kind == StorageKind::arrays || kind == StorageKind::packed_arrays;
+}
+
+std::map<std::string, std::string> node_defines(const Layout& layout) {
+    if (!layout.keeps_slopes()) return {};
+    return {{"LDM_SLOPES", "1"}};
+}
+
 graph::BufferRef Storage::declare(graph::GraphBuilder& builder, graph::BufferDesc desc) const {
     desc.fingerprint = layout_.fingerprint;
     return builder.buffer(std::move(desc));

@@ -28,6 +28,12 @@ enum class StorageKind {
     outermost
 };
 
+/// What a node holds. Counts from 0 in the order of the choices of parameter "nodes".
+enum class NodeKind {
+    plain,  ///< a depth
+    sloped  ///< and the slopes of its surface: shaders/passes/ldm/node.glsl
+};
+
 /// How the maps of one direction set are divided. Maps are built in chunks (one after another, with the same
 /// scratch buffers) and, where memory is short, traced in batches that share the storage's buffers too.
 struct Layout {
@@ -36,10 +42,12 @@ struct Layout {
     int batch_maps = 0;    ///< of a batch; the last one may have fewer
     int chunk_maps = 0;    ///< of a chunk, at most 32
     int fixed_layers = 0;  ///< of fixed arrays
+    NodeKind nodes = NodeKind::plain;
     /// Of all that building writes: while it stays equal, maps are not built again. Empty where the maps of
     /// one batch replace those of another.
     std::string fingerprint = {};
 
+    bool keeps_slopes() const { return nodes == NodeKind::sloped; }
     int batches() const { return (maps + batch_maps - 1) / batch_maps; }
     std::uint64_t map_texels() const { return static_cast<std::uint64_t>(resolution) * resolution; }
 };
@@ -98,6 +106,11 @@ class Storage {
     graph::BufferRef declare(graph::GraphBuilder& builder, graph::BufferDesc desc) const;
     Layout layout_;
 };
+
+/// Whether a storage may keep nodes with slopes.
+bool may_keep_slopes(StorageKind kind);
+/// Defines for programs that know what nodes hold.
+std::map<std::string, std::string> node_defines(const Layout& layout);
 
 /// How many elements of a buffer the largest batch of maps needs.
 graph::CounterRef count_requested(graph::GraphBuilder& builder, const std::string& key,

@@ -1,5 +1,5 @@
 // Walks through the sequence at the texel that one map is asked for a pixel: all entries with what they are to the
-// pixel's point, the walk as lines, and the texel's outline. [Aalund15 §3.1, Fig. 4]
+// pixel's point, the walk as lines, the texel's outline, and those of its nodes. [Aalund15 §3.1, Fig. 4]
 layout(local_size_x = 1) in;
 #include "methods/ldm-ao/explained.glsl"
 #include "passes/ldm/band.glsl"
@@ -22,13 +22,21 @@ struct Texel {
     uint map;
 };
 layout(std430) writeonly buffer Texels { Texel texels[]; };
+// C++: ir::methods::ldm_ao::NodeOutline
+struct NodeOutline {
+    float centre[3], axis_u[3], axis_v[3];
+    float slope_u, slope_v;  // m of depth gained per m along the texel's sides
+    uint layer, role, map;
+};
+layout(std430) writeonly buffer Nodes { NodeOutline node_outlines[]; };
 layout(std430) buffer EntryCount { uint entry_count; };
 layout(std430) buffer WalkCount { uint walk_count; };
 layout(std430) buffer TexelCount { uint texel_count; };
+layout(std430) buffer NodeCount { uint node_count; };
 
 uniform uint frame_index, map;  // among all maps; in the batch
 
-const uint OTHER = 0u, OWN = 1u, HIT_ALONG_V = 2u, HIT_AGAINST_V = 3u;
+const uint OTHER = 0u, OWN = 1u, HIT_ALONG_V = 2u, HIT_AGAINST_V = 3u, PASSED_OVER = 4u;
 const uint ALONG_V = 0u, AGAINST_V = 1u, SEARCH = 2u;
 
 void write_entry(vec3 position, float depth_ws, uint layer, uint role) {
@@ -50,6 +58,42 @@ void write_texel(MapFrame frame, LdmBand band) {
                               floats(0.5 * frame.step_u.xyz), floats(0.5 * frame.step_v.xyz), frame_index);
 }
 
+/// Steepest that outlines of nodes are drawn, in sides of a texel per texel.
+const float DRAWN_SLOPE = 4.0;
+
+/// Quanta per texel.
+vec2 slopes_of(LdmCursor c, MapFrame frame) {
+#ifdef LDM_SLOPES
+    return ldm_slopes(slopes_at(c.at), ldm_texel_quanta(frame));
+#else
+    return vec2(0.0);
+#endif
+}
+
+void write_node(MapFrame frame, vec3 centre, vec2 slope, uint layer, uint role) {
+    uint place = node_count++;
+    if (place >= uint(node_outlines.length())) return;
+    vec2 gain = slope * frame.direction.w;  // m per texel
+    float steepest = DRAWN_SLOPE * ldm_texel_quanta(frame) * frame.direction.w;
+    vec2 drawn = clamp(gain, -steepest, steepest);
+    node_outlines[place] = NodeOutline(floats(centre), floats(0.5 * (frame.step_u.xyz + drawn.x * frame.direction.xyz)),
+                                       floats(0.5 * (frame.step_v.xyz + drawn.y * frame.direction.xyz)),
+                                       gain.x / length(frame.step_u.xyz), gain.y / length(frame.step_v.xyz), layer,
+                                       role, frame_index);
+}
+
+/// Whether slopes say that an entry beyond the point's own does not lie before it.
+#ifdef LDM_SLOPES
+LdmSlopeTest slope_test;
+bool is_passed_over(LdmCursor c) {
+    int depth = ldm_depth(c);
+    bool is_beyond = slope_test.forward ? depth >= slope_test.key : depth < slope_test.key;
+    return is_beyond && !ldm_lies_before(slope_test, depth, slopes_at(c.at));
+}
+#else
+bool is_passed_over(LdmCursor c) { return false; }
+#endif
+
 /// What the sequence holds around the point.
 struct Around {
     int before, behind;  // the entries next to its own
@@ -60,6 +104,7 @@ Around find_around(LdmBand band, float reach) {
     Around around = Around(0, 0, false, false);
     for (LdmCursor c = ldm_first(map, band.texel, params.resolution); ldm_valid(c); c = ldm_next(c)) {
         int depth = ldm_depth(c);
+        if (is_passed_over(c)) continue;
         if (float(depth) < band.low) {
             around.before = depth;
             around.has_before = band.plane - float(depth) < reach;
@@ -72,7 +117,9 @@ Around find_around(LdmBand band, float reach) {
     return around;
 }
 
-uint role_of(int depth, LdmBand band, Around around) {
+uint role_of(LdmCursor c, LdmBand band, Around around) {
+    int depth = ldm_depth(c);
+    if (is_passed_over(c)) return PASSED_OVER;
     if (float(depth) >= band.low && float(depth) <= band.high) return OWN;
     if (around.has_behind && depth == around.behind) return HIT_ALONG_V;
     if (around.has_before && depth == around.before) return HIT_AGAINST_V;
@@ -87,7 +134,9 @@ void write_sequence(MapFrame frame, vec3 point, LdmBand band, Around around) {
     for (LdmCursor c = ldm_first(map, band.texel, params.resolution); ldm_valid(c); c = ldm_next(c)) {
         int depth = ldm_depth(c);
         vec3 position = ldm_texel_centre_ws(frame, band.texel, float(depth));
-        write_entry(position, (float(depth) - own_depth) * frame.direction.w, layer, role_of(depth, band, around));
+        uint role = role_of(c, band, around);
+        write_entry(position, (float(depth) - own_depth) * frame.direction.w, layer, role);
+        write_node(frame, position, slopes_of(c, frame), layer, role);
         if (layer > 0u && searching) write_walk(last, position, SEARCH, layer, true, true);
         searching = searching && depth < band.stop;
         last = position;
@@ -110,6 +159,12 @@ void main() {
     bool above = forward ? facing > 0.0 : facing < 0.0;
     LdmBand band = ldm_band(params.self_hit == SELF_HIT_TANGENT_PLANE, frame, map, params.resolution, x.position,
                             x.geometric_normal, facing > 0.0, ldm_rule());
+#ifdef LDM_SLOPES
+    slope_test = ldm_slope_test(frame,
+                                ldm_question_tangent(frame, params.resolution, x.position, x.geometric_normal,
+                                                     facing > 0.0, ldm_rule()),
+                                facing > 0.0, ldm_rule());
+#endif
     Around around = Around(0, 0, false, false);
     if (!band.outside) {
         around = find_around(band, reach_quanta(frame));

@@ -41,7 +41,7 @@ void main() {
     deep_groups[0] = groups.x;
     deep_groups[1] = groups.y;
     deep_groups[2] = 1u;
-    atomicMax(depth_words_requested, (requested_before + fragment_count + 1u) / 2u);
+    atomicMax(depth_words_requested, (requested_before + fragment_count + NODES_PER_WORD - 1u) / NODES_PER_WORD);
     atomicMax(offset_words_requested, widest[255] > 65535u ? wide_words : packed_words);
     atomicMax(unsorted_requested, fragment_count);
     atomicMax(all_max_layers, max_layers);

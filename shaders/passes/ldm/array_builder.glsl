@@ -4,8 +4,9 @@
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
 
+/// Nodes in their order: two depths of 16 bits a word, or one depth << 16 | codes of slopes.
 layout(std430) coherent buffer LdmDepths { uint depths[]; };
-/// The chunk's depths, texel by texel.
+/// The chunk's nodes, texel by texel; a depth has a word here, too.
 layout(std430) buffer LdmUnsorted { uint unsorted[]; };
 
 /// Texels of the chunk with more than FEW_LAYERS.
@@ -22,6 +23,16 @@ const uint stored_before = 0u, requested_before = 0u;
 #define stored_before stored
 #define requested_before requested
 #endif
+
+#ifdef LDM_SLOPES
+const uint NODES_PER_WORD = 1u;
+uint node_of(LdmFragment fragment) { return fragment.arrival_depth << 16 | fragment.slopes; }
+#else
+const uint NODES_PER_WORD = 2u;
+uint node_of(LdmFragment fragment) { return fragment.arrival_depth & 0xffffu; }
+#endif
+/// Comes after all nodes.
+const uint NO_NODE = 0xffffffffu;
 
 /// Writes one half of a word that another invocation may write the other half of.
 void store_half(uint index, uint depth) {
@@ -40,3 +51,19 @@ void store_ends(uint least, uint most, uint begin, uint end) {
     if ((begin & 1u) != 0u) store_half(begin, least);
     if ((end & 1u) != 0u) store_half(end - 1u, most);
 }
+
+/// Stores COUNT sorted nodes v[0] … of the including function, of which the texel owns places begin … end - 1; `most`
+/// is the last one.
+#ifdef LDM_SLOPES
+#define STORE_SORTED(COUNT) \
+    for (int i = 0; i < COUNT; ++i) \
+        if (begin + uint(i) < end) depths[begin + uint(i)] = v[i];
+#else
+#define STORE_SORTED(COUNT) \
+    bool odd = (begin & 1u) != 0u; \
+    uint word = begin >> 1; \
+    store_pair(word, v[0], v[1], begin, end); \
+    for (int i = 1; i < COUNT / 2; ++i) \
+        store_pair(word + uint(i), odd ? v[2 * i - 1] : v[2 * i], odd ? v[2 * i] : v[2 * i + 1], begin, end); \
+    store_ends(v[0], most, begin, end);
+#endif

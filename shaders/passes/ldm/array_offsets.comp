@@ -16,7 +16,7 @@ void write_offset_pair(uint word, uint low, uint high) {
 void main() {
     uint row = gl_GlobalInvocationID.x;
     if (row >= row_count) return;
-    uint room = 2u * depth_words;
+    uint room = NODES_PER_WORD * depth_words;
     uint unclamped = rows[first_row + row], base = min(unclamped, room);
     rows[first_row + row] = base;
     uint begin = unclamped - stored_before;  // in the chunk

@@ -6,12 +6,12 @@ layout(local_size_x = 64) in;
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
-    uint arrival = fragment.y >> 16;
+    LdmFragment fragment = fragments[index];
+    uint arrival = fragment.arrival_depth >> 16;
     if (arrival >= MAX_LAYERS) {
         atomicAdd(dropped, 1u);
         return;
     }
-    uint place = counts[fragment.x] + arrival;
-    if (place < uint(unsorted.length())) unsorted[place] = fragment.y & 0xffffu;
+    uint place = counts[fragment.texel] + arrival;
+    if (place < uint(unsorted.length())) unsorted[place] = node_of(fragment);
 }

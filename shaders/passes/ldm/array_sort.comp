@@ -14,21 +14,16 @@ void main() {
         if (place < uint(deep_list.length())) deep_list[place] = texel;
         return;
     }
-    if (count == 0u || end > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
+    if (count == 0u || end > node_room() || source + count > uint(unsorted.length())) return;
     uint v[16];
     uint most = 0u;
     for (int i = 0; i < 16; ++i) {
-        v[i] = 65535u;
+        v[i] = NO_NODE;
         if (uint(i) < count) {
             v[i] = unsorted[source + uint(i)];
             most = max(most, v[i]);
         }
     }
     SORT_16(0)
-    bool odd = (begin & 1u) != 0u;
-    uint word = begin >> 1;
-    store_pair(word, v[0], v[1], begin, end);
-    for (int i = 1; i < 8; ++i)
-        store_pair(word + uint(i), odd ? v[2 * i - 1] : v[2 * i], odd ? v[2 * i] : v[2 * i + 1], begin, end);
-    store_ends(v[0], most, begin, end);
+    STORE_SORTED(16)
 }

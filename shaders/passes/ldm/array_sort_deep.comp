@@ -16,9 +16,13 @@ void insert_and_pack(uint source, uint count, uint begin) {
         }
         unsorted[source + k] = depth;
     }
+#ifdef LDM_SLOPES
+    for (uint i = 0u; i < count; ++i) depths[begin + i] = unsorted[source + i];
+#else
     for (uint i = begin & 1u; i + 1u < count; i += 2u)
         depths[(begin + i) >> 1] = unsorted[source + i] | unsorted[source + i + 1u] << 16;
     store_ends(unsorted[source], unsorted[source + count - 1u], begin, begin + count);
+#endif
 }
 
 void main() {
@@ -26,7 +30,7 @@ void main() {
     if (index >= min(deep_listed, uint(deep_list.length()))) return;
     uint texel = deep_list[index], source = counts[texel], count = counts[texel + 1u] - source;
     uint begin = stored_before + source, end = begin + count;
-    if (end > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
+    if (end > node_room() || source + count > uint(unsorted.length())) return;
     if (count > MAX_INSERTED) {
         deepest_groups[0] = fragment_groups[0];
         deepest_groups[1] = fragment_groups[1];
@@ -39,17 +43,12 @@ void main() {
     uint v[32];
     uint most = 0u;
     for (int i = 0; i < 32; ++i) {
-        v[i] = 65535u;
+        v[i] = NO_NODE;
         if (uint(i) < count) {
             v[i] = unsorted[source + uint(i)];
             most = max(most, v[i]);
         }
     }
     SORT_32(0)
-    bool odd = (begin & 1u) != 0u;
-    uint word = begin >> 1;
-    store_pair(word, v[0], v[1], begin, end);
-    for (int i = 1; i < 16; ++i)
-        store_pair(word + uint(i), odd ? v[2 * i - 1] : v[2 * i], odd ? v[2 * i] : v[2 * i + 1], begin, end);
-    store_ends(v[0], most, begin, end);
+    STORE_SORTED(32)
 }

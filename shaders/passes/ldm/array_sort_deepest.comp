@@ -7,16 +7,20 @@ layout(local_size_x = 64) in;
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
-    uint source = counts[fragment.x], count = counts[fragment.x + 1u] - source;
-    uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
+    LdmFragment fragment = fragments[index];
+    uint source = counts[fragment.texel], count = counts[fragment.texel + 1u] - source;
+    uint arrival = fragment.arrival_depth >> 16, node = node_of(fragment);
     uint begin = stored_before + source;
     if (count <= MAX_INSERTED || arrival >= MAX_LAYERS) return;
-    if (begin + count > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
+    if (begin + count > node_room() || source + count > uint(unsorted.length())) return;
     uint rank = 0u;
     for (uint i = 0u; i < count; ++i) {
         uint other = unsorted[source + i];
-        if (other < depth || (other == depth && i < arrival)) ++rank;
+        if (other < node || (other == node && i < arrival)) ++rank;
     }
-    store_half(begin + rank, depth);
+#ifdef LDM_SLOPES
+    depths[begin + rank] = node;
+#else
+    store_half(begin + rank, node);
+#endif
 }

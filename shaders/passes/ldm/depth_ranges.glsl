@@ -17,6 +17,28 @@ LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
     return result;
 }
 
+#ifdef LDM_SLOPES
+/// The nearest node along ±v, from the test's key on, that lies before x by its slopes, too: LDM_NONE_… where there is
+/// none.
+int ldm_next_by_slopes(uint map, ivec2 texel, int resolution, LdmSlopeTest test) {
+    uvec2 range = depth_range(map, texel, resolution), all = range;
+    while (range.x < range.y) {
+        uint middle = (range.x + range.y) >> 1;
+        if (depth_at(middle) < test.key)
+            range.x = middle + 1u;
+        else
+            range.y = middle;
+    }
+    uint count = test.forward ? all.y - range.x : range.x - all.x;
+    for (uint i = 0u; i < count; ++i) {
+        uint place = test.forward ? range.x + i : range.x - 1u - i;
+        int depth = depth_at(place);
+        if (ldm_lies_before(test, depth, slopes_at(place))) return depth;
+    }
+    return test.forward ? LDM_NONE_BEHIND : LDM_NONE_BEFORE;
+}
+#endif
+
 LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind) {
     LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
     uvec2 range = depth_range(map, texel, resolution);

@@ -24,10 +24,6 @@ struct LdmPlane {
     bool known;
 };
 
-float ldm_texel_quanta(MapFrame frame) {
-    return max(length(frame.step_u.xyz), length(frame.step_v.xyz)) / frame.direction.w;
-}
-
 /// Of two neighbours along an axis the one behind which the surface goes on straight gives the slope.
 bool ldm_slope(uint map, ivec2 texel, int resolution, ivec2 axis, float entry, float steepest, out float slope) {
     float least = 2.0 * steepest;

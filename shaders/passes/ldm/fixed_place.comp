@@ -24,12 +24,12 @@ void insert(uint first, uint nearness) {
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
-    uint first = fragment.x * FIXED_LAYERS, nearness = 65535u - (fragment.y & 0xffffu);
+    LdmFragment fragment = fragments[index];
+    uint first = fragment.texel * FIXED_LAYERS, nearness = 65535u - (fragment.arrival_depth & 0xffffu);
 #ifdef FIXED_PRESORTED
     insert(first, nearness);
 #else
-    uint arrival = fragment.y >> 16;
+    uint arrival = fragment.arrival_depth >> 16;
     if (arrival < FIXED_LAYERS)
         nearness_of[first + arrival] = nearness;
     else

@@ -8,9 +8,18 @@
 #ifdef LDM_FACES
 #include "passes/ldm/faces.glsl"
 #else
+#ifdef LDM_SLOPES
+#include "passes/ldm/node.glsl"
+#endif
 #ifndef DIRECT
-/// x: texel, y: order of arrival at the texel (where LDM_ARRIVALS is defined) << 16 | depth.
-layout(std430) buffer LdmFragments { uvec2 fragments[]; };
+struct LdmFragment {
+    uint texel;
+    uint arrival_depth;  // order of arrival at the texel (where LDM_ARRIVALS is defined) << 16 | depth
+#ifdef LDM_SLOPES
+    uint slopes;  // codes
+#endif
+};
+layout(std430) buffer LdmFragments { LdmFragment fragments[]; };
 #endif
 #ifdef LDM_ARRIVALS
 layout(std430) coherent buffer LdmCounts { uint counts[]; };
@@ -28,6 +37,10 @@ uint reserve_fragments(uint count) {
 #endif
 }
 
+#ifdef LDM_SLOPES
+uint triangle_slopes;  // codes of what is rasterised
+#endif
+
 #ifndef DIRECT
 void put_fragment(uint place, uint texel, uint depth) {
     uint arrival = 0u;
@@ -35,7 +48,12 @@ void put_fragment(uint place, uint texel, uint depth) {
     // Also without room for the fragment, so that one attempt learns what all buffers must hold.
     arrival = min(atomicAdd(counts[texel], 1u), 65535u);
 #endif
-    if (place < uint(fragments.length())) fragments[place] = uvec2(texel, arrival << 16 | depth);
+    if (place >= uint(fragments.length())) return;
+#ifdef LDM_SLOPES
+    fragments[place] = LdmFragment(texel, arrival << 16 | depth, triangle_slopes);
+#else
+    fragments[place] = LdmFragment(texel, arrival << 16 | depth);
+#endif
 }
 #endif
 #endif

@@ -12,6 +12,11 @@ layout(std430) readonly buffer LdmFrames { MapFrame ldm_frames[]; };
 
 const float LDM_DEPTH_MARGIN = 64.0;
 
+/// A texel's longer side in quanta of depth.
+float ldm_texel_quanta(MapFrame frame) {
+    return max(length(frame.step_u.xyz), length(frame.step_v.xyz)) / frame.direction.w;
+}
+
 /// Metres from the scene's near end to a depth in quanta.
 float ldm_metres(MapFrame frame, uint depth) {
     return (float(depth) - LDM_DEPTH_MARGIN) * frame.direction.w;

@@ -37,8 +37,8 @@ void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
     if (requested + index >= uint(cells.length()) - uint(cells.length()) / 10u) return;  // the table will grow
-    uvec2 fragment = fragments[index];
-    if (insert(batch_texel + fragment.x, 65535u - (fragment.y & 0xffffu))) return;
+    LdmFragment fragment = fragments[index];
+    if (insert(batch_texel + fragment.texel, 65535u - (fragment.arrival_depth & 0xffffu))) return;
     atomicAdd(dropped, 1u);
     atomicAdd(chunk_total, 0xffffffffu);
 }

@@ -8,8 +8,8 @@ layout(local_size_x = 64) in;
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
+    LdmFragment fragment = fragments[index];
     uint node = stored + index;
     if (node >= uint(nodes.length()) / 2u) return;
-    insert_sorted(batch_texel + fragment.x, node, fragment.y & 0xffffu);
+    insert_sorted(batch_texel + fragment.texel, node, fragment.arrival_depth & 0xffffu);
 }

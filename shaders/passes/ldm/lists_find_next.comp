@@ -13,12 +13,12 @@ bool precedes(uint depth, uint node, uint other_depth, uint other) {
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
-    uint me = stored + index + 1u, depth = fragment.y & 0xffffu;
-    if (counts[fragment.x] <= MAX_MERGED || fragment.y >> 16 >= MAX_LAYERS || me > uint(nodes.length())) return;
+    LdmFragment fragment = fragments[index];
+    uint me = stored + index + 1u, depth = fragment.arrival_depth & 0xffffu;
+    if (counts[fragment.texel] <= MAX_MERGED || fragment.arrival_depth >> 16 >= MAX_LAYERS || me > uint(nodes.length())) return;
     uint next = 0u, next_depth = 65535u;
     bool is_first = true;
-    for (uint node = heads[batch_texel + fragment.x]; node != 0u;) {
+    for (uint node = heads[batch_texel + fragment.texel]; node != 0u;) {
         uvec2 entry = nodes[node - 1u];
         if (node != me) {
             if (precedes(entry.y, node, depth, me)) {

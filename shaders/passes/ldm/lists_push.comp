@@ -6,12 +6,12 @@ layout(local_size_x = 64) in;
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
-    if (fragment.y >> 16 >= MAX_LAYERS) {
+    LdmFragment fragment = fragments[index];
+    if (fragment.arrival_depth >> 16 >= MAX_LAYERS) {
         atomicAdd(dropped, 1u);
         return;
     }
     uint node = stored + index;
     if (node >= uint(nodes.length())) return;
-    nodes[node] = uvec2(atomicExchange(heads[batch_texel + fragment.x], node + 1u), fragment.y & 0xffffu);
+    nodes[node] = uvec2(atomicExchange(heads[batch_texel + fragment.texel], node + 1u), fragment.arrival_depth & 0xffffu);
 }

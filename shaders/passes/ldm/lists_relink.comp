@@ -7,10 +7,10 @@ layout(local_size_x = 64) in;
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length())) || fragment_count > uint(successors.length())) return;
-    uvec2 fragment = fragments[index];
+    LdmFragment fragment = fragments[index];
     uint node = stored + index;
-    if (counts[fragment.x] <= MAX_MERGED || fragment.y >> 16 >= MAX_LAYERS || node >= uint(nodes.length())) return;
+    if (counts[fragment.texel] <= MAX_MERGED || fragment.arrival_depth >> 16 >= MAX_LAYERS || node >= uint(nodes.length())) return;
     uint next = successors[index];
     nodes[node].x = next & ~IS_FIRST;
-    if ((next & IS_FIRST) != 0u) heads[batch_texel + fragment.x] = node + 1u;
+    if ((next & IS_FIRST) != 0u) heads[batch_texel + fragment.texel] = node + 1u;
 }

@@ -34,8 +34,8 @@ void main() {
     barrier();
     uint index = list_index();
     if (index < min(fragment_count, uint(fragments.length()))) {
-        uvec2 fragment = fragments[index];
-        if (raise(batch_texel + fragment.x, fragment.y & 0xffffu) == 0u) atomicAdd(left_out, 1u);
+        LdmFragment fragment = fragments[index];
+        if (raise(batch_texel + fragment.texel, fragment.arrival_depth & 0xffffu) == 0u) atomicAdd(left_out, 1u);
     }
     barrier();
     if (gl_LocalInvocationIndex != 0u || left_out == 0u) return;

@@ -1,4 +1,4 @@
-// Contiguous sorted arrays of depths of LDM_PACKED_BITS bits, without gaps. rows: first depth of each row of texels;
+// Contiguous sorted arrays of nodes of NODE_BITS bits, without gaps. rows: first depth of each row of texels;
 // groups: packed_groups.glsl.
 layout(std430) readonly buffer LdmPackedRows { uint rows[]; };
 layout(std430) readonly buffer LdmGroups { uint groups[]; };
@@ -6,12 +6,16 @@ layout(std430) readonly buffer LdmPackedDepths { uint depths[]; };
 #include "passes/ldm/packed_depth.glsl"
 #include "passes/ldm/packed_groups.glsl"
 
-int depth_at(uint index) {
+uint node_at(uint index) {
     uvec2 place = packed_place(index);
     uint bits = depths[place.x] >> place.y;
-    if (place.y + uint(PACKED_BITS) > 32u) bits |= depths[place.x + 1u] << (32u - place.y);
-    return int(unpacked_depth(bits & ((1u << PACKED_BITS) - 1u)));
+    if (place.y + uint(NODE_BITS) > 32u) bits |= depths[place.x + 1u] << (32u - place.y);
+    return bits & ((1u << NODE_BITS) - 1u);
 }
+int depth_at(uint index) { return int(unpacked_depth(node_at(index) >> (NODE_BITS - PACKED_BITS))); }
+#ifdef LDM_SLOPES
+uint slopes_at(uint index) { return node_at(index) & 0xffffu; }
+#endif
 
 /// Places of the texel's first depth and of the one after its last.
 uvec2 depth_range(uint map, ivec2 texel, int resolution) {

@@ -29,5 +29,5 @@ void main() {
     chunk_total = sums[255];
     // One word more: the last depth may be read with the word behind it.
     uint all = stored + chunk_total;
-    atomicMax(depth_words_requested, (all / BLOCK_DEPTHS + 1u) * uint(PACKED_BITS) + 1u);
+    atomicMax(depth_words_requested, (all / BLOCK_DEPTHS + 1u) * uint(NODE_BITS) + 1u);
 }

@@ -3,7 +3,7 @@
 // WIDE_GROUP and the place, in the same buffer, of nine words: where each of the texels begins, and where they end.
 const uint GROUP_TEXELS = 8u, GROUP_WORDS = 2u, WIDE_WORDS = 9u;
 const uint WIDE_GROUP = 0xffffu, MAX_IN_GROUP = 63u;
-/// Depths of a block begin with a word: 32 depths take PACKED_BITS words.
+/// Depths of a block begin with a word: 32 of them take NODE_BITS words.
 const uint BLOCK_DEPTHS = 32u;
 
 uint groups_of_row(uint resolution) {
@@ -33,6 +33,6 @@ uvec2 group_range(uvec2 words, uint t) {
 
 /// Word and bit of a depth.
 uvec2 packed_place(uint index) {
-    uint bit = (index % BLOCK_DEPTHS) * uint(LDM_PACKED_BITS);
-    return uvec2(index / BLOCK_DEPTHS * uint(LDM_PACKED_BITS) + bit / 32u, bit % 32u);
+    uint bit = (index % BLOCK_DEPTHS) * uint(NODE_BITS);
+    return uvec2(index / BLOCK_DEPTHS * uint(NODE_BITS) + bit / 32u, bit % 32u);
 }

@@ -22,11 +22,11 @@ void main() {
         if (depth == last) continue;
         last = depth;
         bits |= depth << shift;
-        shift += uint(PACKED_BITS);
+        shift += uint(NODE_BITS);
         if (shift < 32u) continue;
         atomicOr(depths[word++], bits);
         shift -= 32u;
-        bits = shift > 0u ? depth >> (uint(PACKED_BITS) - shift) : 0u;
+        bits = shift > 0u ? depth >> (uint(NODE_BITS) - shift) : 0u;
     }
     if (shift > 0u) atomicOr(depths[word], bits);
 }

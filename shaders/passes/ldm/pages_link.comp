@@ -7,8 +7,8 @@ layout(local_size_x = 64) in;
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
-    uint arrival = fragment.y >> 16;
+    LdmFragment fragment = fragments[index];
+    uint arrival = fragment.arrival_depth >> 16;
     if (arrival >= MAX_LAYERS) {
         atomicAdd(dropped, 1u);
         atomicAdd(chunk_total, 0xffffffffu);
@@ -18,6 +18,6 @@ void main() {
     uint page = atomicAdd(batch_extra, 1u) + 1u;
     if (page * PAGE_WORDS > uint(pages.length())) return;
     uint word = page_word(page);
-    pages[word] = atomicExchange(heads[batch_texel + fragment.x], page);
+    pages[word] = atomicExchange(heads[batch_texel + fragment.texel], page);
     for (uint i = 1u; i < PAGE_WORDS; ++i) pages[word + i] = 0xffffffffu;
 }

@@ -10,12 +10,12 @@ void main() {
     uint index = list_index();
     atomicMax(ranks_requested, fragment_count);
     if (index >= min(fragment_count, uint(fragments.length())) || fragment_count > uint(ranks.length())) return;
-    uvec2 fragment = fragments[index];
-    uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
-    if (counts[fragment.x] <= MAX_IN_REGISTERS || arrival >= MAX_LAYERS) return;
-    if (page_of(fragment.x, arrival) == 0u) return;
+    LdmFragment fragment = fragments[index];
+    uint arrival = fragment.arrival_depth >> 16, depth = fragment.arrival_depth & 0xffffu;
+    if (counts[fragment.texel] <= MAX_IN_REGISTERS || arrival >= MAX_LAYERS) return;
+    if (page_of(fragment.texel, arrival) == 0u) return;
 #ifdef PLACE
-    uint rank = ranks[index], page = page_of(fragment.x, rank), slot = rank % PAGE_DEPTHS;
+    uint rank = ranks[index], page = page_of(fragment.texel, rank), slot = rank % PAGE_DEPTHS;
     if (page == 0u) return;
     uint word = page_word(page) + 1u + slot / 2u;
     int shift = int(slot & 1u) << 4;
@@ -23,7 +23,7 @@ void main() {
     atomicOr(pages[word], depth << shift);
 #else
     uint rank = 0u, place = 0u;
-    for (uint page = heads[batch_texel + fragment.x]; page != 0u; page = pages[page_word(page)])
+    for (uint page = heads[batch_texel + fragment.texel]; page != 0u; page = pages[page_word(page)])
         for (uint slot = 0u; slot < PAGE_DEPTHS; ++slot) {
             uint other = depth_in(page, slot);
             if (other < depth || (other == depth && place < arrival)) ++rank;

@@ -9,15 +9,15 @@ uniform uint plane;
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
-    uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
+    LdmFragment fragment = fragments[index];
+    uint arrival = fragment.arrival_depth >> 16, depth = fragment.arrival_depth & 0xffffu;
     if (arrival >= MAX_LAYERS) {
         if (plane > 0u) return;
         atomicAdd(dropped, 1u);
         atomicAdd(chunk_total, 0xffffffffu);
         return;
     }
-    uint entry = chunks[chunk].first + plane * plane_texels + fragment.x;
+    uint entry = chunks[chunk].first + plane * plane_texels + fragment.texel;
     uint nearness = ~(depth << 16 | arrival);  // so that buffers of zeros are empty
     bool beyond = plane == 0u || nearness < planes[entry - plane_texels];
     if (beyond && planes[entry] < nearness) atomicMax(planes[entry], nearness);

@@ -51,6 +51,10 @@ void rasterise_small(uint triangle, uvec3 corners, uint map, MapTriangle t, ivec
         corners = corners.xzy;
         area = -area;
     }
+#ifdef LDM_SLOPES
+    triangle_slopes =
+        ldm_slope_codes(slope_of(vec2(b - a), vec2(c - a), float(area), t.depth), texel_quanta_of(map));
+#endif
     Edge bc = edge_from(b, c), ca = edge_from(c, a), ab = edge_from(a, b);
     ivec3 row = ivec3(bc.value, ca.value, ab.value), bias = ivec3(bc.bias, ca.bias, ab.bias);
     ivec3 per_column = ivec3(bc.per_column, ca.per_column, ab.per_column);

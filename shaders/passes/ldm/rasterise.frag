@@ -25,6 +25,10 @@ const float STEEP = 4096.0;
 void main() {
     float depth = depth_quanta;
     float slope = fwidth(depth_quanta);
+#ifdef LDM_SLOPES
+    triangle_slopes = ldm_slope_codes(vec2(dFdx(depth_quanta), dFdy(depth_quanta)),
+                                      ldm_texel_quanta(ldm_frames[first_map + map]));
+#endif
     uint triangle = first_triangle + uint(gl_PrimitiveID);
 #ifdef MASKED
     uint material = scene_triangle_materials[triangle];

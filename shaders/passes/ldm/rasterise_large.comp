@@ -77,6 +77,10 @@ void main() {
         corners = corners.xzy;
         area = -area;
     }
+#ifdef LDM_SLOPES
+    triangle_slopes =
+        ldm_slope_codes(slope_of(vec2(b - a), vec2(c - a), float(area), t.depth), texel_quanta_of(map));
+#endif
     Edge bc = edge_from(b, c), ca = edge_from(c, a), ab = edge_from(a, b);
     vec2 low, high;
     texel_box(t.a, t.b, t.c, low, high);

@@ -2,7 +2,12 @@
 // of methods, after passes/ldm/trace.glsl.
 
 LdmRule ldm_rule() {
-    return LdmRule(params.self_hit_tolerance, params.slope_tolerance, params.normal_offset, params.max_dip);
+#ifdef LDM_SLOPES
+    const float part = LDM_SLOPED_TOLERANCE;
+#else
+    const float part = 1.0;
+#endif
+    return LdmRule(params.self_hit_tolerance, part * params.slope_tolerance, params.normal_offset, params.max_dip);
 }
 
 /// First hit from x along ω = v (`forward`) or -v of a map, nearer than `reach` quanta; `map` counts from the

@@ -2,6 +2,9 @@
 // Before including, define what the storage's `defines` says (renderers/passes/ldm/storage.h).
 
 #include "lib/random.glsl"
+#ifdef LDM_SLOPES
+#include "passes/ldm/node.glsl"
+#endif
 
 /// The depths around a given one: the last below it, and the first that is not.
 struct LdmNeighbours {

@@ -60,11 +60,16 @@ int ldm_quantum(float depth) {
     return int(clamp(depth, -LDM_MAX_KEY, LDM_MAX_KEY));
 }
 
+/// Entries from here on are hits along v, those below it along -v.
+int ldm_key(float start, bool forward) {
+    return forward ? ldm_quantum(floor(start)) + 1 : ldm_quantum(ceil(start));
+}
+
 /// One texel's answer; `plane` is the depth of the tangent plane at its centre, `start` the depth beyond which
 /// entries are hits. With `any_hit` the distance is that of any hit.
 LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float tolerance, float start, bool forward,
                float reach, bool any_hit) {
-    int key = forward ? ldm_quantum(floor(start)) + 1 : ldm_quantum(ceil(start));
+    int key = ldm_key(start, forward);
     LdmNeighbours near = any_hit ? ldm_any(map, texel, resolution, key, forward)
                                  : ldm_neighbours(map, texel, resolution, key);
     LdmHit hit = ldm_no_hit(false);
@@ -91,6 +96,9 @@ struct LdmQuestion {
                       // moved along its normal
     float tolerance;  // entries this near to the plane are x's own (tangent-plane)
     float start;      // depth beyond which entries are hits (tangent-plane)
+    vec2 slope;       // quanta per texel that the tangent plane gains along ω (tangent-plane)
+    vec2 to_centre;   // texels from x to the texel's centre
+    float depth;      // of x
 };
 
 /// Self-hit rule "tangent-plane". `forward`: ω = v, else -v; n·ω > 0.
@@ -98,14 +106,14 @@ LdmQuestion ldm_question_tangent(MapFrame frame, int resolution, vec3 position_w
                                  LdmRule rule) {
     vec3 p = ldm_project(frame, position_ws);
     ivec2 texel = ivec2(floor(p.xy));
-    if (ldm_is_outside(texel, resolution)) return LdmQuestion(texel, true, p.z, 0.0, p.z);
+    if (ldm_is_outside(texel, resolution)) return LdmQuestion(texel, true, p.z, 0.0, p.z, vec2(0.0), vec2(0.0), p.z);
     float facing = max(abs(dot(normal_ws, frame.direction.xyz)), LDM_MIN_FACING);
     // Depth along ω that the tangent plane gains per texel.
     vec2 slope = vec2(dot(normal_ws, frame.step_u.xyz), dot(normal_ws, frame.step_v.xyz)) /
                  (-facing * frame.direction.w);
     vec2 to_centre = vec2(texel) + 0.5 - p.xy;
     float gain = dot(slope, to_centre);
-    float texel_quanta = max(length(frame.step_u.xyz), length(frame.step_v.xyz)) / frame.direction.w;
+    float texel_quanta = ldm_texel_quanta(frame);
     // Moved to the centre, the ray starts below the surface where the plane gains depth, and comes up after
     // `gain`, perhaps behind a wall. The centre on the other side of x, along the steeper axis, starts above it.
     if (gain > rule.max_dip * texel_quanta) {
@@ -121,7 +129,7 @@ LdmQuestion ldm_question_tangent(MapFrame frame, int resolution, vec3 position_w
         rule.quanta + min(rule.slope * (abs(slope.x) + abs(slope.y)), LDM_MAX_TOLERANCE * texel_quanta);
     tolerance = max(tolerance, LDM_ROUNDING);
     float start = max(gain + tolerance, 0.0), along = forward ? 1.0 : -1.0;
-    return LdmQuestion(texel, false, p.z + along * gain, tolerance, p.z + along * start);
+    return LdmQuestion(texel, false, p.z + along * gain, tolerance, p.z + along * start, slope, to_centre, p.z);
 }
 
 /// Self-hit rule "normal-offset": x is moved along n by offset · sin∠(n, v).
@@ -131,8 +139,38 @@ LdmQuestion ldm_question_offset(MapFrame frame, int resolution, vec3 position_ws
     float distance_ws = rule.offset * texel_size * sqrt(max(0.0, 1.0 - cosine * cosine));
     vec3 p = ldm_project(frame, position_ws + distance_ws * normal_ws);
     ivec2 texel = ivec2(floor(p.xy));
-    return LdmQuestion(texel, ldm_is_outside(texel, resolution), p.z, 0.0, p.z);
+    return LdmQuestion(texel, ldm_is_outside(texel, resolution), p.z, 0.0, p.z, vec2(0.0), vec2(0.0), p.z);
 }
+
+#ifdef LDM_SLOPES
+LdmSlopeTest ldm_slope_test(MapFrame frame, LdmQuestion q, bool forward, LdmRule rule) {
+    float texel_quanta = ldm_texel_quanta(frame);
+    float tolerance =
+        max(rule.quanta, LDM_ROUNDING) + ldm_slope_tolerance(q.slope, q.to_centre, texel_quanta);
+    return LdmSlopeTest(-q.to_centre, q.depth, tolerance, texel_quanta, ldm_key(q.start, forward), forward);
+}
+
+/// The answer of nodes with slopes: a hit must lie before x by its depth at the texel's centre, and by its slopes.
+LdmHit ldm_ask_slopes(MapFrame frame, uint map, int resolution, LdmQuestion q, bool forward, float reach,
+                      LdmRule rule) {
+    LdmHit hit = ldm_no_hit(false);
+#ifdef LDM_VIEWS
+    hit = ldm_ask(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, false);
+#endif
+    int found = ldm_next_by_slopes(map, q.texel, resolution, ldm_slope_test(frame, q, forward, rule));
+#ifdef LDM_VIEWS
+    if (float(found) != hit.entry) {
+        hit.own = true;
+        hit.rejected = 1;
+    }
+#endif
+    hit.texel = q.texel;
+    hit.entry = float(found);
+    hit.distance = forward ? hit.entry - q.plane : q.plane - hit.entry;
+    hit.found = found != LDM_NONE_BEHIND && found != LDM_NONE_BEFORE && hit.distance < reach;
+    return hit;
+}
+#endif
 
 /// The answer by rule "tangent-plane". Hits at `reach` quanta and beyond do not count; where it is infinite,
 /// the distance is that of any hit.
@@ -140,7 +178,11 @@ LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position
                          bool forward, float reach, LdmRule rule) {
     LdmQuestion q = ldm_question_tangent(frame, resolution, position_ws, normal_ws, forward, rule);
     if (q.outside) return ldm_no_hit(true);
+#ifdef LDM_SLOPES
+    return ldm_ask_slopes(frame, map, resolution, q, forward, reach, rule);
+#else
     return ldm_ask(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, isinf(reach));
+#endif
 }
 
 /// The answer by rule "normal-offset": the entry nearest to x, once moved, is taken for its own, and the next

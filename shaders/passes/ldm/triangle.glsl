@@ -30,6 +30,13 @@ MapTriangle projected(vec3 a, vec3 b, vec3 c, MapFrame frame) {
     return projected(a, b, c, frame.u, frame.v, frame.depth);
 }
 
+/// Quanta per texel that a triangle's plane gains along a column and a row. `b` and `c` are corners from the first
+/// one, in subtexels; `area` is their cross product, not 0.
+vec2 slope_of(vec2 b, vec2 c, float area, vec3 depth) {
+    vec2 gain = (depth.yz - depth.x) / area;
+    return SUBTEXELS * vec2(gain.x * c.y - gain.y * b.y, gain.y * b.x - gain.x * c.x);
+}
+
 /// Texels whose centres are inside the triangle's bounding box: low.x … high.x, low.y … high.y.
 void texel_box(vec2 a, vec2 b, vec2 c, out vec2 low, out vec2 high) {
     low = ceil(min(min(a, b), c) * (1.0 / SUBTEXELS) - 0.5);

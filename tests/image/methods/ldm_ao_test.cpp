@@ -164,13 +164,15 @@ TEST_P(LdmAoOnBoth, DoesNotLeakThroughWallsOfTwoTexels) {
     // Everything inside a chamber is closed. Through thinner walls the leaked fraction is only reported.
     load("builtin:crevice");
     geometry = "crevice";
-    for (const auto* name : {"wall-4", "wall-2", "wall-1", "wall-half"}) {
-        const double leaked = mean(render(camera(name), 40, 40, ao_maps(128, 200)));
-        std::printf("leaked through %s: %g\n", name, leaked);
-        if (name == std::string("wall-4") || name == std::string("wall-2")) {
-            EXPECT_EQ(leaked, 0) << name;
+    for (const auto* name : {"wall-4", "wall-2", "wall-1", "wall-half"})
+        for (const double reach : {0.0, 100.0}) {  // with a limit nodes have slopes
+            const double leaked =
+                mean(render(camera(name), 40, 40, with(ao_maps(128, 200), "max_distance", reach)));
+            std::printf("leaked through %s: %g\n", name, leaked);
+            if (name == std::string("wall-4") || name == std::string("wall-2")) {
+                EXPECT_EQ(leaked, 0) << name;
+            }
         }
-    }
 }
 
 TEST_P(LdmAoOnBoth, LeaksWhereRaysMayDipFarBelowTheSurface) {
@@ -181,22 +183,51 @@ TEST_P(LdmAoOnBoth, LeaksWhereRaysMayDipFarBelowTheSurface) {
 
 TEST_F(LdmAo, BuildersGiveSimilarPictures) {
     load("builtin:atrium?detail=0.1");
-    const auto settings = with(ao_maps(16, 64), "max_distance", 2.0);
-    const auto compute = render(world_.cameras.front(), 48, 36, settings);
-    const auto raster =
-        render(world_.cameras.front(), 48, 36, with(settings, "builder", std::string("raster")));
-    EXPECT_GT(mean(compute), 0.02);
-    double difference = 0;
-    for (std::size_t i = 0; i < compute.pixels.size(); ++i)
-        difference += std::abs(compute.pixels[i] - raster.pixels[i]) / raster.pixels.size();
-    EXPECT_LE(difference, 1e-3);
+    for (const char* nodes : {"plain", "sloped"}) {
+        const auto settings = with(with(ao_maps(16, 64), "max_distance", 2.0), "nodes", std::string(nodes));
+        const auto compute = render(world_.cameras.front(), 48, 36, settings);
+        const auto raster =
+            render(world_.cameras.front(), 48, 36, with(settings, "builder", std::string("raster")));
+        EXPECT_GT(mean(compute), 0.02);
+        double difference = 0;
+        for (std::size_t i = 0; i < compute.pixels.size(); ++i)
+            difference += std::abs(compute.pixels[i] - raster.pixels[i]) / raster.pixels.size();
+        EXPECT_LE(difference, 1e-3) << nodes;
+    }
+}
+
+TEST_P(LdmAoOnBoth, NodesWithSlopesAreNearerToExactHits) {
+    load("builtin:atrium?detail=0.3");
+    const auto settings = with(ao_maps(32, 200), "max_distance", 0.2);
+    const auto render_with = [&](const char* key, const char* value) {
+        return render(camera("nave"), 80, 60, with(settings, key, std::string(value)));
+    };
+    const auto exact = render_with("exact", "all");
+    struct Error {
+        double rms = 0, mean = 0;
+    };
+    const auto error = [&](const char* nodes) {
+        const auto found = render_with("nodes", nodes);
+        const double count = double(exact.pixels.size());
+        Error e;
+        for (std::size_t i = 0; i < exact.pixels.size(); ++i) {
+            const double d = double{found.pixels[i]} - double{exact.pixels[i]};
+            e.rms += d * d / count, e.mean += d / count;
+        }
+        e.rms = std::sqrt(e.rms);
+        std::printf("%s nodes: RMS error %.4f, mean %+.4f\n", nodes, e.rms, e.mean);
+        return e;
+    };
+    const auto plain = error("plain"), sloped = error("sloped");
+    EXPECT_LT(sloped.rms, 0.92 * plain.rms);
+    EXPECT_LT(std::abs(sloped.mean), 0.7 * std::abs(plain.mean));
 }
 
 TEST_F(LdmAo, StoragesGiveEqualPictures) {
     // Without a reach, any element of a sequence beyond the point may answer; with it, the nearest one does.
     for (const double reach : {0.0, 2.0}) {
         load(reach > 0 ? "builtin:atrium?detail=0.1" : "builtin:cornell");
-        auto settings = with(ao_maps(8, 50), "max_distance", reach);
+        auto settings = with(with(ao_maps(8, 50), "max_distance", reach), "nodes", std::string("plain"));
         const auto expected = render(world_.cameras.front(), 48, 36, settings);
         EXPECT_GT(mean(expected), 0.02);
         settings = with(settings, "fixed_layers", std::int64_t(128));
@@ -266,7 +297,7 @@ TEST_F(LdmAo, PackedArraysRoundDepthsAndLittleElse) {
 
 TEST_F(LdmAo, FixedArraysThatAreTooShortLoseOccludersAndSaySo) {
     load("builtin:atrium");
-    const auto settings = with(ao_maps(8, 50), "max_distance", 2.0);
+    const auto settings = with(with(ao_maps(8, 50), "max_distance", 2.0), "nodes", std::string("plain"));
     const double exact = mean(render(world_.cameras.front(), 48, 36, settings));
     for (const char* storage : {"fixed-arrays", "fixed-arrays-presorted"}) {
         double previous = 2;

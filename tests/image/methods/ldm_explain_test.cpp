@@ -98,8 +98,8 @@ TEST_F(LdmExplain, AnotherPixelOrMapNeedsNoFrame) {
     }
 }
 
-const std::vector<std::string> explanations{"ldm.explain.hits", "ldm.explain.rays", "ldm.explain.entries",
-                                            "ldm.explain.walk", "ldm.explain.texel"};
+const std::vector<std::string> explanations{"ldm.explain.hits", "ldm.explain.rays",  "ldm.explain.entries",
+                                            "ldm.explain.walk", "ldm.explain.texel", "ldm.explain.nodes"};
 
 TEST_F(LdmExplain, NothingIsExplainedWithoutAPixelOrASurface) {
     load("builtin:corner", "view");
@@ -194,19 +194,22 @@ TEST_F(LdmExplain, EntriesAreTheCrossingsOfTheTexelsLine) {
 
 TEST_F(LdmExplain, TheWalkEndsWhereTheGatherFindsItsHit) {
     load("builtin:cornell");
-    int sides[2] = {0, 0}, roles_seen[4] = {0, 0, 0, 0};
+    int sides[2] = {0, 0}, roles_seen[5] = {0, 0, 0, 0, 0};
     // Floor, ceiling, both walls, the back, and places near edges.
     const std::vector<glm::ivec2> places{{12, 24}, {16, 2}, {2, 15}, {29, 15}, {16, 12}, {5, 28}, {25, 4}};
     for (const std::string rule : {"tangent-plane", "normal-offset"})
         for (const double reach : {0.0, 0.3})
             for (const auto place : places) {
                 const std::string storage = place.x % 2 == 0 ? "arrays" : "linked-lists";
-                const auto settings =
-                    maps(40, 80, {{"self_hit", rule}, {"storage", storage}, {"max_distance", reach}});
+                const auto settings = maps(40, 80,
+                                           {{"self_hit", rule},
+                                            {"storage", storage},
+                                            {"max_distance", reach},
+                                            {"nodes", std::string("sloped")}});
                 render(settings, choose(Inspection::all, place.x, place.y), only_explanations);
                 const auto rays = elements("ldm.explain.rays"), walk = elements("ldm.explain.walk"),
                            entries = elements("ldm.explain.entries");
-                std::map<int, int> roles[4];
+                std::map<int, int> roles[5];
                 for (std::size_t i = 0; i < entries.size(); ++i) {
                     ++roles[entries.integer(i, "role")][entries.integer(i, "map")];
                     ++roles_seen[entries.integer(i, "role")];
@@ -224,7 +227,39 @@ TEST_F(LdmExplain, TheWalkEndsWhereTheGatherFindsItsHit) {
                 }
             }
     for (const int count : sides) EXPECT_GT(count, 100);
-    for (const int count : roles_seen) EXPECT_GT(count, 50);
+    std::printf("%d nodes are passed over by their slopes\n", roles_seen[4]);
+    for (const int count : {roles_seen[0], roles_seen[1], roles_seen[2], roles_seen[3]}) EXPECT_GT(count, 50);
+}
+
+TEST_F(LdmExplain, OutlinesOfNodesLieAsTheirSurfacesDo) {
+    load("builtin:cornell");
+    auto options = only_explanations;
+    options.wanted.push_back("gbuffer.geometric_normal");
+    int compared = 0;
+    for (const std::string storage : {"arrays", "packed-arrays"})
+        for (const std::string builder : {"compute", "raster"})
+            for (const std::string nodes : {"plain", "sloped"}) {
+                const auto settings = maps(
+                    40, 80,
+                    {{"storage", storage}, {"builder", builder}, {"max_distance", 0.3}, {"nodes", nodes}});
+                for (const auto place : {glm::ivec2(12, 24), {16, 2}, {2, 15}, {29, 15}}) {
+                    render(settings, choose(Inspection::all, place.x, place.y), options);
+                    const auto normal = vector_at("gbuffer.geometric_normal", place.x, place.y);
+                    const auto outlines = elements("ldm.explain.nodes"), regions = elements("ldm.directions");
+                    EXPECT_EQ(outlines.size(), elements("ldm.explain.entries").size());
+                    for (std::size_t i = 0; i < outlines.size(); ++i) {
+                        const auto v = regions.vector(2 * outlines.integer(i, "map"), "centre");
+                        const bool is_own = outlines.integer(i, "role") == 1;
+                        if (!is_own || std::abs(glm::dot(v, normal)) < 0.3) continue;
+                        const auto found = glm::normalize(
+                            glm::cross(outlines.vector(i, "axis_u"), outlines.vector(i, "axis_v")));
+                        EXPECT_GT(std::abs(glm::dot(found, nodes == "plain" ? v : normal)), 0.995)
+                            << storage << " " << builder << " " << nodes;
+                        ++compared;
+                    }
+                }
+            }
+    EXPECT_GT(compared, 100);
 }
 
 }  // namespace

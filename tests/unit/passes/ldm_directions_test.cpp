@@ -127,6 +127,16 @@ TEST(LdmDirectionSet, RefuseLessThanOne) {
     EXPECT_THROW(collar_counts(7), UsageError);
 }
 
+TEST(LdmDirectionSet, NoCollarOfATiltedSetIsParallelToAnAxis) {
+    const auto r = tilt();
+    EXPECT_NEAR(glm::determinant(r), 1, 1e-9);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(glm::length(r[axis]), 1, 1e-9);
+        EXPECT_LT(std::abs(r[1][axis]), 0.8);  // the pole
+        EXPECT_GT(std::abs(r[1][axis]), 0.3);
+    }
+}
+
 TEST(LdmDirectionSet, RandomRotationsAreRotationsThatDependOnSeedAndFrame) {
     glm::dvec3 mean{0};
     const int n = 4000;

@@ -53,7 +53,11 @@ class LdmStorages : public testing::Test {
                 continue;
             }
             list.resize(std::min(list.size(), layers));
-            ASSERT_EQ(found[t], list) << t;
+            auto depths = found[t];
+            // Of rounded nodes those with equal slopes are one, so more of them may be left.
+            if (options.storage == StorageKind::packed_arrays && options.nodes == NodeKind::sloped)
+                depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
+            ASSERT_EQ(depths, list) << t;
         }
         EXPECT_EQ(build.report.counters["ldm.nodes"], total(found));
         EXPECT_EQ(build.report.counters["ldm.dropped"] + build.report.counters["ldm.merged"] +
@@ -67,7 +71,8 @@ class LdmStorages : public testing::Test {
     }
 
     /// What the published layouts take: of lists a head for each texel and 8 bytes for each node, of arrays a
-    /// word for each row, 16 bits for each offset (one more than texels, in whole words) and for each depth.
+    /// word for each row, 16 bits for each offset (one more than texels, in whole words) and for each depth,
+    /// with slopes as many again.
     static std::optional<double> known_bytes(const Options& options, std::size_t nodes) {
         const double rows = double(options.directions) * options.resolution;
         switch (options.storage) {
@@ -75,7 +80,8 @@ class LdmStorages : public testing::Test {
             case StorageKind::lists_then_sort:
                 return 4 * rows * options.resolution + 8.0 * double(nodes);
             case StorageKind::arrays:
-                return 4 * rows * (1 + (options.resolution + 2) / 2) + 2.0 * double(nodes);
+                return 4 * rows * (1 + (options.resolution + 2) / 2) +
+                       (options.nodes == NodeKind::sloped ? 4.0 : 2.0) * double(nodes);
             case StorageKind::outermost:
                 return 4 * rows * options.resolution;
             default:
@@ -97,11 +103,18 @@ class LdmStorages : public testing::Test {
             expect_sorted(expected);
             for (const auto storage : all_storages) {
                 wanted.storage = storage;
-                SCOPED_TRACE(key_of(storage) + (builder == BuilderKind::raster ? ", raster" : ", compute"));
-                build.reset();
-                const auto found = build.run(scene, world, wanted, frame);
-                expect_holds(wanted, found, expected);
-                after(wanted, found, expected);
+                for (const auto nodes : {NodeKind::plain, NodeKind::sloped}) {
+                    if (nodes == NodeKind::sloped && !may_keep_slopes(storage)) continue;
+                    wanted.nodes = nodes;
+                    SCOPED_TRACE(key_of(storage) +
+                                 (builder == BuilderKind::raster ? ", raster" : ", compute") +
+                                 (nodes == NodeKind::sloped ? ", sloped" : ""));
+                    build.reset();
+                    const auto found = build.run(scene, world, wanted, frame);
+                    expect_holds(wanted, found, expected);
+                    after(wanted, found, expected);
+                }
+                wanted.nodes = NodeKind::plain;
             }
         }
     }

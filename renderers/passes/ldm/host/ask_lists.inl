@@ -17,8 +17,10 @@ namespace {
 
 using HalfTag = hn::Rebind<std::uint16_t, FloatTag>;  ///< as many lanes
 using ShortTag = hn::CappedTag<std::uint16_t, 32>;    ///< full vectors
+using SignedTag = hn::RebindToSigned<ShortTag>;
 constexpr HalfTag halves;
 constexpr ShortTag shorts;
+constexpr SignedTag signed_shorts;
 constexpr int short_lanes = static_cast<int>(hn::MaxLanes(ShortTag()));
 
 /// Answer where there is no entry.
@@ -41,7 +43,14 @@ struct TileQuestion {
         64) std::uint16_t beyond[pixels];    ///< distance of the first entry beyond the key, less 1; or none
     alignas(64) std::uint16_t upto[pixels];  ///< distance down to the last entry not beyond it; or none
     std::uint64_t asks = 0;                  ///< pixels
+
+    // Of sloped lists, with the highest bit of depths turned over, so that they compare as signed numbers:
+    alignas(64) std::uint16_t point[pixels];  ///< depth beyond which the surface at the point lies before it
+    alignas(64) std::int16_t across[pixels], down[pixels];  ///< from the centre to the point, texels << 14
+    int reach = 0;                        ///< quanta: farther beyond the key slopes are not asked
+    int first_asked = 0, last_asked = 0;  ///< depths for which some pixel asks slopes
 };
+constexpr unsigned turned_bit = 0x8000;
 
 void store_halves(Ints values, std::uint16_t* to) {
     hn::StoreU(hn::DemoteTo(halves, values), halves, to);
@@ -50,9 +59,51 @@ Floats load_halves(const std::uint16_t* from) {
     return hn::ConvertTo(f, hn::PromoteTo(n, hn::LoadU(halves, from)));
 }
 
-/// Of each pixel the nearest entries of its texel, on one side or on both: the entries of each texel are
-/// looked at once for all pixels in it. They need not be sorted.
-template <bool both>
+using Shorts = hn::Vec<ShortTag>;
+
+/// Pixels of one vector that ask what a node's surface is at their own place.
+class SlopeTest {
+  public:
+    SlopeTest(const StreamedMap& map, const TileQuestion& q, int first)
+        : map_(map),
+          q_(q),
+          across_(hn::Load(signed_shorts, q.across + first)),
+          down_(hn::Load(signed_shorts, q.down + first)),
+          point_(hn::BitCast(signed_shorts, hn::Load(shorts, q.point + first))),
+          mirror_(hn::BitCast(signed_shorts, hn::Load(shorts, q.mirror + first))) {}
+
+    /// 0 in place of what lies ahead by its depth at the centre, but not where its slopes say it is at the
+    /// point.
+    Shorts ahead(Shorts by_depth, std::uint32_t node) const {
+        const int depth = map_.depths[node];
+        if (depth < q_.first_asked || depth > q_.last_asked) return by_depth;
+        const auto zero = hn::Zero(shorts);
+        const auto is_near = hn::And(
+            hn::Ne(by_depth, zero),
+            hn::Eq(hn::SaturatedSub(by_depth, hn::Set(shorts, static_cast<std::uint16_t>(q_.reach))), zero));
+        if (hn::AllFalse(shorts, is_near)) return by_depth;
+        const auto codes = map_.slopes[node];
+        const auto gain = [&](unsigned code, hn::Vec<SignedTag> texels) {
+            return hn::MulFixedPoint15(hn::Set(signed_shorts, map_.slope_of[code]), texels);
+        };
+        const auto centre = hn::BitCast(
+            signed_shorts,
+            hn::Set(shorts, static_cast<std::uint16_t>(static_cast<unsigned>(depth) ^ turned_bit)));
+        const auto here =
+            hn::SaturatedAdd(centre, hn::SaturatedAdd(gain(codes & 0xffu, across_), gain(codes >> 8, down_)));
+        const auto is_before = hn::RebindMask(shorts, hn::Gt(hn::Xor(here, mirror_), point_));
+        return hn::IfThenZeroElse(hn::AndNot(is_before, is_near), by_depth);
+    }
+
+  private:
+    const StreamedMap& map_;
+    const TileQuestion& q_;
+    hn::Vec<SignedTag> across_, down_, point_, mirror_;
+};
+
+/// Of each pixel the nearest entries of its texel, beyond its key or on both sides: the entries of each texel
+/// are looked at once for all pixels in it. They need not be sorted. `sloped`: slopes must agree.
+template <bool both, bool sloped>
 void find_nearest(const StreamedMap& map, TileQuestion& q) {
     const auto all = hn::Set(shorts, none), one = hn::Set(shorts, 1);
     for (int i = 0; i < pixels; i += short_lanes) {
@@ -72,7 +123,13 @@ void find_nearest(const StreamedMap& map, TileQuestion& q) {
             const auto key = hn::IfThenElse(in_texel, hn::Load(shorts, q.key + i), all);
             const auto mirror = hn::Load(shorts, q.mirror + i);
             auto beyond = hn::Load(shorts, q.beyond + i);
-            if constexpr (both) {
+            if constexpr (sloped) {
+                const SlopeTest test(map, q, i);
+                for (auto e = begin; e < end; ++e) {
+                    const auto depth = hn::Xor(hn::Set(shorts, depths[e]), mirror);
+                    beyond = hn::Min(beyond, hn::Sub(test.ahead(hn::SaturatedSub(depth, key), e), one));
+                }
+            } else if constexpr (both) {
                 const auto after =
                     hn::IfThenElse(in_texel, hn::Add(hn::Load(shorts, q.key + i), one), hn::Zero(shorts));
                 auto upto = hn::Load(shorts, q.upto + i);
@@ -114,10 +171,64 @@ void store_key(TileQuestion& q, int first, Ints key, Mask mirrored) {
     store_halves(bits, q.mirror + first);
 }
 
+/// What is asked of slopes, for a vector of pixels.
+class SlopeQuestion {
+  public:
+    SlopeQuestion(TileQuestion& q, const Asked& asked, const SelfHitRule& rule)
+        : q_(q), asked_(asked), rule_(rule), least_(hn::Set(f, 65535)), most_(hn::Zero(f)) {}
+
+    void add(int first, const Question& q) {
+        const auto tolerance = hn::Add(hn::Set(f, rule_.quanta), slope_tolerance(q));
+        const auto point =
+            hn::Xor(key_of(hn::Add(q.own, tolerance)), hn::Set(n, static_cast<int>(turned_bit)));
+        store_halves(point, q_.point + first);
+        store_fixed(q.to_u, q_.across + first);
+        store_fixed(q.to_v, q_.down + first);
+        const auto asks = hn::And(q.above, q.here);
+        const auto start = along(q.forward, q.start);
+        least_ = hn::Min(least_, hn::IfThenElse(asks, start, least_));
+        most_ = hn::Max(most_, hn::IfThenElse(asks, start, most_));
+    }
+    void finish() {
+        q_.reach = static_cast<int>(std::min(slope_reach * asked_.texel_quanta, 65534.0f));
+        const auto reach = static_cast<float>(q_.reach + 2);
+        q_.first_asked =
+            static_cast<int>(std::clamp(hn::GetLane(hn::MinOfLanes(f, least_)) - reach, 0.0f, 65535.0f));
+        q_.last_asked =
+            static_cast<int>(std::clamp(hn::GetLane(hn::MaxOfLanes(f, most_)) + reach, 0.0f, 65535.0f));
+    }
+
+  private:
+    /// ldm_slope_tolerance()
+    Floats slope_tolerance(const Question& q) const {
+        const auto part = [&](Floats slope, Floats place) {
+            const auto widening =
+                hn::MulAdd(hn::Abs(slope), hn::Set(f, 1 / asked_.texel_quanta), hn::Set(f, 1));
+            return hn::Mul(hn::Abs(place), hn::Mul(widening, widening));
+        };
+        const auto steps = hn::Add(part(q.slant.per_column, q.to_u), part(q.slant.per_row, q.to_v));
+        const auto texels = hn::Mul(steps, hn::Set(f, 1 / (2 * ldm_slope_steps)));
+        return hn::Mul(hn::Set(f, asked_.texel_quanta), hn::Min(texels, hn::Set(f, 1)));
+    }
+    /// From the way to the centre.
+    static void store_fixed(Floats to_centre, std::int16_t* to) {
+        constexpr hn::RebindToSigned<HalfTag> signed_halves;
+        const auto fixed = hn::NearestInt(hn::Mul(to_centre, hn::Set(f, -16384.0f)));
+        hn::StoreU(hn::DemoteTo(signed_halves, fixed), signed_halves, to);
+    }
+
+    TileQuestion& q_;
+    const Asked& asked_;
+    const SelfHitRule& rule_;
+    Floats least_, most_;
+};
+
 /// Asks for all pixels of a tile; false: none has a question for this band.
 bool ask_tile(TileState& state, const PixelTiles& tiles, std::size_t tile, const Asked& asked,
               const SelfHitRule& rule) {
     state.q.asks = state.forward = state.above = state.open = 0;
+    const bool is_sloped = asked.map.holds == Holds::sloped_lists;
+    SlopeQuestion slopes(state.q, asked, rule);
     for (int i = 0; i < pixels; i += lanes) {
         const auto q = question(tiles, tile * pixels + static_cast<std::size_t>(i), asked, rule);
         state.forward |= std::uint64_t{bits_of(q.forward)} << i;
@@ -132,7 +243,9 @@ bool ask_tile(TileState& state, const PixelTiles& tiles, std::size_t tile, const
         const auto key =
             rule.tangent_plane ? key_of(q.start) : key_of(hn::Sub(hn::Ceil(q.plane), hn::Set(f, 1)));
         store_key(state.q, i, key, rule.tangent_plane ? hn::Not(q.forward) : hn::Ne(q.cosine, q.cosine));
+        if (is_sloped) slopes.add(i, q);
     }
+    if (is_sloped) slopes.finish();
     return state.q.asks != 0;
 }
 
@@ -140,7 +253,7 @@ bool ask_tile(TileState& state, const PixelTiles& tiles, std::size_t tile, const
 /// them, along ω. What is found counts from there: `plane` becomes the own entry's depth. Returns the pixels
 /// that have an own entry.
 std::uint64_t go_on_from_own(TileState& state, const StreamedMap& map) {
-    find_nearest<true>(map, state.q);
+    find_nearest<true, false>(map, state.q);
     std::uint64_t found = 0;
     for (int i = 0; i < pixels; i += lanes) {
         const auto far = hn::Set(f, 1e6f), missing = hn::Set(f, none);
@@ -164,7 +277,7 @@ std::uint64_t go_on_from_own(TileState& state, const StreamedMap& map) {
     found &= state.q.asks;
     state.open |= state.q.asks & ~found;
     state.q.asks = found;
-    find_nearest<false>(map, state.q);
+    find_nearest<false, false>(map, state.q);
     return found;
 }
 
@@ -191,8 +304,10 @@ void add_answers(const TileState& state, const Asked& asked, const Visibility& v
 void ask_lists(const PixelTiles& tiles, std::size_t tile, const Asked& asked, const SelfHitRule& rule,
                const Visibility& visibility, float scale, TileState& state, std::uint32_t* sums) {
     const bool asks = ask_tile(state, tiles, tile, asked, rule);
-    if (asks && rule.tangent_plane)
-        find_nearest<false>(asked.map, state.q);
+    if (asks && asked.map.holds == Holds::sloped_lists)
+        find_nearest<false, true>(asked.map, state.q);
+    else if (asks && rule.tangent_plane)
+        find_nearest<false, false>(asked.map, state.q);
     else if (asks)
         go_on_from_own(state, asked.map);
     if (asks || state.open != 0) add_answers(state, asked, visibility, scale, sums);

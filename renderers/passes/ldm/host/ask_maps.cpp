@@ -56,10 +56,18 @@ void self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const
         for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
             if (tiles.valid[tile] == 0 || !ask_tile(state, tiles, tile, asked, rule)) continue;
             const auto asks = state.q.asks;
+            std::uint64_t passed_over = 0;  // by their slopes
             if (rule.tangent_plane)
-                find_nearest<true>(map, state.q);
+                find_nearest<true, false>(map, state.q);
             else
                 go_on_from_own(state, map);
+            if (map.holds == Holds::sloped_lists) {
+                std::uint16_t beyond[pixels];
+                std::copy_n(state.q.beyond, pixels, beyond);
+                find_nearest<false, true>(map, state.q);
+                for (int i = 0; i < pixels; ++i)
+                    passed_over |= std::uint64_t{state.q.beyond[i] != beyond[i]} << i;
+            }
             for (int i = 0; i < pixels; ++i) {
                 if ((asks >> i & 1) == 0) continue;
                 bool own = (state.q.asks >> i & 1) != 0;
@@ -69,10 +77,11 @@ void self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const
                     ahead = static_cast<float>(before) - state.plane[i];
                     own = state.q.upto[i] != none && ahead >= -state.tolerance[i];
                 }
+                const bool passes = (passed_over >> i & 1) != 0;
                 const auto place = tile * pixels + static_cast<std::size_t>(i);
                 ++counts.asked[place];
-                counts.own[place] += own;
-                counts.rejected[place] += own && ahead > near_plane;
+                counts.own[place] += own || passes;
+                counts.rejected[place] += passes || (own && ahead > near_plane);
             }
         }
     }

@@ -1,8 +1,8 @@
 // Builds a band of rows of one map: meshlets are transformed, and triangles that may cover a texel's centre
 // go into a queue, from which they are rasterised many at a time.
 #include "renderers/passes/ldm/host/streamed_map.h"
-#include "renderers/passes/vectors/targets.h"
 #include "renderers/passes/raytracing/alpha_masks.h"
+#include "renderers/passes/vectors/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderers/passes/ldm/host/build_map.cpp"
@@ -141,6 +141,7 @@ void build_map(const Meshlets& meshlets, const AlphaMasks& masks, const MapFrame
     map.frame = frame;
     map.first_row = first_row;
     map.rows = rows;
+    if (map.holds == Holds::sloped_lists) map.slope_of = slope_table(StreamedMap::texel_quanta(frame));
     HWY_DYNAMIC_DISPATCH(build)(meshlets, masks, map, scratch);
 }
 

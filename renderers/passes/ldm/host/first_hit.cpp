@@ -40,13 +40,33 @@ PointTracer::PointTracer(const StreamedMap& map, const SelfHitRule& rule) : map_
     const auto& frame = map.frame;
     slope_u_ = glm::vec3(frame.step_u) / frame.direction.w;
     slope_v_ = glm::vec3(frame.step_v) / frame.direction.w;
-    texel_size_ = std::max(glm::length(glm::vec3(frame.step_u)), glm::length(glm::vec3(frame.step_v)));
-    texel_quanta_ = texel_size_ / frame.direction.w;
+    texel_quanta_ = StreamedMap::texel_quanta(frame);
+    texel_size_ = texel_quanta_ * frame.direction.w;
 }
 
-std::span<const std::uint16_t> PointTracer::list(int column, int row) const {
+std::span<const std::uint16_t> PointTracer::list(int column, int row,
+                                                 const std::vector<std::uint16_t>& values) const {
     const auto texel = static_cast<std::size_t>(row - map_.first_row) * map_.resolution + column;
-    return std::span(map_.depths).subspan(map_.begins[texel], map_.begins[texel + 1] - map_.begins[texel]);
+    return std::span(values).subspan(map_.begins[texel], map_.begins[texel + 1] - map_.begins[texel]);
+}
+
+int PointTracer::next_by_slopes(int column, int row, int key, bool forward, const Slant& x) const {
+    const auto depths = list(column, row, map_.depths), codes = list(column, row, map_.slopes);
+    const auto reach = static_cast<int>(std::min(slope_reach * texel_quanta_, 65534.0f));
+    const float tolerance = rule_.quanta + slope_tolerance(x.slope, x.place, texel_quanta_);
+    const float along = forward ? 1.0f : -1.0f;
+    const auto is_before = [&](int depth, unsigned code) {
+        const auto slope = 0.5f * glm::vec2(map_.slope_of[code & 0xffu], map_.slope_of[code >> 8]);
+        const float here = static_cast<float>(depth) + glm::dot(slope, x.place);
+        return along * (here - x.depth) > tolerance;
+    };
+    int found = forward ? ldm_none_behind : ldm_none_before;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const int depth = depths[i], ahead = forward ? depth - key : key - depth;
+        if (ahead <= 0 || (forward ? depth >= found : depth <= found)) continue;
+        if (ahead > reach || is_before(depth, codes[i])) found = depth;
+    }
+    return found;
 }
 
 FirstHit PointTracer::trace_tangent(const glm::vec3& position_ws, const glm::vec3& normal_ws,
@@ -81,7 +101,12 @@ FirstHit PointTracer::trace_tangent(const glm::vec3& position_ws, const glm::vec
     const float along = forward ? 1.0f : -1.0f;
     const float plane = depth + along * gain, start = depth + along * std::max(gain + tolerance, 0.0f);
     const int key = forward ? quantum(start) : -quantum(-start);  // down along ω
-    const int found = next_beyond(list(column, row), key, forward);
+    const Slant x{{slope_x * along, slope_y * along},
+                  {u - static_cast<float>(column) - 0.5f, v - static_cast<float>(row) - 0.5f},
+                  depth};
+    const int found = map_.holds == Holds::sloped_lists
+                          ? next_by_slopes(column, row, key, forward, x)
+                          : next_beyond(list(column, row, map_.depths), key, forward);
     return {true, is_entry(found), along * (static_cast<float>(found) - plane), column, row, found};
 }
 
@@ -96,7 +121,7 @@ FirstHit PointTracer::trace_offset(const glm::vec3& position_ws, const glm::vec3
     if (is_outside(column, row)) return beside();
     if (row < map_.first_row || row >= map_.first_row + map_.rows) return {false, false};
     const float plane = projected(moved, frame.depth);
-    const auto entries = list(column, row);
+    const auto entries = list(column, row, map_.depths);
     // The entry nearest to x, once moved, is its own, and the next one is the hit.
     const int key = -quantum(-plane);
     const int before = next_beyond(entries, key, false), behind = next_beyond(entries, key - 1, true);
@@ -115,7 +140,7 @@ glm::vec3 PointTracer::project(const glm::vec3& position_ws) const {
 std::optional<int> PointTracer::nearest(int column, int row, float depth, float reach) const {
     if (is_outside(column, row) || !knows(row)) return {};
     std::optional<int> found;
-    for (const int entry : list(column, row)) {
+    for (const int entry : list(column, row, map_.depths)) {
         const float gap = std::abs(static_cast<float>(entry) - depth);
         if (gap > reach || (gap == reach && found && entry < *found))
             continue;  // the one behind, as ldm_nearest()

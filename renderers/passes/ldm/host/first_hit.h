@@ -52,7 +52,15 @@ class PointTracer {
     bool is_outside(int column, int row) const {
         return column < 0 || row < 0 || column >= map_.resolution || row >= map_.resolution;
     }
-    std::span<const std::uint16_t> list(int column, int row) const;
+    /// Of a texel, of values that each entry has.
+    std::span<const std::uint16_t> list(int column, int row, const std::vector<std::uint16_t>& values) const;
+    /// How a point's surface lies to the map: quanta per texel; texels from the centre; depth.
+    struct Slant {
+        glm::vec2 slope, place;
+        float depth;
+    };
+    /// The nearest entry beyond `key` along ω that lies before the point by its slopes, too.
+    int next_by_slopes(int column, int row, int key, bool forward, const Slant& x) const;
     /// Where the point is outside of the map the first band answers.
     FirstHit beside() const { return {map_.first_row == 0, false}; }
 

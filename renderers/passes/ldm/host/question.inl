@@ -52,11 +52,16 @@ struct Asked {
         const auto& frame = of.frame;
         slope_u = frame.step_u / frame.direction.w;
         slope_v = frame.step_v / frame.direction.w;
-        texel_size = std::max(glm::length(glm::vec3(frame.step_u)), glm::length(glm::vec3(frame.step_v)));
-        texel_quanta = texel_size / frame.direction.w;
+        texel_quanta = StreamedMap::texel_quanta(frame);
+        texel_size = texel_quanta * frame.direction.w;
         reach = visibility.max_distance > 0 ? visibility.max_distance / frame.direction.w
                                             : std::numeric_limits<float>::infinity();
     }
+};
+
+/// How a surface lies to a map: depth that its tangent plane gains a texel, and the tolerance for entries.
+struct Slant {
+    Floats per_column, per_row, tolerance;
 };
 
 /// What some pixels ask a map. Depths are counted along ω, from 65535 backwards for -v.
@@ -68,6 +73,10 @@ struct Question {
     Ints texel;           ///< of the band, where `here`
     Floats plane, start;  ///< depth from which distances count; depth beyond which entries are hits
     Floats tolerance;
+    // By the rule tangent-plane:
+    Floats own;         ///< depth of the point
+    Floats to_u, to_v;  ///< texels from the point to the texel's centre
+    Slant slant;
 };
 
 Floats along(Mask forward, Floats depth) {
@@ -91,10 +100,6 @@ HWY_INLINE void set_texel(Question& q, const Asked& asked, Floats column, Floats
     q.texel = hn::ConvertTo(n, hn::IfThenElseZero(q.here, texel));
 }
 
-/// How a surface lies to a map: depth that its tangent plane gains a texel, and the tolerance for entries.
-struct Slant {
-    Floats per_column, per_row, tolerance;
-};
 HWY_INLINE Slant slant_of(const Asked& asked, const SelfHitRule& rule, const Vector3& normal, Floats facing) {
     const auto per_facing = hn::Div(hn::Set(f, -1), hn::Max(hn::Abs(facing), hn::Set(f, min_facing)));
     Slant result;
@@ -107,19 +112,19 @@ HWY_INLINE Slant slant_of(const Asked& asked, const SelfHitRule& rule, const Vec
     return result;
 }
 
-/// The texel that a point asks, and what its tangent plane gains up to that texel's centre. `is_inside`: the
-/// point's texel and its neighbours are texels of the map.
+/// The texel that a point asks, the way to its centre in texels, and what the tangent plane gains up to
+/// there. `is_inside`: the point's texel and its neighbours are texels of the map.
 struct Asks {
-    Floats column, row, gain;
+    Floats column, row, gain, to_u, to_v;
 };
 template <bool is_inside>
 HWY_INLINE Asks texel_of(const Asked& asked, const SelfHitRule& rule, const Slant& slant, Floats u,
                          Floats v) {
     const auto zero = hn::Zero(f), one = hn::Set(f, 1), half = hn::Set(f, 0.5f);
     const auto resolution = static_cast<float>(asked.map.resolution);
-    Asks at{hn::Floor(u), hn::Floor(v), zero};
-    auto to_u = hn::Sub(hn::Add(at.column, half), u), to_v = hn::Sub(hn::Add(at.row, half), v);
-    at.gain = hn::MulAdd(slant.per_column, to_u, hn::Mul(slant.per_row, to_v));
+    Asks at{hn::Floor(u), hn::Floor(v), zero, zero, zero};
+    at.to_u = hn::Sub(hn::Add(at.column, half), u), at.to_v = hn::Sub(hn::Add(at.row, half), v);
+    at.gain = hn::MulAdd(slant.per_column, at.to_u, hn::Mul(slant.per_row, at.to_v));
     auto moves = hn::Gt(at.gain, hn::Set(f, rule.max_dip * asked.texel_quanta));
     if constexpr (!is_inside) moves = hn::AndNot(is_outside(at.column, at.row, resolution), moves);
     if (hn::AllFalse(f, moves)) return at;
@@ -133,10 +138,10 @@ HWY_INLINE Asks texel_of(const Asked& asked, const SelfHitRule& rule, const Slan
             hn::AndNot(is_outside(hn::Add(at.column, back_u), hn::Add(at.row, back_v), resolution), moves);
     at.column = hn::Add(at.column, hn::IfThenElseZero(moves, back_u));
     at.row = hn::Add(at.row, hn::IfThenElseZero(moves, back_v));
-    to_u = hn::Add(to_u, hn::IfThenElseZero(moves, back_u));
-    to_v = hn::Add(to_v, hn::IfThenElseZero(moves, back_v));
-    at.gain =
-        hn::IfThenElse(moves, hn::MulAdd(slant.per_column, to_u, hn::Mul(slant.per_row, to_v)), at.gain);
+    at.to_u = hn::Add(at.to_u, hn::IfThenElseZero(moves, back_u));
+    at.to_v = hn::Add(at.to_v, hn::IfThenElseZero(moves, back_v));
+    at.gain = hn::IfThenElse(moves, hn::MulAdd(slant.per_column, at.to_u, hn::Mul(slant.per_row, at.to_v)),
+                             at.gain);
     return at;
 }
 Floats start_of(Floats own, const Asks& at, const Slant& slant) {
@@ -147,13 +152,14 @@ Floats start_of(Floats own, const Asks& at, const Slant& slant) {
 HWY_INLINE void ask_tangent(Question& q, const Asked& asked, const SelfHitRule& rule, const Vector3& position,
                             const Vector3& normal, Floats facing) {
     const auto& frame = asked.map.frame;
-    const auto slant = slant_of(asked, rule, normal, facing);
+    q.slant = slant_of(asked, rule, normal, facing);
     const auto at =
-        texel_of<false>(asked, rule, slant, project(position, frame.u), project(position, frame.v));
-    const auto own = along(q.forward, project(position, frame.depth));
-    q.tolerance = slant.tolerance;
-    q.plane = hn::Add(own, at.gain);
-    q.start = start_of(own, at, slant);
+        texel_of<false>(asked, rule, q.slant, project(position, frame.u), project(position, frame.v));
+    q.own = along(q.forward, project(position, frame.depth));
+    q.to_u = at.to_u, q.to_v = at.to_v;
+    q.tolerance = q.slant.tolerance;
+    q.plane = hn::Add(q.own, at.gain);
+    q.start = start_of(q.own, at, q.slant);
     set_texel(q, asked, at.column, at.row);
 }
 

@@ -31,6 +31,7 @@ struct MediumTriangle {
     std::int32_t inside[3], per_row[3], per_column[3], texel;
     float depth, depth_per_row, depth_per_column;
     int width, height;
+    std::int32_t slopes;  ///< codes
 };
 
 /// First texel, along an axis, whose centre is not below a subtexel coordinate.
@@ -57,11 +58,14 @@ class Rasteriser {
           bottom_(hn::Set(f, static_cast<float>(map.first_row + map.rows))),
           resolution_(hn::Set(f, static_cast<float>(map.resolution))),
           keeps_outermost_(map.holds == Holds::outermost),
+          keeps_slopes_(map.holds == Holds::sloped_lists),
+          texel_quanta_(StreamedMap::texel_quanta(map.frame)),
           culling_(meshlets, map, scratch) {}
 
     void begin() {
         scratch_.fragment_count = 0;
         scratch_.fragments.resize(std::max<std::size_t>(scratch_.fragments.size(), 4 * flushed_at));
+        if (keeps_slopes_) scratch_.slopes.resize(scratch_.fragments.size());
         queue_.size = 0;
         if (!keeps_outermost_) return;
         map_.levels = StreamedMap::levels_of(map_.resolution, map_.rows);
@@ -96,6 +100,7 @@ class Rasteriser {
                          cy = c.y[2] - c.y[0];
             const double area = bx * cy - by * cx;
             if (area == 0) continue;
+            const auto slopes = keeps_slopes_ ? codes_of(plane) : 0;
             const auto [least, most] = std::minmax({c.z[0], c.z[1], c.z[2]});
             Spans spans(c.x, c.y, map_.first_row, map_.first_row + map_.rows, map_.resolution);
             while (spans.next()) {
@@ -110,6 +115,7 @@ class Rasteriser {
                         continue;
                     const double depth = std::clamp(plane.at(x, y), least, most);
                     const auto quanta = std::clamp(static_cast<int>(depth + 0.5), first_depth, last_depth);
+                    if (keeps_slopes_) scratch_.slopes[scratch_.fragment_count] = slopes;
                     scratch_.fragments[scratch_.fragment_count++] =
                         static_cast<std::uint32_t>((row + column) << 16 | quanta);
                 }
@@ -135,12 +141,16 @@ class Rasteriser {
         const auto* const fragments = scratch_.fragments.data();
         map_.begins.assign(texels() + 1, 0);
         if (map_.depths.size() < count) map_.depths.resize(count + count / 4);
+        if (keeps_slopes_) map_.slopes.resize(map_.depths.size());
         auto* const begins = map_.begins.data();
         for (std::size_t i = 0; i < count; ++i) ++begins[fragments[i] >> 16];
         std::uint32_t sum = 0;
         for (std::size_t texel = 0; texel <= texels(); ++texel) begins[texel] = sum += begins[texel];
-        for (std::size_t i = 0; i < count; ++i)
-            map_.depths[--begins[fragments[i] >> 16]] = static_cast<std::uint16_t>(fragments[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto place = --begins[fragments[i] >> 16];
+            map_.depths[place] = static_cast<std::uint16_t>(fragments[i]);
+            if (keeps_slopes_) map_.slopes[place] = static_cast<std::uint16_t>(scratch_.slopes[i]);
+        }
         scratch_.fragments_made += count;
     }
 
@@ -150,13 +160,32 @@ class Rasteriser {
     void reserve(std::size_t more) {
         if (keeps_outermost_ && scratch_.fragment_count >= flushed_at) flush();
         const auto needed = scratch_.fragment_count + more + lanes;
-        if (needed > scratch_.fragments.size()) scratch_.fragments.resize(2 * needed);
+        if (needed <= scratch_.fragments.size()) return;
+        scratch_.fragments.resize(2 * needed);
+        if (keeps_slopes_) scratch_.slopes.resize(2 * needed);
+    }
+
+    /// Of slopes in quanta per texel: slope_codes() of many.
+    Ints codes_of(Floats per_column, Floats per_row) const {
+        const auto code = [&](Floats slope) {
+            const auto most = hn::Set(f, 1e6f), last = hn::Set(f, ldm_max_slope_code);
+            const auto s =
+                hn::Min(hn::Max(hn::Mul(slope, hn::Set(f, 1 / texel_quanta_)), hn::Neg(most)), most);
+            const auto steps =
+                hn::Div(hn::Mul(s, hn::Set(f, ldm_slope_steps)), hn::Add(hn::Set(f, 1), hn::Abs(s)));
+            return hn::And(hn::NearestInt(hn::Min(hn::Max(steps, hn::Neg(last)), last)), hn::Set(n, 0xff));
+        };
+        return hn::Or(code(per_column), hn::ShiftLeft<8>(code(per_row)));
+    }
+    std::uint32_t codes_of(const Plane& plane) const {
+        return slope_codes(double{subtexels} * glm::dvec2(plane.per_x, plane.per_y), double{texel_quanta_});
     }
 
     /// Depths inside of a triangle: they lie within the margins of the map's range.
-    void put(Ints texel, Floats depth, Mask which) {
+    void put(Ints texel, Floats depth, Mask which, Ints slopes) {
         const auto packed = hn::Or(hn::ShiftLeft<16>(texel), hn::NearestInt(depth));
         const Packing packing(which);
+        if (keeps_slopes_) packing.store(slopes, scratch_.slopes.data() + scratch_.fragment_count);
         packing.store(packed, scratch_.fragments.data() + scratch_.fragment_count);
         scratch_.fragment_count += static_cast<std::size_t>(packing.count());
     }
@@ -238,7 +267,7 @@ class Rasteriser {
         Mask live;
         Whole inside[3], per_row[3], per_column[3];
         Floats depth, depth_per_row, depth_per_column;
-        Ints texel;
+        Ints texel, slopes;
     };
     template <class Whole>
     Prepared<Whole> prepare(Triangles t, const Box& box, Mask live, bool floats_hold) const {
@@ -306,6 +335,7 @@ class Rasteriser {
         result.depth_per_column = hn::Neg(hn::MulAdd(dy[2], b, hn::Mul(dy[0], c)));
         result.depth_per_row = hn::MulAdd(dx[2], b, hn::Mul(dx[0], c));
         result.texel = hn::ConvertTo(n, hn::MulAdd(hn::Sub(box.row, top_), resolution_, box.column));
+        result.slopes = keeps_slopes_ ? codes_of(result.depth_per_column, result.depth_per_row) : hn::Zero(n);
         return result;
     }
 
@@ -323,7 +353,7 @@ class Rasteriser {
                 auto depth = p.depth;
                 if (i > 0) depth = hn::Add(depth, p.depth_per_column);
                 if (j > 0) depth = hn::Add(depth, p.depth_per_row);
-                put(hn::Add(p.texel, hn::Set(n, i + j * map_.resolution)), depth, hit);
+                put(hn::Add(p.texel, hn::Set(n, i + j * map_.resolution)), depth, hit, p.slopes);
             }
         }
     }
@@ -337,7 +367,7 @@ class Rasteriser {
         const bool floats_hold =
             hn::AllTrue(f, hn::Or(hn::Le(most, hn::Set(f, float_side)), hn::Not(is_there)));
         const auto p = prepare<Ints>(t, box, is_there, floats_hold);
-        alignas(64) std::int32_t ints[10][lanes];
+        alignas(64) std::int32_t ints[11][lanes];
         alignas(64) float floats[5][lanes];
         for (int k = 0; k < 3; ++k) {
             hn::Store(p.inside[k], n, ints[k]);
@@ -345,6 +375,7 @@ class Rasteriser {
             hn::Store(p.per_column[k], n, ints[6 + k]);
         }
         hn::Store(p.texel, n, ints[9]);
+        hn::Store(p.slopes, n, ints[10]);
         const Floats others_floats[5] = {p.depth, p.depth_per_row, p.depth_per_column, box.width, box.height};
         for (int k = 0; k < 5; ++k) hn::Store(others_floats[k], f, floats[k]);
         for (auto bits = bits_of(p.live); bits != 0; bits &= bits - 1) {
@@ -356,6 +387,7 @@ class Rasteriser {
                 triangle.per_column[k] = ints[6 + k][lane];
             }
             triangle.texel = ints[9][lane];
+            triangle.slopes = ints[10][lane];
             triangle.depth = floats[0][lane], triangle.depth_per_row = floats[1][lane];
             triangle.depth_per_column = floats[2][lane];
             triangle.width = static_cast<int>(floats[3][lane]),
@@ -403,7 +435,7 @@ class Rasteriser {
                     if (keeps_outermost_)
                         raise_some(texel + x, hn::NearestInt(depth), hit);
                     else
-                        put(hn::Iota(n, texel + x), depth, hn::RebindMask(f, hit));
+                        put(hn::Iota(n, texel + x), depth, hn::RebindMask(f, hit), hn::Set(n, t.slopes));
                 }
                 a = hn::Sub(a, right[0]);
                 b = hn::Sub(b, right[1]);
@@ -433,6 +465,7 @@ class Rasteriser {
         for (auto bits = bits_of(which); bits != 0; bits &= bits - 1) {
             const auto c = corners_at(at + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)));
             const Plane plane(c.x, c.y, c.z);
+            const auto slopes = keeps_slopes_ ? codes_of(plane) : 0;
             const auto [least, most] = std::minmax({c.z[0], c.z[1], c.z[2]});
             Spans spans(c.x, c.y, map_.first_row, map_.first_row + map_.rows, map_.resolution);
             while (spans.next()) {
@@ -441,12 +474,13 @@ class Rasteriser {
                 const int texel = (spans.row() - map_.first_row) * map_.resolution + spans.first();
                 put_span(texel, spans.end() - spans.first(), static_cast<float>(depth),
                          static_cast<float>(plane.per_x * subtexels), static_cast<float>(least),
-                         static_cast<float>(most));
+                         static_cast<float>(most), slopes);
             }
         }
     }
 
-    void put_span(int texel, int count, float depth, float per_column, float least, float most) {
+    void put_span(int texel, int count, float depth, float per_column, float least, float most,
+                  std::uint32_t slopes) {
         if (!keeps_outermost_) reserve(static_cast<std::size_t>(count));
         const auto low = hn::Set(f, std::max(least, ldm_first_depth)),
                    high = hn::Set(f, std::min(most, ldm_last_depth));
@@ -460,7 +494,7 @@ class Rasteriser {
             if (keeps_outermost_)
                 raise(texel + x, both_depths(quanta_at(x)));
             else
-                append(texel + x, quanta_at(x), lanes);
+                append(texel + x, quanta_at(x), lanes, slopes);
         }
         if (keeps_outermost_) scratch_.fragments_made += static_cast<std::uint64_t>(count);
         if (x == count) return;
@@ -469,13 +503,16 @@ class Rasteriser {
             raise(texel + x, hn::IfThenElseZero(hn::FirstN(n, static_cast<std::size_t>(left)),
                                                 both_depths(quanta_at(x))));
         else
-            append(texel + x, quanta_at(x), left);
+            append(texel + x, quanta_at(x), left, slopes);
     }
 
-    void append(int texel, Ints quanta, int count) {
+    void append(int texel, Ints quanta, int count, std::uint32_t slopes) {
         const auto packed = hn::Or(hn::ShiftLeft<16>(hn::Iota(n, texel)), quanta);
         hn::StoreU(packed, n,
                    reinterpret_cast<std::int32_t*>(scratch_.fragments.data()) + scratch_.fragment_count);
+        if (keeps_slopes_)
+            hn::StoreU(hn::Set(n, static_cast<std::int32_t>(slopes)), n,
+                       reinterpret_cast<std::int32_t*>(scratch_.slopes.data()) + scratch_.fragment_count);
         scratch_.fragment_count += static_cast<std::size_t>(count);
     }
 
@@ -494,7 +531,8 @@ class Rasteriser {
     BuildScratch& scratch_;
     BuildScratch::Queue &queue_, &others_;
     const Floats top_, bottom_, resolution_;
-    const bool keeps_outermost_;
+    const bool keeps_outermost_, keeps_slopes_;
+    const float texel_quanta_;
     Culling culling_;
 };
 

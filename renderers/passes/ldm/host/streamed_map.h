@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderers/passes/ldm/host/meshlets.h"
+#include "renderers/passes/ldm/host/node.h"
 #include "renderers/passes/ldm/host/pixel_tiles.h"
 #include "renderers/passes/ldm/maps.h"
 
@@ -19,8 +20,9 @@ namespace ir::passes::ldm {
 
 /// What a map that lives for a moment holds of each texel.
 enum class Holds {
-    outermost,  ///< its outermost two depths: enough where hits at any distance count
-    lists       ///< all depths, in no order
+    outermost,    ///< its outermost two depths: enough where hits at any distance count
+    lists,        ///< all depths, in no order
+    sloped_lists  ///< of each depth the slopes of its surface, too (shaders/passes/ldm/node.glsl)
 };
 
 /// As struct LdmRule of shaders/passes/ldm/trace.glsl.
@@ -68,12 +70,21 @@ class StreamedMap {
     /// Where the depths of each texel begin, and where the last one's end.
     std::vector<std::uint32_t> begins;
     std::vector<std::uint16_t> depths;
+    /// Codes of both slopes of each depth, and what codes stand for.
+    std::vector<std::uint16_t> slopes;
+    SlopeTable slope_of{};
+
+    /// A texel's longer side in quanta of depth.
+    static float texel_quanta(const MapFrame& frame) {
+        return std::max(glm::length(glm::vec3(frame.step_u)), glm::length(glm::vec3(frame.step_v))) /
+               frame.direction.w;
+    }
 
     static std::uint64_t outermost_bytes(int resolution, int rows) {
         return 4 * std::uint64_t{levels_of(resolution, rows).back().end()};
     }
     std::uint64_t bytes() const {
-        return 4 * (outermost.capacity() + begins.capacity()) + 2 * depths.capacity();
+        return 4 * (outermost.capacity() + begins.capacity()) + 2 * (depths.capacity() + slopes.capacity());
     }
 };
 
@@ -90,9 +101,10 @@ struct BuildScratch {
     std::vector<std::uint8_t> hidden;      ///< meshlets that change no outermost depth
     std::vector<std::uint32_t> line;       ///< of cells
     std::vector<std::uint32_t> fragments;  ///< texel of the band << 16 | depth
+    std::vector<std::uint32_t> slopes;     ///< of fragments, codes
     std::size_t fragment_count = 0;
     std::uint64_t fragments_made = 0;  ///< since this was made
-    std::uint64_t bytes() const { return sizeof(*this) + 4 * fragments.capacity(); }
+    std::uint64_t bytes() const { return sizeof(*this) + 4 * (fragments.capacity() + slopes.capacity()); }
 };
 
 /// Numbers of directions for each pixel, as PixelTiles counts them.

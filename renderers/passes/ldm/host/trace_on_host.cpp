@@ -29,7 +29,9 @@ constexpr std::uint64_t expected_depths = 8;
 /// Maps that a thread holds at once.
 int maps_together(int resolution, Holds holds, int threads) {
     const auto texels = static_cast<std::uint64_t>(StreamedMap::band_rows(resolution)) * resolution;
-    const auto bytes = texels * (holds == Holds::outermost ? 4 : 4 + 2 * expected_depths);
+    const auto bytes = texels * (holds == Holds::outermost ? 4
+                                 : holds == Holds::lists   ? 4 + 2 * expected_depths
+                                                           : 4 + 4 * expected_depths);
     const auto room = std::min(cache_bytes, memory_bytes / static_cast<std::uint64_t>(threads));
     return static_cast<int>(std::clamp<std::uint64_t>(room / bytes, 1, max_together));
 }
@@ -183,6 +185,10 @@ class Stream {
     int together_ = 1;
 };
 
+Holds lists_of(const Maps& maps) {
+    return maps.options.nodes == NodeKind::sloped ? Holds::sloped_lists : Holds::lists;
+}
+
 /// Declares a pass that streams all maps.
 struct StreamPass {
     std::string name;
@@ -334,10 +340,10 @@ class SkyAsker {
 
 }  // namespace
 
-SelfHitRule self_hit_rule(const MapParameters& parameters) {
+SelfHitRule self_hit_rule(const MapParameters& parameters, NodeKind nodes) {
     return {.tangent_plane = parameters.self_hit == SelfHit::tangent_plane,
             .quanta = parameters.self_hit_tolerance,
-            .slope = parameters.slope_tolerance,
+            .slope = parameters.slope_tolerance * (nodes == NodeKind::sloped ? sloped_tolerance : 1),
             .offset = parameters.normal_offset,
             .max_dip = parameters.max_dip};
 }
@@ -350,7 +356,7 @@ void trace_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::
     pass.name = "build and trace maps";
     // Without a limit of distance a ray is open where nothing of its texel lies beyond. The nearest entry,
     // which the rule normal-offset asks for, takes a list.
-    pass.holds = visibility.max_distance == 0 && rule.tangent_plane ? Holds::outermost : Holds::lists;
+    pass.holds = visibility.max_distance == 0 && rule.tangent_plane ? Holds::outermost : lists_of(*maps);
     if (stands_still && pass.holds == Holds::outermost) pass.kept = declare_kept(builder, maps);
     pass.prepare = [](const PixelTiles& tiles, Worker& worker) {
         worker.sums.assign(tiles.count() * PixelTiles::pixels, 0);
@@ -369,7 +375,7 @@ void count_self_hits_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffe
                              graph::ImageRef counts) {
     StreamPass pass;
     pass.name = "build and trace maps for self-hits";
-    pass.holds = Holds::lists;
+    pass.holds = lists_of(*maps);
     pass.prepare = [](const PixelTiles& tiles, Worker& worker) {
         worker.counts.resize(tiles.count() * PixelTiles::pixels);
     };
@@ -387,7 +393,7 @@ void trace_sky_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, gra
     const auto regions = std::make_shared<std::shared_ptr<std::vector<glm::vec3>>>();
     StreamPass pass;
     pass.name = "build and trace maps for the sky";
-    pass.holds = Holds::lists;
+    pass.holds = lists_of(*maps);
     pass.also_read = sky.regions;
     pass.begin = [=](const graph::PassContext& context) {
         *regions = context.object<std::vector<glm::vec3>>(sky.regions);

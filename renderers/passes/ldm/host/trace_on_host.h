@@ -14,8 +14,8 @@ inline bool has_host_body(const Options& options) {
     return options.storage == StorageKind::arrays && options.builder == BuilderKind::compute;
 }
 
-/// What the parameters say of self-hits.
-SelfHitRule self_hit_rule(const MapParameters& parameters);
+/// What the parameters say of self-hits, for maps with such nodes.
+SelfHitRule self_hit_rule(const MapParameters& parameters, NodeKind nodes = NodeKind::plain);
 
 /// Declares the pass "build and trace maps" (cpu), which streams all maps through the caches of its threads:
 /// each builds a few, asks them for all pixels and forgets them. Memory does not depend on their number.
