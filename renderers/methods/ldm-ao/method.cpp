@@ -60,11 +60,11 @@ std::string needs_lists(const Parameters& parameters) {
     return {};
 }
 
-/// Which nodes maps in this storage have.
-passes::ldm::NodeKind nodes_of(const Parameters& parameters, passes::ldm::StorageKind storage) {
+/// Which nodes the maps have: plain ones also where arrays stand for outermost depths.
+passes::ldm::NodeKind nodes_of(const Parameters& parameters) {
     // Without a limit of distance only outermost depths count, which are seldom near.
-    const bool asks_slopes = passes::ldm::may_keep_slopes(storage) && parameters.transport.max_distance > 0 &&
-                             parameters.exact == Exact::none &&
+    const bool asks_slopes = passes::ldm::may_keep_slopes(parameters.maps.storage) &&
+                             parameters.transport.max_distance > 0 && parameters.exact == Exact::none &&
                              parameters.maps.self_hit == passes::ldm::SelfHit::tangent_plane;
     return asks_slopes ? parameters.nodes : passes::ldm::NodeKind::plain;
 }
@@ -80,7 +80,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
                      reason);
         options.storage = passes::ldm::StorageKind::arrays;
     }
-    options.nodes = nodes_of(parameters, options.storage);
+    options.nodes = nodes_of(parameters);
     const auto& inputs = builder.inputs();
     if (parameters.progressive)
         options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
