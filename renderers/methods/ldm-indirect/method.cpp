@@ -25,7 +25,7 @@ MethodDescription description() {
         "through the maps, and splats them with the footprints of their differentials. One diffuse bounce; "
         "nothing is precomputed. Errors come from the number of directions, from the maps' texels and from "
         "the footprints' size.";
-    d.version = 4;
+    d.version = 5;
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
     d.missing_light = missing_light();
     d.outputs = joined({splatting_outputs(), tracing_outputs()});
