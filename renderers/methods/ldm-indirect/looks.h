@@ -24,9 +24,9 @@ inline float units_per_metre(const scene::World& world) {
     return 65536 / (2 * std::max(world.bounds.radius(), 1e-6f));
 }
 
-/// Where a look stands among the bytes: look_word() of looks.glsl.
-inline std::size_t look_place(std::size_t pixel, std::size_t pixels, std::size_t map) {
-    return 4 * (map / 4 * pixels + pixel) + map % 4;
+/// Where the looks of a tile by a map begin among the bytes: look_word() of looks.glsl.
+inline std::size_t look_place(std::size_t tile, std::size_t maps, std::size_t map) {
+    return (tile * maps + map) * (look_tile * look_tile);
 }
 
 /// "indirect.looks": how far pixels see towards where photons come from; none where nothing asks.

@@ -31,7 +31,7 @@ struct Parameters {
     Senders senders = Senders::diffuse;  ///< what first surfaces reflect
     Footprint footprint = Footprint::widened;
     LandingBy landing = LandingBy::plane;  ///< what a map's entries say of the surface that is hit
-    Clipping clipping = Clipping::none;    ///< what footprints light
+    Clipping clipping = Clipping::maps;    ///< what footprints light
     Overhang overhang = Overhang::lost;    ///< kernels beyond their surface
     bool reject_hidden = false;            ///< photons whose centre the camera does not see
     float visibility_tolerance = 0.005f;   ///< of the distance to the eye

@@ -1,6 +1,6 @@
-// How far each pixel sees towards where photons come from, by each map along its direction: a look, of four of which
-// a word consists. Of a look 8 bits are kept, 16 to an octave, rounded down; the unit is 1/65,536 of the diagonal of the
-// scene's bounds. renderers/methods/ldm-indirect/looks.h does the same on the host.
+// How far each pixel sees towards where photons come from, by each map along its direction: a look. Of a look 8 bits
+// are kept, 16 steps to an octave, rounded down; the unit is 1/65,536 of the diagonal of the scene's bounds.
+// renderers/methods/ldm-indirect/looks.h does the same on the host.
 
 /// Beyond which nothing is in the way.
 // C++: ir::methods::ldm_indirect::open_look
@@ -17,7 +17,15 @@ uint packed_look(float units) {
 }
 float unpacked_look(uint look) { return uintBitsToFloat((look + SHORTEST_LOOK) << LOOK_SHIFT); }
 
-/// Where the word with a map's look stands.
-uint look_word(ivec2 pixel, ivec2 size, uint map) {
-    return (map / 4u * uint(size.y) + uint(pixel.y)) * uint(size.x) + uint(pixel.x);
+/// Looks stand by tile of so many pixels a side, then by map, then row by row: four pixels to a word.
+// C++: ir::methods::ldm_indirect::look_tile
+const uint LOOK_TILE = 8u;
+
+/// Where the word with a pixel's look stands.
+uint look_word(uvec2 pixel, uint width, uint maps, uint map) {
+    uvec2 tile = pixel / LOOK_TILE, at = pixel % LOOK_TILE;
+    uint tiles_across = (width + LOOK_TILE - 1u) / LOOK_TILE;
+    return (((tile.y * tiles_across + tile.x) * maps + map) * LOOK_TILE + at.y) * (LOOK_TILE / 4u) + at.x / 4u;
 }
+/// Where in the word it stands.
+int look_bit(uvec2 pixel) { return int(8u * (pixel.x % 4u)); }

@@ -92,6 +92,7 @@ class LdmConvergence : public testing::Test {
         const auto o = outcome("ldm-indirect", with(bounce, with({{"directions", std::int64_t{directions}},
                                                                   {"emission", std::int64_t{emission}},
                                                                   {"resolution", std::int64_t{resolution}},
+                                                                  {"clipping", std::string("none")},
                                                                   {"reject_hidden", true}},
                                                                  more)));
         std::printf("%4d directions, %3d^2 photons, %3d^2 texels: RMSE flat %.5f all %.5f, light %.4f %.4f\n",

@@ -75,11 +75,9 @@ class IndirectTracingTest : public PassTest {
     }
 
     static Settings quick() {
-        return {{"directions", std::int64_t{32}},
-                {"resolution", std::int64_t{100}},
-                {"emission", std::int64_t{16}},
-                {"overhang", std::string("returned")},
-                {"reject_hidden", true}};
+        return {{"directions", std::int64_t{32}},      {"resolution", std::int64_t{100}},
+                {"emission", std::int64_t{16}},        {"clipping", std::string("none")},
+                {"overhang", std::string("returned")}, {"reject_hidden", true}};
     }
 
     FrameReport trace(const Shot& shot, const Settings& settings, double initial_capacity = 1,

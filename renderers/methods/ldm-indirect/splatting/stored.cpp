@@ -32,7 +32,8 @@ graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters&
 /// Constants of clipping.glsl.
 struct Units {
     float units_per_metre;
-    IR_FIELDS(units_per_metre)
+    unsigned look_maps;
+    IR_FIELDS(units_per_metre, look_maps)
 };
 
 void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
@@ -116,7 +117,9 @@ void define_clipped(gl::ProgramSource& source, const StoredPhotons& photons) {
 }
 
 void set_units(const graph::PassContext& context, const gl::Program& program, const StoredPhotons& photons) {
-    if (photons.looks) program.set(Units{units_per_metre(*context.inputs().world)});
+    if (photons.looks)
+        program.set(Units{units_per_metre(*context.inputs().world),
+                          static_cast<unsigned>(photons.parameters.maps.directions)});
 }
 
 Footprints footprints(const graph::FrameInputs& inputs, const StoredPhotons& photons) {

@@ -14,9 +14,9 @@ constexpr std::int64_t maps_together = 8;
 /// Constants of look.comp.
 struct Look {
     ldm::FrameConstants frames;
-    unsigned first_frame, first_map, map_count;
+    unsigned first_frame, first_map, map_count, all_maps;
     float units_per_metre;
-    IR_FIELDS(frames, first_frame, first_map, map_count, units_per_metre)
+    IR_FIELDS(frames, first_frame, first_map, map_count, all_maps, units_per_metre)
 };
 
 }  // namespace
@@ -25,13 +25,17 @@ std::optional<graph::BufferRef> declare_looks(graph::GraphBuilder& builder, cons
     if (parameters.clipping == Clipping::none || parameters.transport.paths == Transport::Paths::direct)
         return {};
     const auto& view = builder.inputs().view;
-    const auto pixels = static_cast<std::uint64_t>(view.width) * static_cast<std::uint64_t>(view.height);
+    constexpr auto side = static_cast<int>(look_tile);
+    const auto tiles = static_cast<std::uint64_t>((view.width + side - 1) / side) *
+                       static_cast<std::uint64_t>((view.height + side - 1) / side);
     return builder.buffer({.text = {.key = "indirect.looks",
                                     .label = "Looks of pixels",
                                     .doc = "How far each pixel sees along the direction of each map: four "
-                                           "maps to a word, 16 steps to an octave."},
+                                           "pixels to a word, by tile of 8 x 8 pixels, then by map; 16 "
+                                           "steps to an octave."},
                            .fields = {{"looks", graph::FieldType::u32}},
-                           .elements = pixels * ((parameters.maps.directions + 3) / 4)});
+                           .elements = tiles * static_cast<std::uint64_t>(parameters.maps.directions) *
+                                       (look_tile * look_tile / 4)});
 }
 
 void look_from_pixels(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
@@ -53,8 +57,9 @@ void look_from_pixels(graph::GraphBuilder& builder, const passes::GBuffer& gbuff
                              .first_frame = static_cast<unsigned>(frame),
                              .first_map = static_cast<unsigned>(first),
                              .map_count = static_cast<unsigned>(count),
+                             .all_maps = static_cast<unsigned>(maps->layout.maps),
                              .units_per_metre = units_per_metre(*context.inputs().world)});
-            program.dispatch(shape.width, shape.height);
+            program.dispatch((shape.width + 3) / 4, shape.height);
             context.barrier();
         }
     };

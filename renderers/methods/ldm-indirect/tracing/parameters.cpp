@@ -62,7 +62,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                           {"maps", "By the maps",
                            "What a beam meets from the photon's first surface on, as far as pixels see back "
                            "along it by its map."}},
-              .since_version = 4,
+              .since_version = 5,
               .value_in_older_projects = std::string("none")})
         .add(&Parameters::overhang,
              {.key = "overhang",

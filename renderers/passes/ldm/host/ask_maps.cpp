@@ -48,6 +48,34 @@ void visibility_sums(const PixelTiles& tiles, std::size_t first, std::size_t end
     }
 }
 
+void seen_distances(const PixelTiles& tiles, std::size_t first, std::size_t end, const StreamedMap& map,
+                    const SelfHitRule& rule, float* distances) {
+    TileState state;
+    const Asked asked(map, {});
+    for (auto tile = first; tile < end; ++tile, distances += pixels) {
+        if (tiles.valid[tile] == 0) {
+            std::fill_n(distances, pixels, -1.0f);
+            continue;
+        }
+        const bool asks = ask_tile(state, tiles, tile, asked, rule);
+        if (asks && rule.tangent_plane)
+            find_nearest<false>(map, state.q);
+        else if (asks)
+            go_on_from_own(state, map);
+        const auto found = tiles.valid[tile] & state.q.asks, open = tiles.valid[tile] & state.open;
+        for (int i = 0; i < pixels; i += lanes) {
+            const auto beyond = load_halves(state.q.beyond + i), key = load_halves(state.q.key + i);
+            const auto distance =
+                hn::Max(hn::Sub(hn::Add(hn::Add(key, beyond), hn::Set(f, 1)), hn::Load(f, state.plane + i)),
+                        hn::Zero(f));
+            const auto far = hn::Set(f, std::numeric_limits<float>::infinity());
+            const auto is_hit = hn::And(lanes_of(found, i), hn::Ne(beyond, hn::Set(f, none)));
+            const auto seen = hn::IfThenElse(lanes_of(found | open, i), far, hn::Set(f, -1));
+            hn::StoreU(hn::IfThenElse(is_hit, distance, seen), f, distances + i);
+        }
+    }
+}
+
 void self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const SelfHitRule& rule,
                SelfHitCounts& counts) {
     TileState state;
@@ -106,6 +134,7 @@ HWY_AFTER_NAMESPACE();
 namespace ir::passes::ldm {
 
 HWY_EXPORT(visibility_sums);
+HWY_EXPORT(seen_distances);
 HWY_EXPORT(self_hits);
 HWY_EXPORT(cosine_sums);
 
@@ -113,6 +142,11 @@ void add_visibility(const PixelTiles& tiles, std::size_t first, std::size_t end,
                     std::span<const StreamedMap> maps, const SelfHitRule& rule, const Visibility& visibility,
                     float scale, std::span<std::uint32_t> sums) {
     HWY_DYNAMIC_DISPATCH(visibility_sums)(tiles, first, end, maps, rule, visibility, scale, sums.data());
+}
+
+void see_along(const PixelTiles& tiles, std::size_t first, std::size_t end, const StreamedMap& map,
+               const SelfHitRule& rule, std::span<float> distances) {
+    HWY_DYNAMIC_DISPATCH(seen_distances)(tiles, first, end, map, rule, distances.data());
 }
 
 void count_self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const SelfHitRule& rule,

@@ -130,6 +130,12 @@ void add_visibility(const PixelTiles& tiles, std::size_t first, std::size_t end,
                     std::span<const StreamedMap> maps, const SelfHitRule& rule, const Visibility& visibility,
                     float scale, std::span<std::uint32_t> sums);
 
+/// How far the pixels of tiles first … end - 1 see along a map, on the side of their shading normals, in
+/// quanta, 64 a tile: infinite where nothing is in the way, below 0 where there is no surface, the map's
+/// direction runs below it, or another band has the answer. The map holds lists.
+void see_along(const PixelTiles& tiles, std::size_t first, std::size_t end, const StreamedMap& map,
+               const SelfHitRule& rule, std::span<float> distances);
+
 /// Counts what the self-hit rule did. The maps hold lists.
 void count_self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const SelfHitRule& rule,
                      SelfHitCounts& counts);

@@ -1,6 +1,7 @@
 // What a photon lights: an ellipsoid around the ellipse that its differential spans.  [Aalund15 eqs. 4-7]
 // renderers/methods/ldm-indirect/splatting/stored.h has the constants.
 #include "lib/constants.glsl"
+#include "methods/ldm-indirect/beam.glsl"
 #include "methods/ldm-indirect/records.glsl"
 #include "methods/ldm-indirect/splatting/ellipse.glsl"
 
@@ -26,14 +27,6 @@ struct Footprint {
     float distance;
     uint map;
 };
-
-/// DEVIATION [Aalund15 §3.4, eq. 5]: print lights whatever lies in an ellipsoid about the receiver's plane: surfaces
-/// behind thin walls, too, and it loses what bends away from the plane. A beam gives each surface that it meets first
-/// the same flux across it.
-// C++: ir::methods::ldm_indirect::beam_begins
-const float BEAM_BEGINS = 0.4;
-// C++: ir::methods::ldm_indirect::beam_ends
-const float BEAM_ENDS = 3.0;
 
 bool not_finite(vec3 v) { return any(isnan(v)) || any(isinf(v)); }
 

@@ -20,7 +20,7 @@ void main() {
     if (p.fate == PRIMARY_DEGENERATE) at.cause = CAUSE_DEGENERATE;
     if (p.fate == PRIMARY_SPLITS)
         at = landing(p.position_ws - p.path_length * p.direction_ws, p.direction_ws, p.path_length, 0.0, vec3(0),
-                     vec3(0), Spread(length(vec2(length(p.axis_u), length(p.axis_v))), 0.0), p.normal_ws, true);
+                     vec3(0), Spread(length(vec2(length(p.axis_u), length(p.axis_v))), 0.0, false), p.normal_ws, true);
     bool is_stored = at.cause == CAUSE_STORED || at.cause == CAUSE_STORED_HIDDEN;
     hits[index] = uvec2(floatBitsToUint(at.distance), is_stored ? packed_direction(at.normal_ws) : 0u);
     counts[index] = is_stored ? 1u : 0u;

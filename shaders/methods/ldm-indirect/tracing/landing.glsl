@@ -1,5 +1,7 @@
 // Where photons arrive in the camera's view. [Aalund15 §4.2, step 4b] Include primary.glsl and lib/spaces.glsl first.
 
+#include "methods/ldm-indirect/beam.glsl"
+
 uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_geometric_normal;
 
@@ -10,6 +12,7 @@ uniform float shortest_axis;  // m at 1 m along the view axis; of a parallel vie
 /// Bounds the longer semi-axis of a footprint across the ray, m: at_start + distance * by_distance.
 struct Spread {
     float at_start, by_distance;
+    bool is_beam;  // it lights what lies along the ray, and not only about where it lands
 };
 
 struct Landing {
@@ -31,16 +34,18 @@ bool shown_at(vec3 position_ws, out ivec2 pixel) {
     return clip.w > 0.0 && all(lessThanEqual(abs(clip.xy), vec2(clip.w)));
 }
 
-/// Whether a footprint with a semi-axis of at most `longer` may light what the view shows: its ellipsoid lies in a
-/// sphere, and that not beyond the eye or a side of the view.
-bool may_reach_view(vec3 position_ws, float longer) {
+/// Whether a footprint with a semi-axis of at most `longer` may light what the view shows: it lies about the line from
+/// `first_ws` to `last_ws`, and that not beyond the eye or a side of the view. `thicker`: of an ellipsoid, which may be
+/// longer along its normal.
+bool may_reach_view(vec3 position_ws, vec3 first_ws, vec3 last_ws, float longer, float thicker) {
     mat4 rows = transpose(clip_from_world);
     float least = shortest_axis * max(dot(rows[3], vec4(position_ws, 1)), nearest_w);
-    float radius = clamp(splat_size * longer, least, max(longest_axis, least)) / min(topological_bias, 1.0);
+    float radius = clamp(splat_size * longer, least, max(longest_axis, least)) * thicker;
     for (int side = 0; side < 5; ++side) {
         vec4 plane = rows[3];
         if (side < 4) plane += (side % 2 == 0 ? 1.0 : -1.0) * rows[side / 2];
-        if (dot(plane, vec4(position_ws, 1)) < -radius * length(plane.xyz)) return false;
+        float inmost = max(dot(plane, vec4(first_ws, 1)), dot(plane, vec4(last_ws, 1)));
+        if (inmost < -radius * length(plane.xyz)) return false;
     }
     return true;
 }
@@ -57,8 +62,16 @@ float entry_error(vec3 normal, vec3 direction, vec3 step_u, vec3 step_v) {
 /// their borders and behind things by what reaches over from there.
 Landing unseen_landing(bool is_inside, vec3 origin, vec3 direction, float distance, vec3 normal, Spread spread) {
     if (bool(params.reject_hidden)) return Landing(is_inside ? CAUSE_HIDDEN : CAUSE_OUTSIDE, distance, vec3(0));
-    float longer = (spread.at_start + distance * spread.by_distance) / max(-dot(normal, direction), MIN_FACING);
-    if (!is_inside && !may_reach_view(origin + distance * direction, longer))
+    float longer = spread.at_start + distance * spread.by_distance, thicker = 1.0;
+    vec3 position_ws = origin + distance * direction, first_ws = position_ws, last_ws = position_ws;
+    if (spread.is_beam) {
+        first_ws = origin + BEAM_BEGINS * distance * direction;
+        last_ws = origin + BEAM_ENDS * distance * direction;
+    } else {
+        longer /= max(-dot(normal, direction), MIN_FACING);
+        thicker = 1.0 / min(topological_bias, 1.0);
+    }
+    if (!is_inside && !may_reach_view(position_ws, first_ws, last_ws, longer, thicker))
         return Landing(CAUSE_OUTSIDE, distance, vec3(0));
     return Landing(CAUSE_STORED_HIDDEN, distance, normal);
 }
@@ -89,7 +102,9 @@ Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 s
         bool is_near = abs(gap) <= params.visibility_tolerance * seen.w;
         if (!is_inside && facing > -MIN_FACING) break;
         if (is_near && facing > -MIN_FACING) {
-            // The ray runs along what is seen, or comes from behind it, and meets something else beside it?
+            // The ray runs along what is seen, or comes from behind it, and meets something else beside it? A beam
+            // lights that in any case.
+            if (spread.is_beam && !bool(params.reject_hidden)) break;
             if (has_surface && !bool(params.reject_hidden) && dot(map_normal, normal) > OPPOSITE_SURFACES) break;
             return Landing(facing > MIN_FACING ? CAUSE_BACK : CAUSE_DEGENERATE, distance, vec3(0));
         }

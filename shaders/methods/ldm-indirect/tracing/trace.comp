@@ -30,7 +30,8 @@ uniform uint chunk;
 Spread spread_of(Primary p) {
     float region = params.footprint == FOOTPRINT_WIDENED ? sqrt(2.0 / float(params.directions)) : 0.0;
     return Spread(length(vec2(length(p.axis_u), length(p.axis_v))),
-                  length(vec3(length(p.turn_u), length(p.turn_v), region)));
+                  length(vec3(length(p.turn_u), length(p.turn_v), region)),
+                  params.clipping != CLIPPING_NONE);
 }
 
 Landing trace(Primary p, MapFrame frame, uint map, bool forward, vec3 direction) {

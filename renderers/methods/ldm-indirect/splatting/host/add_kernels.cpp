@@ -6,6 +6,7 @@
 
 #include "renderers/methods/ldm-indirect/looks.h"
 #include "renderers/passes/vectors/targets.h"
+#include "shaders/methods/ldm-indirect/beam.glsl.h"
 #include "shaders/methods/ldm-indirect/splatting/footprint.glsl.h"
 #include "shaders/methods/ldm-indirect/splatting/kernel.glsl.h"
 
@@ -39,9 +40,32 @@ Vector3 minus(const Vector3& a, const glm::vec3& b) {
 /// What of a kernel boxes are compared with: more than 1 by more than rounding.
 constexpr float beyond = 1.001f;
 
-/// Bit i: the kernel may light something in box first + i, i < 16.
-std::uint32_t reached(const SurfaceBoxes& boxes, std::size_t first, const HostKernel& k) {
-    std::uint32_t bits = 0;
+/// Of looks. All from an open one on are the same.
+Floats unpacked(const std::uint8_t* looks) {
+    const hn::Rebind<std::uint8_t, decltype(f)> bytes;
+    const hn::Rebind<std::int32_t, decltype(f)> whole;
+    const auto look = hn::PromoteTo(whole, hn::LoadU(bytes, looks));
+    return hn::BitCast(
+        f, hn::ShiftLeft<look_shift>(hn::Add(look, hn::Set(whole, static_cast<int>(shortest_look)))));
+}
+const float open_units = std::bit_cast<float>((open_look + shortest_look) << look_shift);
+
+/// The least look that is lit so far from a beam's sender, in units: min_look() of kernel.glsl.
+Floats min_look(Floats way, const HostKernel& k, float units_per_metre) {
+    const auto least = hn::Max(hn::Mul(hn::Set(f, part_looked), way),
+                               hn::Sub(way, hn::Set(f, (1 - part_looked) * k.distance)));
+    return hn::Min(hn::Mul(least, hn::Set(f, units_per_metre)), hn::Set(f, open_units));
+}
+
+/// Of some boxes, bit i for box i < 16: those in which the kernel may light something, and those in which it
+/// is a beam that no look stops.
+struct Reached {
+    std::uint32_t bits = 0, open = 0;
+};
+
+Reached reached(const SurfaceBoxes& boxes, std::size_t first, const HostKernel& k, const LookRanges& looks,
+                float units_per_metre) {
+    Reached result;
     for (int i = 0; i < TileGroups::tiles; i += lanes) {
         const auto at = first + static_cast<std::size_t>(i);
         const auto load = [&](const SurfaceBoxes::Axis(&axes)[3],
@@ -61,22 +85,30 @@ std::uint32_t reached(const SurfaceBoxes& boxes, std::size_t first, const HostKe
         };
         add(k.row_p);
         add(k.row_q);
-        if (k.distance > 0) {  // as far as it reaches along itself
-            const auto way = dot(d, k.to_source_ws), reach = dot(half, glm::abs(k.to_source_ws));
-            const auto first = hn::Set(f, (1 - beam_ends) * k.distance),
-                       last = hn::Set(f, (1 - beam_begins) * k.distance);
-            const auto is_off = hn::Or(hn::Lt(hn::Add(way, reach), first), hn::Gt(hn::Sub(way, reach), last));
-            squared = hn::IfThenElse(is_off, hn::Set(f, 2 * beyond), squared);
-        } else {
-            add(k.row_n);
-        }
         const auto facing =
             hn::Add(dot(load(boxes.normal, &SurfaceBoxes::Axis::centre), k.to_source_ws),
                     dot(load(boxes.normal, &SurfaceBoxes::Axis::half), glm::abs(k.to_source_ws)));
-        const auto least = hn::Set(f, -1e-5f);  // rounding
-        bits |= bits_of(hn::And(hn::Lt(squared, hn::Set(f, beyond)), hn::Gt(facing, least))) << i;
+        auto is_reached = hn::Gt(facing, hn::Set(f, -1e-5f));
+        if (k.distance > 0) {  // as far as it reaches along itself, and as pixels see
+            constexpr float rounding = 1e-4f;
+            const auto way = hn::Sub(hn::Set(f, k.distance), dot(d, k.to_source_ws)),
+                       reach = dot(half, glm::abs(k.to_source_ws));
+            const auto begins = hn::Set(f, beam_begins * k.distance),
+                       ends = hn::Set(f, beam_ends * k.distance);
+            const auto nearest = hn::Sub(way, reach), farthest = hn::Add(way, reach);
+            const auto least = min_look(hn::Max(nearest, begins), k, (1 - rounding) * units_per_metre),
+                       most = min_look(farthest, k, (1 + rounding) * units_per_metre);
+            is_reached = hn::And(is_reached, hn::And(hn::Ge(farthest, begins), hn::Le(nearest, ends)));
+            is_reached = hn::And(is_reached, hn::Ge(unpacked(looks.longest + i), least));
+            const auto is_within = hn::And(hn::Gt(nearest, hn::Mul(begins, hn::Set(f, 1 + rounding))),
+                                           hn::Lt(farthest, hn::Mul(ends, hn::Set(f, 1 - rounding))));
+            result.open |= bits_of(hn::And(is_within, hn::Ge(unpacked(looks.shortest + i), most))) << i;
+        } else {
+            add(k.row_n);
+        }
+        result.bits |= bits_of(hn::And(hn::Lt(squared, hn::Set(f, beyond)), is_reached)) << i;
     }
-    return bits;
+    return result;
 }
 
 /// Some pixels and their sums.
@@ -90,39 +122,43 @@ Vector3 load3(const std::vector<float> (&axes)[3], std::size_t place) {
             hn::LoadU(f, axes[2].data() + place)};
 }
 
-/// What pixels see along a beam, in units, from their looks.
-Floats unpacked(const std::uint8_t* looks) {
-    const hn::Rebind<std::uint8_t, decltype(f)> bytes;
-    const hn::Rebind<std::int32_t, decltype(f)> whole;
-    const auto look = hn::PromoteTo(whole, hn::LoadU(bytes, looks));
-    const auto bits =
-        hn::ShiftLeft<look_shift>(hn::Add(look, hn::Set(whole, static_cast<int>(shortest_look))));
-    const auto is_open = hn::Eq(look, hn::Set(whole, static_cast<int>(open_look)));
-    return hn::IfThenElse(hn::RebindMask(f, is_open), hn::Set(f, 1e30f), hn::BitCast(f, bits));
-}
-
 /// As is_lit() of clipping.glsl and the ends of squared_length().
-auto is_in_beam(const Vector3& d, const HostKernel& k, const std::uint8_t* looks, float units_per_metre) {
+Mask is_in_beam(const Vector3& d, const HostKernel& k, const std::uint8_t* looks, float units_per_metre) {
     const auto way = hn::Sub(hn::Set(f, k.distance), dot(d, k.to_source_ws));
-    const auto least = hn::Max(hn::Mul(hn::Set(f, part_looked), way),
-                               hn::Sub(way, hn::Set(f, (1 - part_looked) * k.distance)));
     const auto is_between = hn::And(hn::Gt(way, hn::Set(f, beam_begins * k.distance)),
                                     hn::Lt(way, hn::Set(f, beam_ends * k.distance)));
-    return hn::And(is_between, hn::Ge(unpacked(looks), hn::Mul(least, hn::Set(f, units_per_metre))));
+    return hn::And(is_between, hn::Ge(unpacked(looks), min_look(way, k, units_per_metre)));
 }
 
+/// What a kernel lights of a tile.
+enum class Lights {
+    ellipsoid,
+    beam,      ///< what lies between its ends and sees far enough
+    open_beam  ///< of which pixels of the tile see enough
+};
+
+template <Lights lights>
 HWY_INLINE void add_kernel(Pixels& to, const HostKernel& k, const std::uint8_t* looks,
                            float units_per_metre) {
     const auto d = minus(to.position, k.centre_ws);
     const auto p = dot(d, k.row_p), q = dot(d, k.row_q);
-    const auto h = k.distance > 0 ? hn::Zero(f) : dot(d, k.row_n);
     const auto one = hn::Set(f, 1);
-    const auto below = hn::Sub(one, hn::MulAdd(h, h, hn::MulAdd(q, q, hn::Mul(p, p))));
+    auto squared = hn::MulAdd(q, q, hn::Mul(p, p));
+    if constexpr (lights == Lights::ellipsoid) {
+        const auto h = dot(d, k.row_n);
+        squared = hn::MulAdd(h, h, squared);
+    }
+    const auto below = hn::Sub(one, squared);
     const auto facing = dot(to.normal, k.to_source_ws);
-    const auto turned =
-        k.per_cosine > 0 ? hn::Min(hn::Mul(facing, hn::Set(f, k.per_cosine)), hn::Set(f, max_turned)) : one;
     auto lit = hn::And(hn::Gt(below, hn::Zero(f)), hn::Gt(facing, hn::Zero(f)));
-    if (k.distance > 0) lit = hn::And(lit, is_in_beam(d, k, looks, units_per_metre));
+    auto turned = facing;  // the plane of a beam lies across it
+    if constexpr (lights == Lights::ellipsoid)
+        turned = k.per_cosine > 0 ? hn::Min(hn::Mul(facing, hn::Set(f, k.per_cosine)), hn::Set(f, max_turned))
+                                  : one;
+    if constexpr (lights == Lights::beam) {
+        if (hn::AllFalse(f, lit)) return;
+        lit = hn::And(lit, is_in_beam(d, k, looks, units_per_metre));
+    }
     const auto weight = hn::IfThenElseZero(lit, hn::Mul(hn::Mul(below, below), turned));
     for (int i = 0; i < 3; ++i) {
         to.sums[i] = hn::MulAdd(weight, hn::Set(f, k.peak[i]), to.sums[i]);
@@ -131,8 +167,10 @@ HWY_INLINE void add_kernel(Pixels& to, const HostKernel& k, const std::uint8_t* 
     to.sums[3] = hn::Add(to.sums[3], hn::IfThenElseZero(lit, one));
 }
 
+template <Lights lights>
 void add_to_tile(const PixelTiles& tiles, const TileLooks& looks, std::size_t tile,
                  std::span<const HostKernel> kernels, std::span<const std::uint16_t> list, TileSums& sums) {
+    if (list.empty()) return;
     for (int first = 0; first < pixels; first += vectors * lanes) {
         Pixels part[vectors];
         const auto place = tile * pixels + static_cast<std::size_t>(first);
@@ -145,9 +183,9 @@ void add_to_tile(const PixelTiles& tiles, const TileLooks& looks, std::size_t ti
         }
         for (const auto number : list) {
             const auto& kernel = kernels[number];
-            const auto* seen = kernel.distance > 0 ? looks.of(tile, kernel.map) + first : nullptr;
+            const auto* const seen = lights == Lights::beam ? looks.of(tile, kernel.map) + first : nullptr;
             for (int v = 0; v < vectors; ++v)
-                add_kernel(part[v], kernel, seen + v * lanes, looks.units_per_metre);
+                add_kernel<lights>(part[v], kernel, seen + v * lanes, looks.units_per_metre);
         }
         for (int v = 0; v < vectors; ++v) {
             const auto at = place + static_cast<std::size_t>(v * lanes);
@@ -157,9 +195,24 @@ void add_to_tile(const PixelTiles& tiles, const TileLooks& looks, std::size_t ti
     }
 }
 
+/// Numbers of kernels that may light pixels of a tile, by what they light there.
+struct TileList {
+    static constexpr std::size_t most = 1024, kinds = 3;
+    std::uint16_t numbers[kinds][most];
+    std::size_t sizes[kinds] = {};
+    void add(Lights kind, std::size_t number) {
+        const auto i = static_cast<std::size_t>(kind);
+        numbers[i][sizes[i]++] = static_cast<std::uint16_t>(number);
+    }
+    std::span<const std::uint16_t> of(Lights kind) const {
+        const auto i = static_cast<std::size_t>(kind);
+        return {numbers[i], sizes[i]};
+    }
+};
+
 }  // namespace
 
-void groups_of_word(const TileGroups& groups, KernelRound& round, std::size_t word) {
+void groups_of_word(const TileGroups& groups, const TileLooks& looks, KernelRound& round, std::size_t word) {
     auto* const words = round.reaching.data() + word * groups.count();
     std::fill_n(words, groups.count(), 0);
     const auto first = word * KernelRound::word;
@@ -167,35 +220,48 @@ void groups_of_word(const TileGroups& groups, KernelRound& round, std::size_t wo
     for (auto i = first; i < end; ++i) {
         const auto& kernel = round.made[i];
         if (!kernel.counts) continue;
-        for (std::size_t group = 0; group < groups.count(); group += TileGroups::tiles)
-            for (auto bits = reached(groups.groups, group, kernel); bits != 0; bits &= bits - 1)
+        for (std::size_t group = 0; group < groups.count(); group += TileGroups::tiles) {
+            const auto ranges = kernel.distance > 0 ? looks.of_groups.at(kernel.map, group) : LookRanges{};
+            for (auto bits = reached(groups.groups, group, kernel, ranges, looks.units_per_metre).bits;
+                 bits != 0; bits &= bits - 1)
                 words[group + static_cast<std::size_t>(std::countr_zero(bits))] |= std::uint64_t{1}
                                                                                    << (i - first);
+        }
     }
 }
 
 void group_sums(const PixelTiles& tiles, const TileGroups& groups, const TileLooks& looks,
                 const KernelRound& round, std::size_t group, TileSums& sums) {
-    constexpr std::size_t most = 1024, words_at_once = most / KernelRound::word;
+    constexpr std::size_t words_at_once = TileList::most / KernelRound::word;
     const auto members = group * TileGroups::tiles;
     const auto words = (round.made.size() + KernelRound::word - 1) / KernelRound::word;
-    std::uint16_t lists[TileGroups::tiles][most];
+    TileList lists[TileGroups::tiles];
     for (std::size_t first = 0; first < words; first += words_at_once) {
-        std::size_t sizes[TileGroups::tiles] = {};
+        for (auto& list : lists) std::fill(std::begin(list.sizes), std::end(list.sizes), 0);
         for (auto word = first; word < std::min(words, first + words_at_once); ++word)
             for (auto left = round.reaching[word * groups.count() + group]; left != 0; left &= left - 1) {
                 const auto number =
                     word * KernelRound::word + static_cast<std::size_t>(std::countr_zero(left));
-                for (auto bits = reached(groups.members, members, round.made[number]); bits != 0;
-                     bits &= bits - 1) {
+                const auto& kernel = round.made[number];
+                const bool is_beam = kernel.distance > 0;
+                const auto ranges = is_beam ? looks.of_members.at(kernel.map, members) : LookRanges{};
+                const auto lit = reached(groups.members, members, kernel, ranges, looks.units_per_metre);
+                for (auto bits = lit.bits; bits != 0; bits &= bits - 1) {
                     const auto member = std::countr_zero(bits);
-                    lists[member][sizes[member]++] = static_cast<std::uint16_t>(number);
+                    const bool is_open = (lit.open >> member & 1) != 0;
+                    lists[member].add(is_open   ? Lights::open_beam
+                                      : is_beam ? Lights::beam
+                                                : Lights::ellipsoid,
+                                      number);
                 }
             }
-        for (std::size_t i = 0; i < TileGroups::tiles; ++i)
-            if (sizes[i] != 0)
-                add_to_tile(tiles, looks, static_cast<std::size_t>(groups.places[members + i]), round.made,
-                            std::span(lists[i], sizes[i]), sums);
+        for (std::size_t i = 0; i < TileGroups::tiles; ++i) {
+            const auto tile = static_cast<std::size_t>(groups.places[members + i]);
+            const auto& list = lists[i];
+            add_to_tile<Lights::ellipsoid>(tiles, looks, tile, round.made, list.of(Lights::ellipsoid), sums);
+            add_to_tile<Lights::open_beam>(tiles, looks, tile, round.made, list.of(Lights::open_beam), sums);
+            add_to_tile<Lights::beam>(tiles, looks, tile, round.made, list.of(Lights::beam), sums);
+        }
     }
 }
 
@@ -208,8 +274,8 @@ namespace ir::methods::ldm_indirect {
 HWY_EXPORT(groups_of_word);
 HWY_EXPORT(group_sums);
 
-void find_groups(const TileGroups& groups, KernelRound& round, std::size_t word) {
-    HWY_DYNAMIC_DISPATCH(groups_of_word)(groups, round, word);
+void find_groups(const TileGroups& groups, const TileLooks& looks, KernelRound& round, std::size_t word) {
+    HWY_DYNAMIC_DISPATCH(groups_of_word)(groups, looks, round, word);
 }
 
 void add_to_group(const PixelTiles& tiles, const TileGroups& groups, const TileLooks& looks,

@@ -39,15 +39,35 @@ struct TileSums {
     std::vector<float> channel[channels];
 };
 
+/// Of boxes the shortest and the longest look.
+struct LookRanges {
+    const std::uint8_t *shortest = nullptr, *longest = nullptr;
+};
+
+/// By map, then by box, as SurfaceBoxes has them.
+struct BoxLooks {
+    std::size_t boxes = 0;
+    std::vector<std::uint8_t> shortest, longest;
+    void resize(std::size_t maps, std::size_t count);
+    void add(std::size_t map, std::size_t box, std::uint8_t shorter, std::uint8_t longer);
+    /// From a box on.
+    LookRanges at(std::size_t map, std::size_t box) const {
+        return {shortest.data() + map * boxes + box, longest.data() + map * boxes + box};
+    }
+};
+
 /// By tile, then by map: 64 looks of the tile's pixels. Empty: no kernel is a beam.
 struct TileLooks {
     std::size_t maps = 0;
     float units_per_metre = 0;
-    std::vector<std::uint8_t> looks;
+    std::span<const std::uint8_t> looks;
+    BoxLooks of_groups, of_members;  ///< of pixels that show a surface
     const std::uint8_t* of(std::size_t tile, std::size_t map) const {
         return looks.data() + (tile * maps + map) * PixelTiles::pixels;
     }
 };
+/// Finds those of groups and members.
+void find_ranges(const PixelTiles& tiles, const TileGroups& groups, TileLooks& looks);
 
 /// Kernels that are added at once: 64 to a word.
 struct KernelRound {
@@ -58,9 +78,9 @@ struct KernelRound {
 };
 
 /// Writes the `reaching` of one word of kernels.
-void find_groups(const TileGroups& groups, KernelRound& round, std::size_t word);
+void find_groups(const TileGroups& groups, const TileLooks& looks, KernelRound& round, std::size_t word);
 
-/// Adds kernels of the round to the pixels of one group, in the order of the kernels.
+/// Adds kernels of the round to the pixels of one group, in an order that threads do not change.
 void add_to_group(const PixelTiles& tiles, const TileGroups& groups, const TileLooks& looks,
                   const KernelRound& round, std::size_t group, TileSums& sums);
 

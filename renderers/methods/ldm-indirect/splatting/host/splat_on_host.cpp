@@ -36,9 +36,16 @@ class HostSplat {
                        arrivals_of(task.photons.parameters, *p.inputs().world));
         mended_ = {};
         looks_ = {};
-        if (task.photons.looks)
-            read_looks(p.elements<const std::uint8_t>(*task.photons.looks), *p.inputs().world,
-                       static_cast<std::size_t>(task.photons.parameters.maps.directions));
+        if (!task.photons.looks) return;
+        looks_.maps = static_cast<std::size_t>(task.photons.parameters.maps.directions);
+        looks_.units_per_metre = units_per_metre(*p.inputs().world);
+        see(p, task);
+        arena_.execute([&] { find_ranges(tiles_, groups_, looks_); });
+    }
+
+    /// Contents may move from slice to slice.
+    void see(const graph::PassContext& p, const SplatTask& task) {
+        if (task.photons.looks) looks_.looks = p.elements<const std::uint8_t>(*task.photons.looks);
     }
 
     void add(std::span<const Photon> photons) {
@@ -67,25 +74,6 @@ class HostSplat {
     const MendedFootprints& mended() const { return mended_; }
 
   private:
-    /// The order of the picture becomes that of the tiles.
-    void read_looks(std::span<const std::uint8_t> looks, const scene::World& world, std::size_t maps) {
-        looks_ = {maps, units_per_metre(world),
-                  std::vector<std::uint8_t>(tiles_.count() * maps * PixelTiles::pixels)};
-        const auto width = static_cast<std::size_t>(tiles_.width),
-                   height = static_cast<std::size_t>(tiles_.height);
-        arena_.execute([&] {
-            tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
-                for (std::size_t map = 0; map < maps; ++map)
-                    for (std::size_t x = 0; x < width; ++x) {
-                        const auto to = tiles_.place(static_cast<int>(x), static_cast<int>(y));
-                        looks_.looks[(to / PixelTiles::pixels * maps + map) * PixelTiles::pixels +
-                                     to % PixelTiles::pixels] =
-                            looks[look_place(y * width + x, width * height, map)];
-                    }
-            });
-        });
-    }
-
     void make_kernels(std::span<const Photon> photons) {
         const auto words = (photons.size() + KernelRound::word - 1) / KernelRound::word;
         round_.made.resize(photons.size());
@@ -96,7 +84,7 @@ class HostSplat {
             const auto first = word * KernelRound::word;
             for (auto i = first; i < std::min(first + KernelRound::word, photons.size()); ++i)
                 round_.made[i] = maker_->make(photons[i], mended);
-            find_groups(groups_, round_, word);
+            find_groups(groups_, looks_, round_, word);
             const std::scoped_lock lock(mutex);
             mended_ += mended;
         });
@@ -128,7 +116,10 @@ void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         .counts(counters.degenerate)
         .counts(counters.broken)
         .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-            if (slice.first) splat->begin(p, task, gbuffer);
+            if (slice.first)
+                splat->begin(p, task, gbuffer);
+            else
+                splat->see(p, task);
             passes::add_stored<Photon>(p, task.photons, slice, KernelRound::kernels,
                                        [&](auto photons) { splat->add(photons); });
             if (!slice.last) return;

@@ -1,3 +1,6 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <limits>
 
 #include "renderers/methods/ldm-indirect/splatting/host/add_kernels.h"
@@ -68,6 +71,38 @@ TileGroups group_tiles(const PixelTiles& tiles) {
         }
     }
     return result;
+}
+
+void BoxLooks::resize(std::size_t maps, std::size_t count) {
+    boxes = count;
+    shortest.assign(maps * count, 255);
+    longest.assign(maps * count, 0);
+}
+
+void BoxLooks::add(std::size_t map, std::size_t box, std::uint8_t shorter, std::uint8_t longer) {
+    auto &least = shortest[map * boxes + box], &most = longest[map * boxes + box];
+    least = std::min(least, shorter);
+    most = std::max(most, longer);
+}
+
+void find_ranges(const PixelTiles& tiles, const TileGroups& groups, TileLooks& looks) {
+    looks.of_groups.resize(looks.maps, groups.groups.position[0].centre.size());
+    looks.of_members.resize(looks.maps, groups.places.size());
+    tbb::parallel_for(std::size_t{0}, looks.maps, [&](std::size_t map) {
+        for (std::size_t member = 0; member < groups.places.size(); ++member) {
+            if (groups.places[member] < 0) continue;
+            const auto tile = static_cast<std::size_t>(groups.places[member]);
+            const auto* const of = looks.of(tile, map);
+            std::uint8_t shortest = 255, longest = 0;
+            for (int i = 0; i < PixelTiles::pixels; ++i) {
+                const bool is_there = (tiles.valid[tile] >> i & 1) != 0;
+                shortest = std::min<std::uint8_t>(shortest, is_there ? of[i] : 255);
+                longest = std::max<std::uint8_t>(longest, is_there ? of[i] : 0);
+            }
+            looks.of_members.add(map, member, shortest, longest);
+            looks.of_groups.add(map, member / TileGroups::tiles, shortest, longest);
+        }
+    });
 }
 
 }  // namespace ir::methods::ldm_indirect

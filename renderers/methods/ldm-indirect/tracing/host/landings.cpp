@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/methods/ldm-indirect/beam.glsl.h"
 #include "shaders/methods/ldm-indirect/tracing/landing.glsl.h"
 
 namespace ir::methods::ldm_indirect {
@@ -43,22 +44,34 @@ bool LandingView::shown_at(const glm::vec3& position_ws, std::size_t& pixel) con
     return clip.w > 0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-bool LandingView::may_reach(const glm::vec3& position_ws, float longer) const {
-    const glm::vec4 place(position_ws, 1);
-    const float least = c_.shortest_axis * std::max(glm::dot(depth_row_, place), c_.nearest_w);
-    const float radius = std::clamp(c_.splat_size * longer, least, std::max(c_.longest_axis, least)) /
-                         std::min(c_.topological_bias, 1.0f);
-    for (int side = 0; side < 5; ++side)
-        if (glm::dot(sides_[side], place) < -radius * side_lengths_[side]) return false;
+bool LandingView::may_reach(const glm::vec3& position_ws, const glm::vec3& first_ws, const glm::vec3& last_ws,
+                            float longer, float thicker) const {
+    const float least =
+        c_.shortest_axis * std::max(glm::dot(depth_row_, glm::vec4(position_ws, 1)), c_.nearest_w);
+    const float radius =
+        std::clamp(c_.splat_size * longer, least, std::max(c_.longest_axis, least)) * thicker;
+    const glm::vec4 first(first_ws, 1), last(last_ws, 1);
+    for (int side = 0; side < 5; ++side) {
+        const float inmost = std::max(glm::dot(sides_[side], first), glm::dot(sides_[side], last));
+        if (inmost < -radius * side_lengths_[side]) return false;
+    }
     return true;
 }
 
 Landing LandingView::unseen(const Arrival& a, bool is_inside, float distance, const glm::vec3& normal) const {
     if (reject_hidden_) return {is_inside ? Cause::hidden : Cause::outside, distance, {}};
-    const float longer = (a.spread.at_start + distance * a.spread.by_distance) /
-                         std::max(-glm::dot(normal, a.direction), min_facing);
-    if (!is_inside && !may_reach(a.origin + distance * a.direction, longer))
-        return {Cause::outside, distance, {}};
+    if (is_inside) return {Cause::stored_hidden, distance, normal};
+    float longer = a.spread.at_start + distance * a.spread.by_distance, thicker = 1;
+    const auto position = a.origin + distance * a.direction;
+    auto first = position, last = position;
+    if (a.spread.is_beam) {
+        first = a.origin + beam_begins * distance * a.direction;
+        last = a.origin + beam_ends * distance * a.direction;
+    } else {
+        longer /= std::max(-glm::dot(normal, a.direction), min_facing);
+        thicker = 1 / std::min(c_.topological_bias, 1.0f);
+    }
+    if (!may_reach(position, first, last, longer, thicker)) return {Cause::outside, distance, {}};
     return {Cause::stored_hidden, distance, normal};
 }
 
@@ -77,6 +90,7 @@ Landing LandingView::land(const Arrival& a) const {
         const bool is_near = std::abs(gap) <= tolerance_ * seen.w;
         if (!is_inside && facing > -min_facing) break;
         if (is_near && facing > -min_facing) {
+            if (a.spread.is_beam && !reject_hidden_) break;
             if (a.has_surface && !reject_hidden_ && glm::dot(a.map_normal, normal) > opposite_surfaces) break;
             return {facing > min_facing ? Cause::back : Cause::degenerate, a.distance, {}};
         }

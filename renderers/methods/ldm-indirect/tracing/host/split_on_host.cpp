@@ -101,23 +101,27 @@ class HostSplit {
         hits_.assign(maps_->frames.size(), {});
     }
 
-    /// What is seen, and where looks from there are written.
-    struct Seen {
-        std::span<const glm::vec4> position, geometric_normal;
+    /// What looks start from. They are asked for on the side of the geometric normal.
+    void see(const ldm::SurfaceImages& images) {
+        arena_.execute([&] { ldm::fill_pixel_tiles(tiles_, images); });
+        for (int axis = 0; axis < 3; ++axis) tiles_.normal[axis] = tiles_.geometric_normal[axis];
+    }
+    /// Where looks are written.
+    struct Looks {
         std::span<std::uint8_t> looks;  ///< empty: nobody asks
         float units_per_metre = 0;
     };
 
     /// Maps begin … end - 1.
     void trace(const graph::PassContext& context, const ldm::HostScene& scene, const LandingView& view,
-               const Seen& seen, std::span<const Primary> primaries, graph::Slice slice) {
+               const Looks& looks, std::span<const Primary> primaries, graph::Slice slice) {
         std::atomic<std::int64_t> next{slice.begin};
         arena_.execute([&] {
             tbb::parallel_for(
                 std::size_t{0}, workers_.size(),
                 [&](std::size_t i) {
                     for (auto map = next++; map < slice.end && !context.cancel().is_cancelled(); map = next++)
-                        trace_map(scene, view, seen, primaries, workers_[i], static_cast<std::size_t>(map));
+                        trace_map(scene, view, looks, primaries, workers_[i], static_cast<std::size_t>(map));
                 },
                 tbb::simple_partitioner());
         });
@@ -164,11 +168,12 @@ class HostSplit {
         const float turn =
             std::sqrt(glm::dot(p.turn_u, p.turn_u) + glm::dot(p.turn_v, p.turn_v) + half_turn_ * half_turn_);
         const float axis = std::sqrt(glm::dot(p.axis_u, p.axis_u) + glm::dot(p.axis_v, p.axis_v));
-        return {p.position_ws,    p.normal_ws, p.shading_ws, static_cast<std::uint32_t>(index),
-                1 / p.cosine_sum, {axis, turn}};
+        return {p.position_ws,    p.normal_ws,
+                p.shading_ws,     static_cast<std::uint32_t>(index),
+                1 / p.cosine_sum, {axis, turn, parameters_.clipping != Clipping::none}};
     }
 
-    void trace_map(const ldm::HostScene& scene, const LandingView& view, const Seen& seen,
+    void trace_map(const ldm::HostScene& scene, const LandingView& view, const Looks& looks,
                    std::span<const Primary> primaries, Worker& worker, std::size_t map) {
         const int resolution = maps_->layout.resolution, rows = ldm::StreamedMap::band_rows(resolution);
         auto& hits = hits_[map];
@@ -178,7 +183,7 @@ class HostSplit {
                            std::min(rows, resolution - row), worker.map, worker.scratch);
             const auto built = Clock::now();
             trace_band(view, primaries, worker, map);
-            if (!seen.looks.empty()) look(seen, worker, map);
+            if (!looks.looks.empty()) look(looks, worker.map, map);
             worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
             worker.ask_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
         }
@@ -215,18 +220,25 @@ class HostSplit {
         return a;
     }
 
-    /// As look.comp does.
-    void look(const Seen& seen, const Worker& worker, std::size_t map) const {
-        const ldm::PointTracer tracer(worker.map, rule_);
-        const glm::vec3 v(worker.map.frame.direction);
-        const float units = worker.map.frame.direction.w * seen.units_per_metre;
-        for (std::size_t pixel = 0; pixel < seen.position.size(); ++pixel) {
-            const glm::vec3 normal(seen.geometric_normal[pixel]);
-            if (normal == glm::vec3(0)) continue;
-            const auto hit = tracer.trace(glm::vec3(seen.position[pixel]), normal, glm::dot(normal, v) > 0);
-            if (hit.is_here)
-                seen.looks[look_place(pixel, seen.position.size(), map)] =
-                    static_cast<std::uint8_t>(hit.is_found ? packed_look(hit.distance * units) : open_look);
+    /// As look.comp does, for a band of a map.
+    void look(const Looks& to, const ldm::StreamedMap& band, std::size_t map) const {
+        static_assert(look_tile == ldm::PixelTiles::side);
+        constexpr std::size_t pixels = ldm::PixelTiles::pixels, tiles_at_once = 16;
+        const float units = band.frame.direction.w * to.units_per_metre;
+        const bool is_first = band.first_row == 0;
+        float seen[tiles_at_once * pixels];
+        for (std::size_t first = 0; first < tiles_.count(); first += tiles_at_once) {
+            const auto end = std::min(first + tiles_at_once, tiles_.count());
+            ldm::see_along(tiles_, first, end, band, rule_, seen);
+            for (auto tile = first; tile < end; ++tile) {
+                auto* const looks = to.looks.data() + look_place(tile, maps_->frames.size(), map);
+                const auto* const distances = seen + (tile - first) * pixels;
+                for (std::size_t i = 0; i < pixels; ++i)
+                    if (distances[i] >= 0)
+                        looks[i] = static_cast<std::uint8_t>(packed_look(distances[i] * units));
+                    else if (is_first)
+                        looks[i] = 0;
+            }
         }
     }
 
@@ -290,6 +302,7 @@ class HostSplit {
     std::optional<EllipseMaker> ellipses_;
     tbb::task_arena arena_;
     std::vector<Worker> workers_;
+    ldm::PixelTiles tiles_;
     std::vector<Source> sources_;
     WholeShares shares_;
     std::vector<std::vector<Hit>> hits_;  ///< by map, in the order of the sources
@@ -319,7 +332,7 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
     photons.stored = stored;
     auto pass = builder.pass("trace photons through maps", graph::Queue::cpu);
     pass.has_two_bodies()
-        .reads(meshlets, primaries.records, gbuffer.position, gbuffer.geometric_normal)
+        .reads(meshlets, primaries.records, gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
         .writes(primaries.shares, photons.records, stored)
         .counts(photons.count)
         .counts(counters.fragments)
@@ -336,15 +349,13 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                                   {view.width, view.height},
                                   context.pixels<const glm::vec4>(gbuffer.position),
                                   context.pixels<const glm::vec4>(gbuffer.geometric_normal));
-        HostSplit::Seen seen{context.pixels<const glm::vec4>(gbuffer.position),
-                             context.pixels<const glm::vec4>(gbuffer.geometric_normal),
-                             {},
-                             0};
-        if (looks) {
-            seen.looks = context.elements<std::uint8_t>(*looks);
-            seen.units_per_metre = units_per_metre(*context.inputs().world);
-        }
-        split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, seen, all, slice);
+        HostSplit::Looks to;
+        if (looks) to = {context.elements<std::uint8_t>(*looks), units_per_metre(*context.inputs().world)};
+        if (looks && slice.first)
+            split->see({view.width, view.height, context.pixels<const glm::vec4>(gbuffer.position),
+                        context.pixels<const std::uint64_t>(gbuffer.normal),
+                        context.pixels<const glm::vec4>(gbuffer.geometric_normal)});
+        split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, to, all, slice);
         if (!slice.last) return;
         split->write_shares(context.elements<Shares>(primaries.shares));
         const auto before =
