@@ -19,13 +19,14 @@
 namespace ir::cli {
 namespace {
 
-std::vector<std::string> chosen_ids(const projects::Project& project, const std::vector<std::string>& asked) {
-    if (!asked.empty()) {
-        for (const auto& id : asked)
+std::vector<std::string> chosen_ids(const projects::Project& project,
+                                    const std::vector<std::string>& requested) {
+    if (!requested.empty()) {
+        for (const auto& id : requested)
             if (!projects::find_item(project.experiments, id))
                 throw UsageError("no experiment '" + id + "' in the project" +
                                  known_are(id, words_of(project.experiments, &projects::Experiment::id)));
-        return asked;
+        return requested;
     }
     std::vector<std::string> ids;
     for (const auto& experiment : project.experiments) ids.push_back(experiment.id);

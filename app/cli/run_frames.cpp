@@ -28,10 +28,10 @@ void print_messages(const engine::Execution& execution, const FrameReport& repor
 void note_lists(const std::vector<std::string>& patterns, const FrameReport& report) {
     std::string lists;
     for (const auto& resource : report.resources) {
-        const bool asked = std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
+        const bool requested = std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
             return graph::matches(pattern, resource.key);
         });
-        if (asked && resource.explains && !resource.fields.empty())
+        if (requested && resource.explains && !resource.fields.empty())
             lists += (lists.empty() ? "" : ", ") + resource.key;
     }
     if (!lists.empty())

@@ -375,14 +375,14 @@ class Teller {
 
 std::vector<BenchmarkReport> run_defaults_benchmark(Machine& machine, const BenchmarkOptions& options,
                                                     const BenchmarkCallbacks& callbacks) {
-    const auto asked = questions(options.variants);
+    const auto requested = questions(options.variants);
     const auto place = place_of(options, {400, 300});
     machine.scenes().load(place.composition());
-    Teller teller(asked, callbacks);
+    Teller teller(requested, callbacks);
     const auto tell = [&](const auto&... what) { teller.tell(what...); };
     const auto& device = machine.context().info();
     std::vector<BenchmarkReport> reports;
-    for (const auto& question : asked) {
+    for (const auto& question : requested) {
         const auto date = projects::utc_now();
         auto report = QuestionRun(machine, place, question, options.repeats, callbacks, tell).carry_out();
         report.device = device.renderer;

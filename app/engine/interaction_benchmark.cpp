@@ -95,7 +95,7 @@ class Hand {
         thread_->load_scene(experiment.composition());
         wait_for([&] { return is_loaded_; });
     }
-    std::uint64_t ask(const Experiment& experiment) {
+    std::uint64_t request(const Experiment& experiment) {
         LiveRequest request;
         request.tag = "a";
         request.experiment = experiment;
@@ -167,7 +167,7 @@ scene::Camera turned(scene::Camera camera, double degrees) {
 
 void measure_first(Hand& hand, const Experiment& experiment, BenchmarkRow& row) {
     const auto start = Clock::now();
-    const bool is_full = hand.wait_until_full(hand.ask(experiment));
+    const bool is_full = hand.wait_until_full(hand.request(experiment));
     for (const auto& each : hand.seen()) {
         const auto put = [&](InteractionColumn column) {
             if (!row.cells[column]) row.cells[column] = ms_from(start, each.at);
@@ -188,7 +188,7 @@ void measure_drag(Hand& hand, Experiment experiment, const Hand::Tell& tell, Ben
     for (int i = 1; Clock::now() - start < hand_lasts; ++i) {
         experiment.camera_name.clear();
         experiment.camera = turned(camera, hand_turns_degrees * i);
-        hand.ask(experiment);
+        hand.request(experiment);
         tell("dragging", first_part + (1 - first_part) * ((Clock::now() - start) / (1.0 * hand_lasts)));
         std::this_thread::sleep_until(start + i * hand_moves_every);
     }

@@ -21,12 +21,12 @@ using projects::KeptResult;
 KeptResult describe(const projects::Project& now, const projects::Experiment& experiment,
                     const Execution& execution, const FrameReport& report) {
     const auto samples = execution.samples();
-    const auto asked = projects::sample_count(experiment, registry());
+    const auto requested = projects::sample_count(experiment, registry());
     const auto rendered =
-        samples == asked ? experiment : projects::with_sample_count(experiment, samples, registry());
+        samples == requested ? experiment : projects::with_sample_count(experiment, samples, registry());
     KeptResult result;
     result.inputs = projects::picture_inputs(now, rendered, registry());
-    result.key = projects::result_key(now, samples < asked ? rendered : experiment, registry());
+    result.key = projects::result_key(now, samples < requested ? rendered : experiment, registry());
     result.experiment = experiment.id;
     result.provenance = {version_and_commit(), report.device, report.backend, projects::utc_now(), {},
                          report.processor};

@@ -272,11 +272,11 @@ std::string LiveSession::keep(const KeepRequest& request) {
     if (!experiment) throw Error("the project has no experiment '" + request.experiment + "' any more");
     machine_.context().make_current();
     const auto& execution = *found->second.execution;
-    const auto asked = from_project(request.project, *experiment, request.folder);
-    const auto& scene = *machine_.scenes().load(asked.composition());
-    const bool is_same = state_fingerprint(asked, scene.content_hash) ==
+    const auto requested = from_project(request.project, *experiment, request.folder);
+    const auto& scene = *machine_.scenes().load(requested.composition());
+    const bool is_same = state_fingerprint(requested, scene.content_hash) ==
                          state_fingerprint(execution.experiment(), scene.content_hash);
-    if (!is_same || execution.experiment().frames != asked.frames)
+    if (!is_same || execution.experiment().frames != requested.frames)
         throw Error("what is shown is not what '" + experiment->name +
                     "' asks for now; wait until it is rendered");
     if (execution.samples() == 0 || (!execution.is_done() && !execution.state()))

@@ -51,15 +51,15 @@ bool RenderQueue::runs_longer_than(std::chrono::milliseconds patience) const {
 /// Whether the frame that runs is to be given up for a request that comes.
 bool RenderQueue::is_in_the_way(const LiveRequest& request) const {
     if (!running_) return false;
-    const bool is_draft_asked = request.drafts && running_job_.request.drafts;
+    const bool is_draft_requested = request.drafts && running_job_.request.drafts;
     if (running_job_.request.tag == request.tag) {
-        if (!is_draft_asked || !is_another_picture(request, running_job_.request))
+        if (!is_draft_requested || !is_another_picture(request, running_job_.request))
             return runs_longer_than(patience);
         return running_answered_ || runs_longer_than(draft_patience);
     }
     // Whose hand moves sees something at once; what is in the way has shown something already.
     const auto known = jobs_.find(request.tag);
-    return is_draft_asked && !running_draft_ && !request.picture.empty() &&
+    return is_draft_requested && !running_draft_ && !request.picture.empty() &&
            (known == jobs_.end() || is_another_picture(request, known->second.job.request));
 }
 

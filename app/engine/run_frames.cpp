@@ -86,14 +86,15 @@ class FrameRun {
                 options_.progress(frame_text(what),
                                   std::min(1.0, (execution_.committed_frames() + part) / frames));
             };
-        const auto asked = execution_.samples_requested(), before = execution_.samples();
-        const auto added = std::min({limit, asked - std::min(asked, before),
-                                     std::max<std::uint64_t>(1, asked / static_cast<std::uint64_t>(frames))});
-        return [this, asked, before, added, text = frame_text(samples_text(execution_, total_))](
+        const auto requested = execution_.samples_requested(), before = execution_.samples();
+        const auto added =
+            std::min({limit, requested - std::min(requested, before),
+                      std::max<std::uint64_t>(1, requested / static_cast<std::uint64_t>(frames))});
+        return [this, requested, before, added, text = frame_text(samples_text(execution_, total_))](
                    const std::string&, double part) {
             options_.progress(
                 text, std::min(1.0, (static_cast<double>(before) + part * static_cast<double>(added)) /
-                                        static_cast<double>(std::max<std::uint64_t>(1, asked))));
+                                        static_cast<double>(std::max<std::uint64_t>(1, requested))));
         };
     }
 

@@ -51,34 +51,34 @@ void LightController::place(Place place) {
         return emit said(tr("Point at a surface in a picture, or click it: the light stands before it."));
     QSize size = views.rules().main_size(chosen->id);
     if (size.isEmpty()) {
-        const auto asked = projects::effective(*chosen).size;
-        size = {asked.x, asked.y};
+        const auto requested = projects::effective(*chosen).size;
+        size = {requested.x, requested.y};
     }
     const double aspect = double(size.width()) / size.height();
     const auto at = pixel.x() < 0
                         ? glm::dvec2(0.5)
                         : glm::dvec2((pixel.x() + 0.5) / size.width(), (pixel.y() + 0.5) / size.height());
     const auto sight = widgets::sight_through(*pose, aspect, at);
-    asked_ = Asked{place, chosen->id, *pose, aspect};
+    request_ = Request{place, chosen->id, *pose, aspect};
     renderer_.find_surface({chosen->id, sight.origin, sight.direction});
 }
 
 void LightController::on_surface(const engine::SurfaceResult& result) {
-    if (!asked_ || result.tag != asked_->experiment) return;
-    const auto asked = *std::exchange(asked_, std::nullopt);
-    const auto& camera = asked.camera;
-    if (asked.place == Place::surface) {
+    if (!request_ || result.tag != request_->experiment) return;
+    const auto requested = *std::exchange(request_, std::nullopt);
+    const auto& camera = requested.camera;
+    if (requested.place == Place::surface) {
         if (!result.error.empty()) return emit said(tr("No light yet: %1.").arg(text_of(result.error)));
         if (!result.point)
             return emit said(tr("There is no surface under the cursor that a light could stand before."));
         const auto* scene = scenes_.current();
-        return add(asked.experiment,
+        return add(requested.experiment,
                    light_before(*result.point, camera, scene ? scene->bounds : scene::Bounds(), exposure()));
     }
     const auto aim = result.point ? result.point->position : camera.target;
-    add(asked.experiment, asked.place == Place::headlight
-                              ? headlight(camera, aim, exposure())
-                              : light_from_camera(camera, asked.aspect, aim, exposure()));
+    add(requested.experiment, requested.place == Place::headlight
+                                  ? headlight(camera, aim, exposure())
+                                  : light_from_camera(camera, requested.aspect, aim, exposure()));
 }
 
 void LightController::add(const std::string& experiment, const projects::LightSpec& light) {

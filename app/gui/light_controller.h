@@ -27,7 +27,7 @@ class LightController : public QObject {
   private:
     enum class Place { surface, camera, headlight };
     /// What is asked of the renderer.
-    struct Asked {
+    struct Request {
         Place place;
         std::string experiment;
         CameraPose camera;
@@ -45,7 +45,7 @@ class LightController : public QObject {
     Workspace& workspace_;
     PixelInspector& inspector_;
     QList<QAction*> all_;
-    std::optional<Asked> asked_;
+    std::optional<Request> request_;
 };
 
 }  // namespace ir::gui

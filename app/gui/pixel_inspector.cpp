@@ -50,7 +50,7 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
       explain_(new widgets::ExplainPanel) {
     connect(&workspace_, &Workspace::cursor_moved, this, [this](QPoint pixel) {
         cursor_ = pixel;
-        ask();
+        request();
     });
     connect(&workspace_, &Workspace::picked, this, [this](QPoint pixel) { marked_ = pixel; });
     connect(&workspace_, &Workspace::explain_wanted, this, &PixelInspector::explain);
@@ -222,7 +222,7 @@ void PixelInspector::update() {
     send_wants();
     update_explain();
     show_everything();
-    ask();
+    request();
 }
 
 void PixelInspector::update_explain() {
@@ -252,14 +252,14 @@ void PixelInspector::update_explain() {
     explain_->set_content(pixel, outputs, selectors);
 }
 
-void PixelInspector::ask() {
+void PixelInspector::request() {
     const auto id = experiment();
     if (!inspector_shown_ || id.empty() || !live_.result(id)) return;
     // An execution that is gone never answers.
     if (is_probing_ && probed_tag_ == id && probed_since_.elapsed() < probe_patience_ms) {
         if (!std::exchange(probe_again_, true))
             QTimer::singleShot(probe_patience_ms, this, [this] {
-                if (probe_again_) ask();
+                if (probe_again_) request();
             });
         return;
     }
@@ -295,7 +295,7 @@ void PixelInspector::on_probe(std::shared_ptr<const engine::ProbeResult> result)
         }
         panel_->set_readings(std::move(readings));
     }
-    if (std::exchange(probe_again_, false)) ask();
+    if (std::exchange(probe_again_, false)) request();
 }
 
 void PixelInspector::save(projects::Json& memory) const {

@@ -47,7 +47,7 @@ class PixelInspector : public QObject {
     void update();
     void show_pins();
     void update_explain();
-    void ask();
+    void request();
     void send_wants();
     void on_probe(std::shared_ptr<const engine::ProbeResult> result);
     void show_everything();

@@ -99,11 +99,11 @@ std::vector<ActiveUniform> active_uniforms(const Api& api, GLuint program) {
 
 /// Adds what the linker made of the block's records: of "photons[0].power" the member power.
 void add_records(const Api& api, GLuint program, GLuint block, ProgramResource& resource) {
-    const auto properties = [&](GLenum interface, GLuint index, const std::vector<GLenum>& asked,
+    const auto properties = [&](GLenum interface, GLuint index, const std::vector<GLenum>& queried,
                                 std::size_t values) {
         std::vector<GLint> result(values);
-        api.GetProgramResourceiv(program, interface, index, static_cast<GLsizei>(asked.size()), asked.data(),
-                                 static_cast<GLsizei>(values), nullptr, result.data());
+        api.GetProgramResourceiv(program, interface, index, static_cast<GLsizei>(queried.size()),
+                                 queried.data(), static_cast<GLsizei>(values), nullptr, result.data());
         return result;
     };
     const auto count = properties(GL_SHADER_STORAGE_BLOCK, block, {GL_NUM_ACTIVE_VARIABLES}, 1)[0];

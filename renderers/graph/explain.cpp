@@ -152,14 +152,14 @@ std::optional<Explanation::Again> Explanation::plan_again(const std::vector<std:
     for (std::size_t i = 0; i < passes.size(); ++i)
         if (again.passes[i] && !may_run_again(passes[i], i, again)) return {};
     // What a pass of the frame itself writes cannot be had anew.
-    const auto asked_of_frame = [&](const auto& descs, const std::vector<bool>& live) {
+    const auto requested_of_frame = [&](const auto& descs, const std::vector<bool>& live) {
         for (std::size_t i = 0; i < descs.size(); ++i)
             if (live[i] && contains(explains, descs[i].text.key) && !contains(unwanted, descs[i].text.key))
                 return true;
         return false;
     };
-    if (asked_of_frame(frame_.builder->images(), again.before.image_live) ||
-        asked_of_frame(frame_.builder->buffers(), again.before.buffer_live) || !has_known_counts(again) ||
+    if (requested_of_frame(frame_.builder->images(), again.before.image_live) ||
+        requested_of_frame(frame_.builder->buffers(), again.before.buffer_live) || !has_known_counts(again) ||
         !FrameMemory(frame_).fits(FrameMemory(frame_).plan()))
         return {};
     return again;

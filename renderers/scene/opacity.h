@@ -5,7 +5,7 @@
 namespace ir::scene {
 
 /// Fills World::opacity and opacity_words: texture alpha times factor at or above the cut-off. A material
-/// without a base colour texture gets a single texel. Vertex colours' alpha is not asked.
+/// without a base colour texture gets a single texel. Vertex colours' alpha is not queried.
 void build_opacity(const Scene& scene, World& world);
 
 }  // namespace ir::scene

@@ -16,7 +16,7 @@ struct MaterialRange {
 };
 
 /// One texel in one bit: whether a surface with an alpha mask is there. G-buffer, shadow maps, layered depth
-/// maps and ray tracing all ask this one bitmap at the nearest texel, so that they agree about holes.
+/// maps and ray tracing all query this one bitmap at the nearest texel, so that they agree about holes.
 struct OpacityBitmap {
     int material = -1;
     int width = 0, height = 0;

@@ -79,14 +79,14 @@ DifferenceRequest at_one_size(const DifferenceRequest& request) {
 std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request) {
     auto result = std::make_shared<DifferenceResult>();
     result->request = request;
-    const auto asked = at_one_size(request);
+    const auto requested = at_one_size(request);
     Picture picture;
-    picture.label = label_of(request.kind).arg(asked.name_a, asked.name_b);
+    picture.label = label_of(request.kind).arg(requested.name_a, requested.name_b);
     picture.atlas = request.a->atlas;
     picture.unit = unit_of(request.kind, request.a->unit);
     try {
-        auto computed = computed_difference(asked);
-        result->rmse = rmse_of(asked);
+        auto computed = computed_difference(requested);
+        result->rmse = rmse_of(requested);
         result->automatic = display_for_difference(request.kind, computed.image);
         picture.image = std::make_shared<const Image>(std::move(computed.image));
         if (!computed.valid.empty()) picture.valid = std::make_shared<const Image>(std::move(computed.valid));

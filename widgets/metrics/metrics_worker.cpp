@@ -98,13 +98,13 @@ bool MetricsRequest::continues(const MetricsRequest& other) const {
            !mask == !other.mask;
 }
 
-MetricsResult measure(const MetricsRequest& asked, const std::atomic<bool>& cancelled,
+MetricsResult measure(const MetricsRequest& requested, const std::atomic<bool>& cancelled,
                       const std::function<void(const MetricsResult&)>& partial) {
     MetricsResult result;
-    result.request = asked;
+    result.request = requested;
     result.complete = true;
-    auto request = asked;
-    std::tie(request.image, request.reference) = at_one_size(asked.image, asked.reference);
+    auto request = requested;
+    std::tie(request.image, request.reference) = at_one_size(requested.image, requested.reference);
     const Picture &a = *request.image, &b = *request.reference;
     try {
         result.refusal = why_not_measurable(request);

@@ -191,7 +191,7 @@ void LayerDetails::show_colours(const LayerInfo* info) {
     component_->setCurrentIndex(std::clamp(layer_.component, 0, count - 1));
     map_->setCurrentText(QString::fromStdString(layer_.colour_map));
     // The numbers of another quantity's picture say nothing.
-    const bool known = info && info->asked.colour_by == layer_.colour_by;
+    const bool known = info && info->requested.colour_by == layer_.colour_by;
     low_->show_value(layer_.low.value_or(known ? info->low : 0));
     high_->show_value(layer_.high.value_or(known ? info->high : 1));
     automatic_->setChecked(!layer_.low && !layer_.high);
@@ -212,9 +212,9 @@ void LayerDetails::show_colours(const LayerInfo* info) {
 bool LayerDetails::has_row(const Field& field) const {
     if (field.name == "layer" && field.type != FieldType::f32) return true;
     const auto filtered = [&](const SpaceFilter& filter) { return filter.field == field.name; };
-    const auto asked = requested_.find(layer_.key);
+    const auto requested = requested_.find(layer_.key);
     return std::any_of(layer_.filters.begin(), layer_.filters.end(), filtered) ||
-           (asked != requested_.end() && asked->second.count(field.name) > 0);
+           (requested != requested_.end() && requested->second.count(field.name) > 0);
 }
 
 void LayerDetails::show_filters(const std::vector<std::optional<FieldRange>>& ranges) {

@@ -163,11 +163,12 @@ void LayerPanel::remember_ranges(const std::vector<LayerInfo>& infos) {
         ranges.resize(info.fields.size());
         for (std::size_t i = 0; i < ranges.size(); ++i) {
             if (i < info.ranges.size() && info.ranges[i]) ranges[i] = info.ranges[i];
-            const bool measured = info.fields[i].name == info.asked.colour_by && info.asked.component == 0;
+            const bool measured =
+                info.fields[i].name == info.requested.colour_by && info.requested.component == 0;
             if (!info.ranges.empty() || !measured || info.min > info.max) continue;
             // Through filters only a part is seen: what was known before may reach further.
             FieldRange seen{info.min, info.max};
-            if (ranges[i] && !info.asked.filters.empty()) {
+            if (ranges[i] && !info.requested.filters.empty()) {
                 seen.low = std::min(seen.low, ranges[i]->low);
                 seen.high = std::max(seen.high, ranges[i]->high);
             }

@@ -20,7 +20,7 @@ bool same_rows(const std::vector<SpaceLayer>& a, const std::vector<SpaceLayer>& 
 /// "12.3 k of 2.7 M": short, since the column stands beside the name.
 QString column_text(const LayerInfo& info) {
     const QString all = count_text(info.elements);
-    if (info.asked.filters.empty() || !info.passing) return all;
+    if (info.requested.filters.empty() || !info.passing) return all;
     if (info.stride <= 1) return QStringLiteral("%1 of %2").arg(count_text(*info.passing), all);
     const auto about = std::min(info.elements, *info.passing * info.stride);  // the rest was not looked at
     return QStringLiteral("≈ %1 of %2").arg(count_text(about), all);

@@ -33,7 +33,7 @@ class Legend {
   public:
     Legend(QPainter& painter, const LayerInfo& info, const QRectF& box)
         : painter_(painter),
-          layer_(info.asked),
+          layer_(info.requested),
           info_(info),
           inner_(box.adjusted(padding, 4, -padding, -4)) {}
 
@@ -133,8 +133,8 @@ double paint_line(QPainter& painter, const LayerInfo& info, const QRectF& row) {
                          Qt::AlignLeft | Qt::AlignVCenter, fitting);
         x += metrics.horizontalAdvance(fitting) + padding;
     };
-    write(info.asked.colour_by.empty() ? QString::fromStdString(info.asked.label)
-                                       : colour_text(info.asked, info.fields),
+    write(info.requested.colour_by.empty() ? QString::fromStdString(info.requested.label)
+                                           : colour_text(info.requested, info.fields),
           text_colour);
     for (const auto& category : info.categories) {
         if (x > row.right() - 30) break;
@@ -142,11 +142,11 @@ double paint_line(QPainter& painter, const LayerInfo& info, const QRectF& row) {
         x += 14;
         write(QString::fromStdString(category.label), text_colour);
     }
-    if (info.categories.empty() && !info.asked.colour_by.empty() && info.elements > 0 &&
-        info.asked.colour_by != SpaceLayer::facing) {
+    if (info.categories.empty() && !info.requested.colour_by.empty() && info.elements > 0 &&
+        info.requested.colour_by != SpaceLayer::facing) {
         write(short_number(info.low), dim_text_colour);
         const QRectF bar(x - 2, row.center().y() - 4, std::min(80.0, std::max(0.0, row.right() - x - 60)), 8);
-        paint_map(painter, bar, info.asked.colour_map);
+        paint_map(painter, bar, info.requested.colour_map);
         x = bar.right() + 6;
         write(short_number(info.high), dim_text_colour);
     }

@@ -113,7 +113,7 @@ void paint_hover(QPainter& painter, const OverlayState& state, const QRectF& are
 bool has_metres(const OverlayState& state) {
     return state.layers.empty() ||
            std::any_of(state.layers.begin(), state.layers.end(), [](const LayerInfo& info) {
-               return space_of(info.asked.kind, info.fields) == Space::scene;
+               return space_of(info.requested.kind, info.fields) == Space::scene;
            });
 }
 

@@ -62,7 +62,7 @@ struct FieldRange {
 /// What became of a layer, in the order of the visible layers.
 struct LayerInfo {
     std::string key;
-    std::string note = {};           ///< why it is not drawn, or not as asked; empty: all is well
+    std::string note = {};           ///< why it is not drawn, or not as requested; empty: all is well
     std::vector<Field> fields = {};  ///< of the buffer's element
     /// By field, of its first component over all elements, filters or not; empty: unknown.
     std::vector<std::optional<FieldRange>> ranges = {};
@@ -73,7 +73,7 @@ struct LayerInfo {
     double min = 0, max = 0;                    ///< of the field that colours, over the elements that pass
     /// Where the field that colours holds names: those that occur, and no colour map.
     std::vector<Category> categories = {};
-    SpaceLayer asked = {};                ///< what it was drawn for; SpaceView fills it in
+    SpaceLayer requested = {};            ///< what it was drawn for; SpaceView fills it in
     std::optional<SpaceBox> bounds = {};  ///< metres; absent: unknown
 };
 

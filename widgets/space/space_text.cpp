@@ -44,8 +44,8 @@ QString amount_text(OutputKind kind, std::uint64_t elements, std::uint64_t strid
 }
 
 QString amount_text(const LayerInfo& info) {
-    const QString all = amount_text(info.asked.kind, info.elements, info.stride);
-    if (info.asked.filters.empty() || !info.passing) return all;
+    const QString all = amount_text(info.requested.kind, info.elements, info.stride);
+    if (info.requested.filters.empty() || !info.passing) return all;
     return QStringLiteral("%1 of %2").arg(count_text(*info.passing), all);
 }
 

@@ -84,7 +84,7 @@ SpaceView::SpaceView(QWidget* parent, ImageView::Surface surface)
 /// Told by the fields of what was drawn last.
 bool SpaceView::shows_own_space() const {
     return std::any_of(picture_.layers.begin(), picture_.layers.end(), [](const LayerInfo& info) {
-        return space_of(info.asked.kind, info.fields) == Space::own && info.note.empty();
+        return space_of(info.requested.kind, info.fields) == Space::own && info.note.empty();
     });
 }
 
@@ -149,11 +149,11 @@ void SpaceView::set_picture(SpacePicture picture) {
     const double full_ms = double(pacer_->last_ms()) * std::pow(divisor_, 1.8);
     if (oversampling_ == 1) moving_divisor_ = full_ms > very_slow_ms ? 4 : full_ms > slow_ms ? 2 : 1;
     picture_ = std::move(picture);
-    const SpaceScene& asked = picture_.scene ? *picture_.scene : sent_;
-    const std::vector<int> places = scene_indices(picture_.layers, asked.layers);
+    const SpaceScene& requested = picture_.scene ? *picture_.scene : sent_;
+    const std::vector<int> places = scene_indices(picture_.layers, requested.layers);
     for (std::size_t i = 0; i < places.size(); ++i)
-        if (places[i] >= 0) picture_.layers[i].asked = asked.layers[std::size_t(places[i])];
-    if (!asked.camera) experiment_pose_ = picture_.camera;
+        if (places[i] >= 0) picture_.layers[i].requested = requested.layers[std::size_t(places[i])];
+    if (!requested.camera) experiment_pose_ = picture_.camera;
     overlay_.note.clear();
     tools_->show_state(scene_, shows_own_space());
     image_->set_picture(make_picture(picture_.colour, Semantic::radiance));

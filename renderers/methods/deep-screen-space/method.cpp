@@ -1,6 +1,6 @@
 // Deep screen space: the scene becomes a cloud of surfels, each of which is splatted onto the pixels about
-// it, on coarser levels of the picture the farther away. With visibility every sample of a pixel asks along
-// one direction and keeps the nearest surfel. [Nalbach15; Nalbach14]
+// it, on coarser levels of the picture the farther away. With visibility every sample of a pixel queries
+// along one direction and keeps the nearest surfel. [Nalbach15; Nalbach14]
 #include <algorithm>
 #include <iomanip>
 #include <sstream>

@@ -62,7 +62,7 @@ const std::vector<std::string> all_passes{
 
 /// Choices of parameter "storage".
 std::vector<Choice> storages() {
-    const auto descriptions = ldm::map_parameters(ldm::Asks::any).descriptions();
+    const auto descriptions = ldm::map_parameters(ldm::QueriedHits::any).descriptions();
     return find(descriptions, "storage")->choices;
 }
 
@@ -71,7 +71,7 @@ using Column = graph::BenchmarkColumn;
 std::vector<Column> columns() {
     return {{"Build", "ms", "Views of the maps, and all passes that build them.",
              Column::PassTime{{"map frames*", "meshlets", "build maps*"}}},
-            {"Trace", "ms", "All passes that ask the maps, and accessibility; on the host with building.",
+            {"Trace", "ms", "All passes that query the maps, and accessibility; on the host with building.",
              Column::PassTime{{"trace*", "build and trace maps", "accessibility"}}},
             {"Total", "ms", "Building and tracing.", Column::PassTime{}},
             {"Fragments", "", "Made by rasterising the scene into all maps.",

@@ -194,8 +194,8 @@ Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& m
     hit_fields.push_back({"own_found", FieldType::u32});
     return {
         .hits = declare("hits", hit_fields, 2 * maps.directions.size(), "hit_count", "Directions explained"),
-        .rays =
-            declare("rays", record_fields<AskedRay>(), maps.directions.size(), "ray_count", "Rays explained"),
+        .rays = declare("rays", record_fields<QueriedRay>(), maps.directions.size(), "ray_count",
+                        "Rays explained"),
         .entries = declare("entries", record_fields<Entry>(), maps_chosen * expected_entries, "entry_count",
                            "Entries under the pixel"),
         .walk = declare("walk", record_fields<WalkLine>(), maps_chosen * expected_entries, "walk_count",

@@ -56,7 +56,7 @@ ParameterText ambient_text() {
 
 ParameterTable<Parameters> parameter_table() {
     ParameterTable<Parameters> table;
-    table.include(&Parameters::maps, passes::ldm::map_parameters(passes::ldm::Asks::any));
+    table.include(&Parameters::maps, passes::ldm::map_parameters(passes::ldm::QueriedHits::any));
     table.include(
         &Parameters::transport,
         transport_parameters({.paths = {"ao"}, .keys = {"max_distance", "falloff", "normal_maps"}}));

@@ -40,8 +40,8 @@ struct Explain {
     IR_FIELDS(filter, picked, miss_length)
 };
 
-float length_of_misses(const scene::World& world, float asked) {
-    return asked > 0 ? asked : 0.2f * world.bounds.radius();
+float length_of_misses(const scene::World& world, float requested) {
+    return requested > 0 ? requested : 0.2f * world.bounds.radius();
 }
 
 }  // namespace

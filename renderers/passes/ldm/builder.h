@@ -74,7 +74,7 @@ void reads_maps(graph::PassBuilder& pass, const Maps& maps);
 /// The defines for programs that include passes/ldm/storage.glsl.
 std::map<std::string, std::string> defines_of(const graph::PassContext& context, const Maps& maps);
 
-/// Frames for programs that ask some of the maps, six rows each.
+/// Frames for programs that query some of the maps, six rows each.
 struct FrameConstants {
     std::span<const glm::vec4> frame_rows;  ///< of Maps::frames
     IR_FIELDS(frame_rows)

@@ -17,14 +17,14 @@ struct MapParameters : Options {
     float normal_offset = 1;
 };
 
-/// Which hits a method asks for.
-enum class Asks {
+/// Which hits a method queries.
+enum class QueriedHits {
     nearest,  ///< what lies first along a ray
     any       ///< also whether anything lies there at all, for which storage "outermost" is enough
 };
 
 /// Directions, resolution, storage and builder.
-ParameterTable<MapParameters> map_parameters(Asks asks = Asks::nearest);
+ParameterTable<MapParameters> map_parameters(QueriedHits hits = QueriedHits::nearest);
 /// The self-hit rule: what shaders/passes/ldm/self_hit.glsl reads.
 ParameterTable<MapParameters> self_hit_parameters();
 

@@ -27,7 +27,8 @@ void trace_sky(graph::GraphBuilder& builder, const GBuffer& gbuffer, const MapsP
 /// In its place for all maps: the pass "build and trace maps for the sky" (cpu), for has_host_body().
 void trace_sky_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,
                        const MapsPointer& maps, const Sky& sky, const SelfHitRule& rule);
-/// The pass "sky", when all maps were asked. `progressive`: the mean over the frames in which nothing moved.
+/// The pass "sky", when all maps were queried. `progressive`: the mean over the frames in which nothing
+/// moved.
 void finish_sky(graph::GraphBuilder& builder, const Sky& sky, bool progressive);
 
 }  // namespace ir::passes::ldm

@@ -13,7 +13,7 @@ namespace {
 using graph::PassContext;
 
 /// Texels a side that stand for a texture.
-constexpr int texels_asked = 8;
+constexpr int texels_queried = 8;
 
 /// Mean of some texels of the base colour, linear.
 glm::vec3 mean_colour(const scene::Scene& scene, const scene::Material& material) {
@@ -22,10 +22,10 @@ glm::vec3 mean_colour(const scene::Scene& scene, const scene::Material& material
     const auto& texture = scene.textures.at(static_cast<std::size_t>(index));
     if (texture.width < 1 || texture.height < 1) return glm::vec3(1);
     glm::vec4 sum(0);
-    for (int y = 0; y < texels_asked; ++y)
-        for (int x = 0; x < texels_asked; ++x) {
-            const auto row = static_cast<std::size_t>((2 * y + 1) * texture.height / (2 * texels_asked));
-            const auto column = static_cast<std::size_t>((2 * x + 1) * texture.width / (2 * texels_asked));
+    for (int y = 0; y < texels_queried; ++y)
+        for (int x = 0; x < texels_queried; ++x) {
+            const auto row = static_cast<std::size_t>((2 * y + 1) * texture.height / (2 * texels_queried));
+            const auto column = static_cast<std::size_t>((2 * x + 1) * texture.width / (2 * texels_queried));
             const auto* texel = &texture.rgba[4 * (row * static_cast<std::size_t>(texture.width) + column)];
             const float opacity = static_cast<float>(texel[3]) / 255 + 1e-3f;
             for (int c = 0; c < 3; ++c) {

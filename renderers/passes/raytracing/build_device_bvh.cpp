@@ -20,7 +20,7 @@ using Tree = std::unique_ptr<std::remove_pointer_t<RTCBVH>, decltype(&rtcRelease
 
 /// Larger coordinates are none to Embree.
 constexpr float largest_coordinate = 1e18f;
-/// Where Embree stops to ask the heuristic and halves what is left. Halving needs no more than 28 levels.
+/// Where Embree stops using the heuristic and halves what is left. Halving needs no more than 28 levels.
 constexpr unsigned builder_depth = bvh_max_depth - 1;
 
 /// What the builder makes, in its own memory.
@@ -146,7 +146,7 @@ class Layout {
         if (root && !root->is_leaf) {
             fill(node, static_cast<const Inner&>(*root));
         } else {
-            // Every ray asks the root for two children.
+            // Every ray queries the root for two children.
             auto& only = result_.nodes[node];
             only.left = only.right = bvh_no_child;
             if (root) set_single_leaf(node, static_cast<const Leaf&>(*root));

@@ -19,7 +19,7 @@ struct Hit {
 };
 
 /// A ray-tracing scene over a World: the oracle that every approximate visibility is judged by. Alpha masks
-/// are asked through scene::is_covered, as in rasterisation. Thread-safe for queries.
+/// are queried through scene::is_covered, as in rasterisation. Thread-safe for queries.
 class Bvh {
   public:
     /// How rays are tested against triangles.

@@ -9,8 +9,8 @@
 namespace ir::passes {
 
 /// Part of a diffuse surface's reflection that gets farther than `reach` (m), by few rays. Maps, discs and
-/// the like that resolve no gaps of that width ask it of surfaces that a source before them lights: what a
-/// lamp's back sends up to a ceiling half a millimetre away would come down through the lamp. `number`: of
+/// the like that resolve no gaps of that width compute it for surfaces that a source before them lights: what
+/// a lamp's back sends up to a ceiling half a millimetre away would come down through the lamp. `number`: of
 /// the first pair of random numbers.
 inline float open_part(const Bvh& bvh, glm::vec3 position_ws, glm::vec3 geometric_normal_ws, float reach,
                        const PathSampler& random, std::uint32_t number) {

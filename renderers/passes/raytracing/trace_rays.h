@@ -37,7 +37,8 @@ class DeviceTracer {
 };
 
 /// Declares the pass NAME: the first hit of each ray of the buffer, alpha masks respected. `compute` walks a
-/// BVH on the device ("scene.bvh", built on the host once per world), `embree` asks the oracle on the host.
+/// BVH on the device ("scene.bvh", built on the host once per world), `embree` queries the oracle on the
+/// host.
 void trace_rays(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,
                 Tracer tracer, const RayBuffers& buffers);
 

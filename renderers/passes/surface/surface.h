@@ -34,8 +34,8 @@ class HostTexture;
 /// Looks surfaces up on the host. Thread-safe.
 class SurfaceLookup {
   public:
-    /// Without `reflectance` textures of metallic, roughness and transmission are not asked, for models that
-    /// do not use them: texels that are not in the cache cost as much as a ray.
+    /// Without `reflectance` textures of metallic, roughness and transmission are not queried, for models
+    /// that do not use them: texels that are not in the cache cost as much as a ray.
     SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps,
                   bool reflectance = true);
     /// With mip maps: textures with all levels, as many as the scene's. at() then needs neither scene nor

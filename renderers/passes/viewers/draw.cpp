@@ -87,7 +87,7 @@ struct Viewer::State {
                 " pixels cannot be drawn: both sides must be from 1 to " + std::to_string(limit));
     }
 
-    /// As asked, as far as images can be so large.
+    /// As requested, as far as images can be so large.
     int oversampling(const Scene3D& view) const {
         const int limit = context.info().max_texture_size / std::max(view.width, view.height);
         return std::clamp(view.oversampling, 1, std::min(limit, 4));

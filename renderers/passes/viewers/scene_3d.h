@@ -68,7 +68,7 @@ struct Scene3D {
 
 /// What became of a layer.
 struct DrawnLayer {
-    std::string key, note;  ///< why it is not drawn, or not as asked; empty: all is well
+    std::string key, note;  ///< why it is not drawn, or not as requested; empty: all is well
     OutputKind kind = OutputKind::table;
     std::vector<Field> fields;
     std::uint64_t elements = 0;  ///< in the buffer

@@ -1,5 +1,5 @@
-// Gathers the accessibility of one pixel again, direction by direction: one invocation asks one map of the batch, and
-// writes the region of v, that of -v, and the ray that was asked. [Aalund15 eq. 2]
+// Gathers the accessibility of one pixel again, direction by direction: one invocation queries one map of the batch,
+// and writes the region of v, that of -v, and the ray that was queried. [Aalund15 eq. 2]
 layout(local_size_x = 64) in;
 #include "methods/ldm-ao/explained.glsl"
 #include "methods/ldm-ao/visibility.glsl"
@@ -8,15 +8,15 @@ layout(local_size_x = 64) in;
 layout(std430) readonly buffer Regions { uint regions[]; };
 /// The same, each with hit, distance, contribution and own_found behind.
 layout(std430) writeonly buffer Hits { uint hits[]; };
-// C++: ir::methods::ldm_ao::AskedRay
-struct AskedRay {
+// C++: ir::methods::ldm_ao::QueriedRay
+struct QueriedRay {
     float start[3], end[3];
     int hit;
     float distance, contribution;
     uint map;
     int side;
 };
-layout(std430) writeonly buffer Rays { AskedRay rays[]; };
+layout(std430) writeonly buffer Rays { QueriedRay rays[]; };
 layout(std430) buffer HitCount { uint hit_count; };
 layout(std430) buffer RayCount { uint ray_count; };
 
@@ -50,7 +50,7 @@ void write_region(uint region, int hit, float distance_ws, float contribution, b
     hits[word + REGION_WORDS + 3u] = own ? 1u : 0u;
 }
 
-void write_ray(AskedRay ray) {
+void write_ray(QueriedRay ray) {
     if (ray.map < uint(rays.length())) rays[ray.map] = ray;
 }
 
@@ -80,7 +80,7 @@ void main() {
     }
     write_region(2u * map + (forward ? 0u : 1u), hit, distance_ws, contribution, own);
     write_region(2u * map + (forward ? 1u : 0u), BELOW, 0.0, 0.0, false);
-    write_ray(AskedRay(floats(x.position), floats(x.position + distance_ws * direction), hit, distance_ws, contribution,
+    write_ray(QueriedRay(floats(x.position), floats(x.position + distance_ws * direction), hit, distance_ws, contribution,
                        map, side));
     atomicAdd(hit_count, 2u);
     atomicAdd(ray_count, 1u);

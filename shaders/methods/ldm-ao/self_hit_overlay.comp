@@ -3,7 +3,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D accessibility;
-uniform sampler2D counts;  // own entry found, asked, missing, perhaps another's
+uniform sampler2D counts;  // own entry found, queried, missing, perhaps another's
 uniform sampler2D gbuffer_geometric_normal;
 layout(rgba16f) uniform writeonly image2D overlay;
 

@@ -1,7 +1,7 @@
-// From counts of directions to parts of the directions that were asked.
+// From counts of directions to parts of the directions that were queried.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-uniform sampler2D counts;  // own entry found, asked, missing, perhaps another's
+uniform sampler2D counts;  // own entry found, queried, missing, perhaps another's
 layout(r32f) uniform writeonly image2D found;
 layout(r32f) uniform writeonly image2D missing;
 layout(r32f) uniform writeonly image2D suspect;

@@ -1,5 +1,5 @@
 // Adds some maps' directions to each pixel's sums: Σ V cosθ and Σ cosθ. [Aalund15 eq. 2]
-// With LDM_VIEWS instead: how often x's own entry was found, how many directions were asked, how often it was
+// With LDM_VIEWS instead: how often x's own entry was found, how many directions were queried, how often it was
 // missing, and how often something else may have been taken for it.
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/ldm/frames.glsl"

@@ -1,7 +1,7 @@
 // How a map is read for one point, told entry by entry. Include passes/ldm/frames.glsl, passes/ldm/storage.glsl and
 // passes/ldm/trace.glsl first.
 
-/// A point's place in the sequence of the texel that is asked: entries from `low` to `high` are its own, the first
+/// A point's place in the sequence of the texel that is queried: entries from `low` to `high` are its own, the first
 /// one above them is the hit along v, the last one below them the hit along -v.
 struct LdmBand {
     ivec2 texel;

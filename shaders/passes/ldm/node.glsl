@@ -1,6 +1,6 @@
 // What a node with slopes (nodes=sloped) says of its surface beside its depth at the texel's centre: the depth that it
 // gains a column and a row, in 8 bits each. A plain node has a depth alone. On the host:
-// renderers/passes/ldm/host/node.h, and vectors in rasterise.inl and ask_lists.inl.
+// renderers/passes/ldm/host/node.h, and vectors in rasterise.inl and query_lists.inl.
 //
 // DEVIATION [Aalund15 §3.1]: nodes of the paper are depths. A hit must also lie before x where its slopes say that
 // its surface is at x's own place. Slopes alone are worse than plain depths: on convex detail a neighbour's plane,
@@ -10,7 +10,7 @@
 // C++: ir::passes::ldm::*
 const float LDM_SLOPE_STEPS = 127.0, LDM_MAX_SLOPE_CODE = 126.0;
 
-/// Most quanta per texel that slopes are asked with: the host holds twice as many in 16 bits.
+/// Most quanta per texel that slopes are queried with: the host holds twice as many in 16 bits.
 // C++: ir::passes::ldm::max_slope_quanta
 const float LDM_MAX_SLOPE = 16383.0;
 
@@ -25,11 +25,11 @@ const float LDM_SLOPE_REACH = 2.0;
 // C++: ir::passes::ldm::sloped_tolerance
 const float LDM_SLOPED_TOLERANCE = 0.3;
 
-/// What asks nodes whether they lie before x by their slopes, too.
+/// What queries nodes whether they lie before x by their slopes, too.
 struct LdmSlopeTest {
     vec2 place;  // of x, texels from the texel's centre
     float depth, tolerance, texel_quanta;
-    int key;  // as ldm_neighbours() is asked
+    int key;  // as ldm_neighbours() is queried
     bool forward;
 };
 

@@ -16,17 +16,17 @@ uint page_depth(uint page, uint slot) {
 
 LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
     LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
-    // NO_DEPTH is no entry, whatever depth is asked for.
-    uint asked = uint(clamp(depth, 0, int(NO_DEPTH)));
+    // NO_DEPTH is no entry, whatever depth is queried.
+    uint queried = uint(clamp(depth, 0, int(NO_DEPTH)));
     for (uint page = first_page(map, texel, resolution); page != 0u; page = pages[(page - 1u) * PAGE_WORDS]) {
         uint last = page_depth(page, PAGE_DEPTHS - 1u);
-        if (last < asked) {
+        if (last < queried) {
             result.before = int(last);
             continue;
         }
         for (uint slot = 0u; slot < PAGE_DEPTHS; ++slot) {
             uint found = page_depth(page, slot);
-            if (found >= asked) {
+            if (found >= queried) {
                 if (found != NO_DEPTH) result.behind = int(found);
                 return result;
             }

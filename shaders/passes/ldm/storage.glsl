@@ -25,7 +25,7 @@ struct LdmCursor {
 //   LdmCursor ldm_first(uint map, ivec2 texel, int resolution), ldm_next(LdmCursor)
 //   bool ldm_valid(LdmCursor); int ldm_depth(LdmCursor)
 //   LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind), or the one below:
-//     Whether there is anything on the asked side, as any of its entries, for the least work. Where there is
+//     Whether there is anything on the queried side, as any of its entries, for the least work. Where there is
 //     none, the other side's nearest entry is given.
 #if defined(LDM_LINKED_LISTS)
 #include "passes/ldm/lists.glsl"

@@ -8,7 +8,7 @@
 // first entry beyond that, with a tolerance, and not before x, is the hit. A ray that would run below the
 // surface for more than `max_dip` texels starts on the other side of x instead, above the surface.
 // Measured at 128 maps of 200² and 3 m on Sponza: RMSE against exact rays 0.0235 away from edges, and no
-// leak through closed walls of two texels; asking nearby texels instead where no own entry was found, 0.0245,
+// leak through closed walls of two texels; querying nearby texels instead where no own entry was found, 0.0245,
 // leaks of 7e-5, and 2.7 times the time.
 
 struct LdmRule {
@@ -24,7 +24,7 @@ struct LdmHit {
     bool outside;    // x is outside the map: open
     bool own;        // x's own entry was found (known with LDM_VIEWS)
     int rejected;    // entries ahead of the tangent plane, by more than rounding, that were taken for x's own
-    ivec2 texel;     // that was asked
+    ivec2 texel;     // that was queried
     float entry;     // depth of the hit at its centre, in quanta
 };
 
@@ -67,7 +67,7 @@ int ldm_key(float start, bool forward) {
 
 /// One texel's answer; `plane` is the depth of the tangent plane at its centre, `start` the depth beyond which
 /// entries are hits. With `any_hit` the distance is that of any hit.
-LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float tolerance, float start, bool forward,
+LdmHit ldm_query(uint map, ivec2 texel, int resolution, float plane, float tolerance, float start, bool forward,
                float reach, bool any_hit) {
     int key = ldm_key(start, forward);
     LdmNeighbours near = any_hit ? ldm_any(map, texel, resolution, key, forward)
@@ -88,7 +88,7 @@ LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float toleran
     return hit;
 }
 
-/// What a map is asked for a point.
+/// What a map is queried for at a point.
 struct LdmQuestion {
     ivec2 texel;
     bool outside;     // of the map: open
@@ -155,7 +155,7 @@ LdmHit ldm_ask_slopes(MapFrame frame, uint map, int resolution, LdmQuestion q, b
                       LdmRule rule) {
     LdmHit hit = ldm_no_hit(false);
 #ifdef LDM_VIEWS
-    hit = ldm_ask(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, false);
+    hit = ldm_query(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, false);
 #endif
     int found = ldm_next_by_slopes(map, q.texel, resolution, ldm_slope_test(frame, q, forward, rule));
 #ifdef LDM_VIEWS
@@ -181,7 +181,7 @@ LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position
 #ifdef LDM_SLOPES
     return ldm_ask_slopes(frame, map, resolution, q, forward, reach, rule);
 #else
-    return ldm_ask(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, isinf(reach));
+    return ldm_query(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, isinf(reach));
 #endif
 }
 
@@ -211,12 +211,12 @@ LdmHit ldm_trace_offset(MapFrame frame, uint map, int resolution, vec3 position_
 }
 
 /// The answer without a self-hit rule: hits count from `beyond` quanta on, where nothing can be x's own.
-/// `tangent`: at the texel and from the plane that the rule "tangent-plane" asks, else "normal-offset".
+/// `tangent`: at the texel and from the plane that the rule "tangent-plane" queries, else "normal-offset".
 LdmHit ldm_trace_beyond(MapFrame frame, uint map, int resolution, vec3 position_ws, vec3 normal_ws, bool forward,
                         float reach, LdmRule rule, float beyond, bool tangent) {
     LdmQuestion q = tangent ? ldm_question_tangent(frame, resolution, position_ws, normal_ws, forward, rule)
                             : ldm_question_offset(frame, resolution, position_ws, normal_ws, rule);
     if (q.outside) return ldm_no_hit(true);
     float start = q.plane + (forward ? beyond : -beyond);
-    return ldm_ask(map, q.texel, resolution, q.plane, 0.0, start, forward, reach, isinf(reach));
+    return ldm_query(map, q.texel, resolution, q.plane, 0.0, start, forward, reach, isinf(reach));
 }

@@ -49,7 +49,7 @@ bool is_covered_at(uint mask, float u, float v) {
 
 /// Keeps what is closer, and of what is equally far the triangle with the lower number: the result does not
 /// depend on the tree.
-void ask_triangle(uint place, Ray ray, inout RayHit hit) {
+void query_triangle(uint place, Ray ray, inout RayHit hit) {
     uvec4 a = bvh_triangles[3u * place], b = bvh_triangles[3u * place + 1u],
           c = bvh_triangles[3u * place + 2u];
     float distance, u, v;
@@ -92,7 +92,7 @@ bool find_first_hit(Ray ray, out RayHit result) {
         uint place = next & 0x0fffffffu, end = place + (next >> 28u & 7u);
         for (; place < end; ++place) {
             ++steps;
-            ask_triangle(place, ray, hit);
+            query_triangle(place, ray, hit);
         }
         next = ray.any_hit != 0.0 && hit.triangle != 0xffffffffu ? BVH_NO_CHILD : stack[--top];
     }

@@ -9,7 +9,7 @@ struct Ray {
     vec3 origin_ws;
     float far;          // hits beyond are none; <= 0: no ray
     vec3 direction_ws;  // of unit length
-    float any_hit;      // not 0: whether anything is hit is all that is asked; the hit need not be the first
+    float any_hit;      // not 0: whether anything is hit is all that counts; the hit need not be the first
 };
 
 /// 16 bytes.

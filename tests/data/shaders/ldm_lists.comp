@@ -49,7 +49,7 @@ void main() {
     out_texels[index] = uvec2(first, count);
     if (resolution > 100 && index % 16u != 0u) return;
     int scattered = int((index * 2654435761u) >> 16);
-    int asked[6] = int[6](scattered, least, least + 1, most, most + 1, (least + most) / 2);
+    int queried[6] = int[6](scattered, least, least + 1, most, most + 1, (least + most) / 2);
     for (int i = 0; i < 6; ++i)
-        if (is_wrong(map, texel, asked[i])) atomicAdd(wrong_answers, 1u);
+        if (is_wrong(map, texel, queried[i])) atomicAdd(wrong_answers, 1u);
 }

@@ -25,21 +25,21 @@ struct FakeBenchmarks {
     std::atomic<int> allowed{1000}, runs{0};
     engine::BenchmarkRequest request;
 
-    engine::BenchmarkReport run(const engine::BenchmarkRequest& asked,
+    engine::BenchmarkReport run(const engine::BenchmarkRequest& requested,
                                 const engine::BenchmarkCallbacks& callbacks) {
         ++runs;
-        request = asked;
-        const auto& benchmark = engine::find_benchmark(asked.name).benchmark;
+        request = requested;
+        const auto& benchmark = engine::find_benchmark(requested.name).benchmark;
         engine::BenchmarkReport report;
-        report.name = asked.name;
+        report.name = requested.name;
         report.device = "abacus";
-        report.repeats = asked.repeats;
+        report.repeats = requested.repeats;
         report.columns = engine::columns_of(benchmark);
-        for (const auto& label : asked.variants) {
+        for (const auto& label : requested.variants) {
             engine::BenchmarkProgress progress;
             progress.label = label;
             progress.row = report.rows.size();
-            progress.rows = asked.variants.size();
+            progress.rows = requested.variants.size();
             progress.repeats = 1;
             callbacks.progress(progress);
             while (int(report.rows.size()) >= allowed) {

@@ -32,7 +32,7 @@ class TimelineWindowTest : public WindowTest {
         ASSERT_TRUE(settle());
     }
     Playback& playback() { return window.playback(); }
-    const engine::Experiment& asked() { return renderer.requests.back().experiment; }
+    const engine::Experiment& requested() { return renderer.requests.back().experiment; }
     QToolButton* button(const char* name) { return window.timeline().findChild<QToolButton*>(name); }
     const widgets::TimelineState& shown() { return window.timeline().panel().state(); }
 };
@@ -70,12 +70,12 @@ TEST_F(TimelineWindowTest, PlaysFrameByFramePausesStepsAndScrubs) {
     // Back: another history. On: the same.
     window.action("step-back")->trigger();
     ASSERT_TRUE(settle());
-    EXPECT_NEAR(asked().time, 5 * frame, 1e-9);
-    EXPECT_EQ(asked().frames, 1);
+    EXPECT_NEAR(requested().time, 5 * frame, 1e-9);
+    EXPECT_EQ(requested().frames, 1);
     window.action("step-forward")->trigger();
     ASSERT_TRUE(settle());
-    EXPECT_NEAR(asked().time, 5 * frame, 1e-9);
-    EXPECT_EQ(asked().frames, 2);
+    EXPECT_NEAR(requested().time, 5 * frame, 1e-9);
+    EXPECT_EQ(requested().frames, 2);
     EXPECT_EQ(renderer.requests.back().frames_again, 1);
 
     // A loop goes on at the beginning.
@@ -94,11 +94,11 @@ TEST_F(TimelineWindowTest, PlaysFrameByFramePausesStepsAndScrubs) {
     auto& bar = window.timeline().panel().bar();
     emit bar.time_chosen(3 * frame);
     ASSERT_TRUE(settle());
-    EXPECT_NEAR(asked().time, 3 * frame, 1e-9);
-    EXPECT_EQ(asked().frames, 1);
+    EXPECT_NEAR(requested().time, 3 * frame, 1e-9);
+    EXPECT_EQ(requested().frames, 1);
     emit window.timeline().panel().return_wanted();
     ASSERT_TRUE(settle());
-    EXPECT_EQ(asked().time, 0);
+    EXPECT_EQ(requested().time, 0);
     EXPECT_EQ(renderer.requests.back().frames_again, 0);
 }
 

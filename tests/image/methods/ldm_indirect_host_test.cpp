@@ -100,7 +100,7 @@ TEST_P(LdmIndirectHost, GivesThePictureOfTheDevice) {
 INSTANTIATE_TEST_SUITE_P(Cases, LdmIndirectHost, testing::ValuesIn(cases),
                          [](const auto& info) { return std::string(info.param.name); });
 
-/// Both in one layout. A step is a sixteenth of an octave; on edges a pixel may ask another texel.
+/// Both in one layout. A step is a sixteenth of an octave; on edges a pixel may query another texel.
 TEST_F(LdmIndirectOnBothBodies, SeeAsFarAlongMaps) {
     load("builtin:atrium?detail=0.1");
     for (const std::int64_t resolution : {60, 300}) {  // one band, and some

@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
         Room{.name = "veach_ajar",
              .scene = "rooms/veach-ajar/veach-ajar.glb",
              .photons = {0.8, 1.05},
-             .maps = {0.95, 1.1},
+             .maps = {0.95, 1.15},
              .samples = 256},
         Room{.name = "staircase2",
              .scene = "rooms/staircase2/staircase2.glb",

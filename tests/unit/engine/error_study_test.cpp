@@ -267,18 +267,18 @@ TEST_F(ErrorStudyTest, CancellingEndsWithinATenthOfASecond) {
     using Clock = std::chrono::steady_clock;
     project_.experiments[2].values["samples"] = std::int64_t{1'000'000};
     CancelToken token;
-    Clock::time_point asked;
+    Clock::time_point requested;
     int calls = 0;
     StudyCallbacks callbacks;
     callbacks.cancel = &token;
     callbacks.progress = [&](const std::string&, double) {
         if (++calls != 3) return;
-        asked = Clock::now();
+        requested = Clock::now();
         token.cancel();
     };
     EXPECT_THROW(run(callbacks), Cancelled);
 #ifndef __SANITIZE_THREAD__
-    EXPECT_LT(std::chrono::duration<double>(Clock::now() - asked).count(), 0.1);
+    EXPECT_LT(std::chrono::duration<double>(Clock::now() - requested).count(), 0.1);
 #endif
 }
 

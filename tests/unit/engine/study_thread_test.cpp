@@ -138,11 +138,11 @@ TEST_F(StudyThreadTest, TheNewestOfATagReplacesWhatRunsAndWhatWaits) {
 TEST_F(StudyThreadTest, CancelEndsWithinATenthOfASecond) {
     const auto running = request("a", 100'000), waiting = request("b", 1);
     wait_for("point", running);
-    const auto asked = Clock::now();
+    const auto requested = Clock::now();
     thread->cancel("b");
     thread->cancel("a");
     EXPECT_EQ(wait_for("cancelled", running)->text, "cancelled");
-    EXPECT_LT(wait_for("cancelled", running)->at - asked, 100ms);
+    EXPECT_LT(wait_for("cancelled", running)->at - requested, 100ms);
     wait_for("cancelled", waiting);
     EXPECT_TRUE(answers("point", waiting).empty());
     wait_for("finished", request("a", 1));
@@ -170,9 +170,9 @@ TEST_F(StudyThreadTest, EndsAtOnceWhateverRuns) {
     const auto running = request("a", 100'000);
     request("b", 100'000);
     wait_for("point", running);
-    const auto asked = Clock::now();
+    const auto requested = Clock::now();
     thread.reset();
-    EXPECT_LT(Clock::now() - asked, 1s);
+    EXPECT_LT(Clock::now() - requested, 1s);
 }
 
 TEST_F(StudyThreadTest, ManyRequestsFromSeveralThreadsEachEndOnce) {

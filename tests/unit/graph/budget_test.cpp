@@ -88,7 +88,7 @@ class AdvisedTest : public GraphTest {
             builder.pass("all", Queue::cpu)
                 .writes(a, b, c, picture)
                 .counts(count)
-                .execute([this, count](PassContext& p) { p.add(count, asked); });
+                .execute([this, count](PassContext& p) { p.add(count, requested); });
         };
     }
     FrameReport run_with(const Settings& settings) { return graph->run(method, settings, inputs, options); }
@@ -97,7 +97,7 @@ class AdvisedTest : public GraphTest {
     }
 
     Method method;
-    std::uint32_t asked = 0;
+    std::uint32_t requested = 0;
 };
 
 TEST_F(AdvisedTest, NamesWhatSavesTheMostAndHowMuchIsNeededThen) {
@@ -122,7 +122,7 @@ TEST_F(AdvisedTest, RaisesWhatCostsLessWhereItIsMoreAndTriesNothingThatIsRefused
 
 TEST_F(AdvisedTest, ExpectsOfWhatHasGrownThatOnlyThePictureChangesIt) {
     options.memory_budget = 400'000;
-    asked = 100'000;  // 400 kB · 1.25
+    requested = 100'000;  // 400 kB · 1.25
     const auto text = refusal_with({});
     EXPECT_TRUE(contains(text, "lower 'many' to 50 (then 255 kB)")) << text;
     EXPECT_FALSE(contains(text, "reserve")) << text;

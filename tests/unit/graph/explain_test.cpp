@@ -25,7 +25,8 @@ class ExplainTest : public GraphTest {
         const auto sum = builder.buffer(buffer_of("sum", 8)),
                    scratch = builder.buffer(buffer_of("scratch", 1)),
                    other = builder.buffer(buffer_of("other", 8)), why = builder.buffer(why_desc);
-        const auto asked = builder.counter({.key = "why.asked", .label = "Asked", .growth_of = why});
+        const auto requested =
+            builder.counter({.key = "why.requested", .label = "Requested", .growth_of = why});
         const auto items = builder.counter({.key = "items", .label = "Items"});
         builder.pass("add", Queue::cpu)
             .reads_previous(sum)
@@ -50,8 +51,8 @@ class ExplainTest : public GraphTest {
             .reads(sum, scratch)
             .reads_previous(sum)
             .writes(why)
-            .counts(asked)
-            .execute([this, sum, scratch, why, asked](PassContext& p) {
+            .counts(requested)
+            .execute([this, sum, scratch, why, requested](PassContext& p) {
                 ++explanations;
                 if (throws) throw Error("no explanation");
                 const auto x = std::size_t(p.inputs().inspection.x);
@@ -59,7 +60,7 @@ class ExplainTest : public GraphTest {
                     p.elements<std::uint32_t>(sum)[x], p.elements<std::uint32_t>(scratch)[0],
                     p.previous_contents<std::uint32_t>(sum)[x], std::uint32_t(p.has_previous())};
                 const auto to = p.elements<std::uint32_t>(why);
-                p.add(asked, 4);
+                p.add(requested, 4);
                 for (std::size_t i = 0; i < std::min<std::size_t>(4, to.size()); ++i) to[i] = values[i];
             });
     }
@@ -82,9 +83,10 @@ class ExplainTest : public GraphTest {
     /// What a graph that never explained anything else says of x after `frames` frames.
     std::vector<std::uint32_t> fresh(int x, int frames) {
         Graph other(*device, nullptr, nullptr);
-        auto asked = inputs;
-        asked.inspection.x = x;
-        for (asked.frame = 0; asked.frame < frames; ++asked.frame) other.run(method, {}, asked, options);
+        auto requested = inputs;
+        requested.inspection.x = x;
+        for (requested.frame = 0; requested.frame < frames; ++requested.frame)
+            other.run(method, {}, requested, options);
         auto values = as<std::uint32_t>(other.read_buffer("why").value());
         values.resize(4);
         return values;
@@ -129,7 +131,7 @@ TEST_F(ExplainTest, RunsNothingElse) {
     EXPECT_FALSE(pass_of(report, "add").culled);
     EXPECT_EQ(pass_of(report, "add").slices, 1);
     EXPECT_EQ(report.counters.at("items"), 8);
-    EXPECT_EQ(report.counters.at("why.asked"), 4);
+    EXPECT_EQ(report.counters.at("why.requested"), 4);
     EXPECT_EQ(pass_of(report, "add").writes, std::vector<std::string>{"sum"});
 }
 

@@ -105,7 +105,7 @@ inline constexpr StorageKind all_storages[] = {
 inline std::string key_of(StorageKind storage) {
     MapParameters parameters;
     parameters.storage = storage;
-    return std::get<std::string>(map_parameters(Asks::any).settings(parameters).at("storage"));
+    return std::get<std::string>(map_parameters(QueriedHits::any).settings(parameters).at("storage"));
 }
 
 /// Constants of ldm_lists.comp.
@@ -115,7 +115,7 @@ struct LdmLists {
     IR_FIELDS(first_map, resolution)
 };
 
-/// Builds maps on OpenGL and reads them back, asking them in GLSL as methods do.
+/// Builds maps on OpenGL and reads them back, querying them in GLSL as methods do.
 class LdmBuild {
   public:
     LdmBuild() {

@@ -1,4 +1,4 @@
-// Maps that are built and asked on the host: against scan conversion, and each instruction set against the
+// Maps that are built and queried on the host: against scan conversion, and each instruction set against the
 // simplest.
 #include <gtest/gtest.h>
 

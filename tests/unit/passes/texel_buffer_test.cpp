@@ -89,7 +89,7 @@ struct AnswerQuestions {
 
 class HitSurfaceTest : public PassTest {
   protected:
-    std::vector<Answer> ask(const Shot& shot, const std::vector<Question>& questions, bool normal_maps) {
+    std::vector<Answer> query(const Shot& shot, const std::vector<Question>& questions, bool normal_maps) {
         run(shot, [&](graph::GraphBuilder& builder) {
             const auto surfaces = passes::hit_surfaces(builder, passes::upload_scene(builder));
             const auto given = builder.buffer({.text = {.key = "test.questions", .label = "Questions"},
@@ -131,7 +131,7 @@ TEST_F(HitSurfaceTest, EqualsTheHosts) {
     }
     for (const bool normal_maps : {false, true}) {
         const passes::SurfaceLookup lookup(shot.scene, shot.world, normal_maps);
-        const auto answers = ask(shot, questions, normal_maps);
+        const auto answers = query(shot, questions, normal_maps);
         int at_texel_edges = 0;
         for (std::size_t i = 0; i < questions.size(); ++i) {
             const auto& q = questions[i];
@@ -149,7 +149,7 @@ TEST_F(HitSurfaceTest, EqualsTheHosts) {
                               std::abs(a.roughness - s.roughness) > 1e-3f ||
                               std::abs(a.transmission - s.transmission) > 1e-3f;
         }
-        // where the nearest texel is asked, rounding may choose its neighbour
+        // where the nearest texel is queried, rounding may choose its neighbour
         EXPECT_LE(at_texel_edges, 5) << "of 5000";
     }
 }

@@ -71,14 +71,14 @@ TEST_F(SphereTest, ShowsTheRegionWhoseBoundsHoldTheDirection) {
         run({partition(count)});
         const auto picture = draw({{.key = "sphere"}}, sphere_width, sphere_height);
         ASSERT_EQ(picture.layers.at(0).note, "");
-        int asked = 0, uncovered = 0;
+        int queried = 0, uncovered = 0;
         for (int y = 0; y < sphere_height; ++y)
             for (int x = 0; x < sphere_width; ++x) {
                 glm::dvec3 d;
                 if (!direction_at(picture, x, y, d)) continue;
                 const auto element = picture.element[static_cast<std::size_t>(y * sphere_width + x)];
                 if (element >= 0) {
-                    ++asked;
+                    ++queried;
                     EXPECT_GT(depth_in(regions.at(static_cast<std::size_t>(element)), d), -angle_error)
                         << x << ' ' << y;
                 } else {
@@ -87,7 +87,7 @@ TEST_F(SphereTest, ShowsTheRegionWhoseBoundsHoldTheDirection) {
                         EXPECT_LT(depth_in(region, d), angle_error) << x << ' ' << y;
                 }
             }
-        EXPECT_GT(asked, 5000) << count;
+        EXPECT_GT(queried, 5000) << count;
         EXPECT_GT(uncovered, 100) << "the lower half has no regions";
     }
 }
@@ -97,7 +97,7 @@ TEST_F(SphereTest, ShowsTheNearestCentreWhereThereAreNoBounds) {
         const auto buffer = centres(count);
         run({buffer});
         const auto picture = draw({{.key = "sphere"}}, sphere_width, sphere_height);
-        int asked = 0;
+        int queried = 0;
         for (int y = 0; y < sphere_height; ++y)
             for (int x = 0; x < sphere_width; ++x) {
                 glm::dvec3 d;
@@ -112,9 +112,9 @@ TEST_F(SphereTest, ShowsTheNearestCentreWhereThereAreNoBounds) {
                 double nearest = 4;
                 for (int i = 0; i < count; ++i) nearest = std::min(nearest, distance_to(i));
                 EXPECT_LE(distance_to(element), nearest + angle_error);
-                ++asked;
+                ++queried;
             }
-        EXPECT_GT(asked, 5000);
+        EXPECT_GT(queried, 5000);
     }
 }
 

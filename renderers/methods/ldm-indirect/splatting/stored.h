@@ -45,7 +45,7 @@ struct Footprints {
 };
 Footprints footprints(const graph::FrameInputs& inputs, const StoredPhotons& photons);
 
-/// A pass whose program asks clipping.glsl: declares what that reads; its define; its constants.
+/// A pass whose program uses clipping.glsl: declares what that reads; its define; its constants.
 void reads_looks(graph::PassBuilder& pass, const StoredPhotons& photons);
 void define_clipped(gl::ProgramSource& source, const StoredPhotons& photons);
 void set_units(const graph::PassContext& context, const gl::Program& program, const StoredPhotons& photons);

@@ -53,8 +53,8 @@ std::uint64_t reserved_photons(std::uint64_t most, const Parameters& parameters)
     return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(part), 1, max_reserved);
 }
 
-/// Whether maps are asked for the environment's direct light.
-bool asks_sky(const graph::FrameInputs& inputs, const Parameters& parameters) {
+/// Whether maps are queried for the environment's direct light.
+bool queries_sky(const graph::FrameInputs& inputs, const Parameters& parameters) {
     return parameters.transport.paths != Transport::Paths::indirect &&
            parameters.environment_by == EnvironmentBy::maps &&
            passes::extended_sources(inputs,
@@ -107,7 +107,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     else if (has_indirect(parameters))
         splitter.emplace(builder, gbuffer, maps, primaries, photons, parameters);
     std::optional<ldm::Sky> sky;
-    if (asks_sky(builder.inputs(), parameters)) sky = ldm::declare_sky(builder, maps, {});
+    if (queries_sky(builder.inputs(), parameters)) sky = ldm::declare_sky(builder, maps, {});
     if (sky && host_has_maps)
         ldm::trace_sky_on_host(builder, gbuffer, ldm::declare_meshlets(builder), maps, *sky,
                                ldm::self_hit_rule(parameters.maps));

@@ -84,9 +84,9 @@ std::uint64_t points_from_maps(const Sources& sources, std::uint64_t points) {
 EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sources,
                               const Parameters& parameters) {
     EmissionPoints points;
-    const auto asked =
+    const auto requested =
         static_cast<std::uint64_t>(std::max(1, parameters.photons / parameters.photons_per_point));
-    if (sources.flux() > 0) points.count = asked;
+    if (sources.flux() > 0) points.count = requested;
     points.from_maps = points_from_maps(sources, points.count);
     auto& samples = points.samples;
     samples.photons_per_point = parameters.photons_per_point;
@@ -94,7 +94,8 @@ EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sourc
     if (samples.paths > 0)
         samples.power_unit = std::max(sources.flux(), sources.largest_flux / largest_power) /
                              static_cast<float>(samples.paths);
-    const double reserved = std::ceil(static_cast<double>(parameters.reserve) * static_cast<double>(asked));
+    const double reserved =
+        std::ceil(static_cast<double>(parameters.reserve) * static_cast<double>(requested));
     samples.points = builder.output(
         "photons.samples", {.fields = record_fields<SamplePoint>(),
                             .elements = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(reserved)),

@@ -11,7 +11,7 @@ struct FirstHit {
     bool is_here;                        ///< false: another band of the map has the answer
     bool is_found;                       ///< false: the way out of the map is open
     float distance = 0;                  ///< in quanta, along ω
-    int column = 0, row = 0, entry = 0;  ///< the texel that was asked, and the hit's depth at its centre
+    int column = 0, row = 0, entry = 0;  ///< the texel that was queried, and the hit's depth at its centre
 };
 
 /// The surface about an entry: depth(texel + δ) = entry + slope·δ.
@@ -20,7 +20,7 @@ struct EntryPlane {
     bool is_known = false;
 };
 
-/// Asks a band of a map that holds lists for single points, the same questions as
+/// Queries a band of a map that holds lists for single points, the same questions as
 /// shaders/passes/ldm/trace.glsl. What does not change within a map is worked out once.
 class PointTracer {
   public:

@@ -17,13 +17,13 @@ void HostCounters::report(const graph::PassContext& context, const Layout& layou
         all.fragments += each.fragments;
         all.bytes += each.bytes;
         all.build_ms += each.build_ms / static_cast<double>(threads.size());
-        all.ask_ms += each.ask_ms / static_cast<double>(threads.size());
+        all.query_ms += each.query_ms / static_cast<double>(threads.size());
     }
     context.add(fragments, static_cast<std::uint32_t>(all.fragments));
     context.add(texels, static_cast<std::uint32_t>(layout.map_texels() * layout.maps));
     context.add(bytes, static_cast<std::uint32_t>(all.bytes));
     context.notes().set_figure("ldm.build_ms", all.build_ms);
-    context.notes().set_figure("ldm.ask_ms", all.ask_ms);
+    context.notes().set_figure("ldm.query_ms", all.query_ms);
 }
 
 HostCounters declare_host_counters(graph::GraphBuilder& builder) {

@@ -21,7 +21,7 @@ int host_threads(const graph::FrameInputs& inputs);
 /// What one thread did for maps on the host.
 struct HostWork {
     std::uint64_t fragments = 0, bytes = 0;  ///< made, held
-    double build_ms = 0, ask_ms = 0;
+    double build_ms = 0, query_ms = 0;
 };
 
 /// Of all maps that a pass builds on the host.

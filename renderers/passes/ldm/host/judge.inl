@@ -14,40 +14,40 @@ HWY_BEFORE_NAMESPACE();
 namespace ir::passes::ldm::HWY_NAMESPACE {
 namespace {
 
-/// What is known of tiles of pixels without asking any of them, as bits.
+/// What is known of tiles of pixels without querying any of them, as bits.
 struct Verdict {
     std::uint32_t nothing = 0;                ///< no pixel gets light from this band
     std::uint32_t open = 0;                   ///< all pixels are open
-    std::uint32_t inside = 0;                 ///< all pixels ask texels of this band
+    std::uint32_t inside = 0;                 ///< all pixels query texels of this band
     std::uint32_t forward = 0, backward = 0;  ///< and all along v, or along -v, above their surfaces
 };
 
-/// Judges tiles first … first + lanes - 1, which one map is asked for. Margins cover rounding.
+/// Judges tiles first … first + lanes - 1, for which one map is queried. Margins cover rounding.
 class Judge {
   public:
-    Judge(const PixelTiles& tiles, std::size_t first, const Asked& asked, const SelfHitRule& rule)
-        : tiles_(tiles), first_(first), asked_(asked), rule_(rule) {}
+    Judge(const PixelTiles& tiles, std::size_t first, const QueriedMap& queried, const SelfHitRule& rule)
+        : tiles_(tiles), first_(first), queried_(queried), rule_(rule) {}
 
     Verdict verdict() const {
         const auto zero = hn::Zero(f), one = hn::Set(f, 1);
-        const auto& frame = asked_.map.frame;
+        const auto& frame = queried_.map.frame;
         const auto cosine = range_of(tiles_.normal_boxes, frame.direction, 0),
                    facing = range_of(tiles_.geometric_normal_boxes, frame.direction, 0);
         const auto forward = hn::And(hn::Gt(cosine.least, zero), hn::Gt(facing.least, zero)),
                    backward = hn::And(hn::Lt(cosine.most, zero), hn::Lt(facing.most, zero)),
                    below = hn::Or(hn::And(hn::Gt(cosine.least, zero), hn::Le(facing.most, zero)),
                                   hn::And(hn::Lt(cosine.most, zero), hn::Ge(facing.least, zero)));
-        // The largest gain and tolerance of ask_tangent.
+        // The largest gain and tolerance of query_tangent.
         const auto min_abs_facing =
             hn::Max(hn::Set(f, min_facing), hn::IfThenElse(forward, facing.least, hn::Neg(facing.most)));
         const auto slope =
-            hn::Div(hn::Add(largest(range_of(tiles_.geometric_normal_boxes, asked_.slope_u, 0)),
-                            largest(range_of(tiles_.geometric_normal_boxes, asked_.slope_v, 0))),
+            hn::Div(hn::Add(largest(range_of(tiles_.geometric_normal_boxes, queried_.slope_u, 0)),
+                            largest(range_of(tiles_.geometric_normal_boxes, queried_.slope_v, 0))),
                     min_abs_facing);
-        const auto dip = hn::Set(f, rule_.max_dip * asked_.texel_quanta),
+        const auto dip = hn::Set(f, rule_.max_dip * queried_.texel_quanta),
                    half_slope = hn::Mul(slope, hn::Set(f, 0.505f));
         const auto gain = hn::Add(hn::Min(half_slope, dip), tolerance_of(slope));
-        const auto window = texels_asked(hn::Gt(half_slope, dip));
+        const auto window = texels_queried(hn::Gt(half_slope, dip));
         const auto inside = is_inside(window);
 
         const auto plane = plane_of(forward, window);
@@ -55,7 +55,7 @@ class Judge {
         auto above_plane = hn::Neg(hn::Set(f, last_depth));
         constexpr int max_cells = 5;  // a side
         const auto known = visit_window<max_cells>(
-            asked_.map, in_band(window), inside, 0,
+            queried_.map, in_band(window), inside, 0,
             [&](Ints cell, hn::Mask<IntTag> which, int column, int row) {
                 least = min_of_halves(least, hn::IfThenElse(which, cell, least));
                 const auto outermost = hn::ConvertTo(
@@ -103,13 +103,13 @@ class Judge {
     static Floats largest(const Range& range) { return hn::Max(hn::Abs(range.least), hn::Abs(range.most)); }
     Floats tolerance_of(Floats slope) const {
         return hn::Add(hn::Set(f, rule_.quanta), hn::Min(hn::Mul(hn::Set(f, rule_.slope), slope),
-                                                         hn::Set(f, max_tolerance * asked_.texel_quanta)));
+                                                         hn::Set(f, max_tolerance * queried_.texel_quanta)));
     }
 
-    /// The texels of the map that may be asked: where rays may dip, neighbours too.
-    Window texels_asked(Mask may_dip) const {
+    /// The texels of the map that may be queried: where rays may dip, neighbours too.
+    Window texels_queried(Mask may_dip) const {
         constexpr float texel_margin = 0.01f;
-        const auto& frame = asked_.map.frame;
+        const auto& frame = queried_.map.frame;
         const auto u = range_of(tiles_.position_boxes, frame.u, frame.u.w),
                    v = range_of(tiles_.position_boxes, frame.v, frame.v.w);
         const auto margin = hn::Add(hn::Set(f, texel_margin), hn::IfThenElseZero(may_dip, hn::Set(f, 1)));
@@ -119,22 +119,24 @@ class Judge {
     static Floats size_of(const Window& window) {
         return hn::Max(hn::Sub(window.right, window.left), hn::Sub(window.bottom, window.top));
     }
-    Floats first_row() const { return hn::Set(f, static_cast<float>(asked_.map.first_row)); }
-    Floats end_row() const { return hn::Set(f, static_cast<float>(asked_.map.first_row + asked_.map.rows)); }
+    Floats first_row() const { return hn::Set(f, static_cast<float>(queried_.map.first_row)); }
+    Floats end_row() const {
+        return hn::Set(f, static_cast<float>(queried_.map.first_row + queried_.map.rows));
+    }
     Window in_band(const Window& window) const {
         return {window.left, window.right, hn::Sub(window.top, first_row()),
                 hn::Sub(window.bottom, first_row())};
     }
     Mask is_inside(const Window& window) const {
-        const auto end = hn::Set(f, static_cast<float>(asked_.map.resolution));
+        const auto end = hn::Set(f, static_cast<float>(queried_.map.resolution));
         return hn::And(hn::And(hn::Ge(window.left, hn::Zero(f)), hn::Lt(window.right, end)),
                        hn::And(hn::Ge(window.top, first_row()), hn::Lt(window.bottom, end_row())));
     }
     /// All texels are of other bands. (Pixels outside of the map count with its first band.)
     Mask is_elsewhere(const Window& window) const {
         const auto zero = hn::Zero(f);
-        if (asked_.map.rows == asked_.map.resolution) return hn::Lt(zero, zero);
-        const auto one = hn::Set(f, 1), end = hn::Set(f, static_cast<float>(asked_.map.resolution - 1));
+        if (queried_.map.rows == queried_.map.resolution) return hn::Lt(zero, zero);
+        const auto one = hn::Set(f, 1), end = hn::Set(f, static_cast<float>(queried_.map.resolution - 1));
         const auto within = hn::And(hn::And(hn::Ge(window.left, one), hn::Lt(window.right, end)),
                                     hn::And(hn::Ge(window.top, one), hn::Lt(window.bottom, end)));
         return hn::And(within, hn::Or(hn::Lt(hn::Add(window.bottom, one), first_row()),
@@ -152,7 +154,7 @@ class Judge {
         }
     };
     Plane plane_of(Mask forward, const Window& window) const {
-        const auto& frame = asked_.map.frame;
+        const auto& frame = queried_.map.frame;
         const auto normal = centre_of(tiles_.geometric_normal_boxes);
         auto point = centre_of(tiles_.position_boxes);
         const auto offset =
@@ -161,7 +163,7 @@ class Judge {
         point = {hn::MulAdd(normal.x, offset, point.x), hn::MulAdd(normal.y, offset, point.y),
                  hn::MulAdd(normal.z, offset, point.z)};
         const auto facing = hn::Abs(dot(normal, frame.direction));
-        const auto slant = slant_of(asked_, rule_, normal, facing);
+        const auto slant = slant_of(queried_, rule_, normal, facing);
         const auto half = hn::Set(f, 0.5f);
         const auto to_u = hn::Sub(hn::Add(window.left, half), project(point, frame.u)),
                    to_v = hn::Sub(hn::Add(window.top, half), project(point, frame.v));
@@ -176,7 +178,7 @@ class Judge {
 
     const PixelTiles& tiles_;
     const std::size_t first_;
-    const Asked& asked_;
+    const QueriedMap& queried_;
     const SelfHitRule& rule_;
 };
 

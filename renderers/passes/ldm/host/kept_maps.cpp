@@ -28,7 +28,7 @@ graph::ObjectRef declare_kept(graph::GraphBuilder& builder, const std::shared_pt
     graph::ObjectDesc desc;
     desc.text.key = "ldm.kept";
     desc.text.label = "Kept maps";
-    desc.text.doc = "Outermost depths of maps that are asked anew while only the camera moves.";
+    desc.text.doc = "Outermost depths of maps that are queried anew while only the camera moves.";
     desc.fingerprint = maps->layout.fingerprint;
     desc.is_spare = true;
     const auto result = builder.object(desc);

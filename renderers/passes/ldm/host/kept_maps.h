@@ -11,7 +11,7 @@
 namespace ir::passes::ldm {
 
 /// Maps of outermost depths that stand from frame to frame while the world and the maps' frames do: the first
-/// ones of all, as many as there is room for. They are built when they are first asked, which graphs that
+/// ones of all, as many as there is room for. They are built when they are first queried, which graphs that
 /// share them may do at once.
 class KeptMaps {
   public:

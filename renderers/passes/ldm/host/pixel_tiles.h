@@ -7,7 +7,7 @@
 
 namespace ir::passes::ldm {
 
-/// What the maps are asked for: the visible surfaces in tiles of 8x8 pixels, whose values stand together.
+/// What the maps are queried for: the visible surfaces in tiles of 8x8 pixels, whose values stand together.
 struct PixelTiles {
     static constexpr int side = 8, pixels = side * side;
     int width = 0, height = 0, columns = 0;

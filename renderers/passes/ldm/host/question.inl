@@ -1,4 +1,4 @@
-// What pixels ask a map, many pixels at a time: the questions and rules of shaders/passes/ldm/trace.glsl,
+// What pixels query a map, many pixels at a time: the questions and rules of shaders/passes/ldm/trace.glsl,
 // whose names are used here. [Aalund15 §3.1]
 // Read once for each instruction set, within a source that includes <hwy/foreach_target.h>.
 #include <cmath>
@@ -44,11 +44,11 @@ Vector3 load(const std::vector<float> (&axes)[3], std::size_t place) {
 }
 
 /// What does not change within a map.
-struct Asked {
+struct QueriedMap {
     const StreamedMap& map;
     glm::vec4 slope_u, slope_v;  ///< step / metres per quantum
     float texel_quanta, texel_size, reach;
-    explicit Asked(const StreamedMap& of, const Visibility& visibility) : map(of) {
+    explicit QueriedMap(const StreamedMap& of, const Visibility& visibility) : map(of) {
         const auto& frame = of.frame;
         slope_u = frame.step_u / frame.direction.w;
         slope_v = frame.step_v / frame.direction.w;
@@ -64,7 +64,7 @@ struct Slant {
     Floats per_column, per_row, tolerance;
 };
 
-/// What some pixels ask a map. Depths are counted along ω, from 65535 backwards for -v.
+/// What some pixels query a map. Depths are counted along ω, from 65535 backwards for -v.
 struct Question {
     Floats cosine;        ///< |cosθ| of the shading normal
     Mask forward, above;  ///< ω = v; ω is above the surface
@@ -90,42 +90,43 @@ Mask is_outside(Floats column, Floats row, float resolution) {
                   hn::Or(hn::Lt(row, zero), hn::Ge(row, end)));
 }
 
-HWY_INLINE void set_texel(Question& q, const Asked& asked, Floats column, Floats row) {
-    const auto resolution = static_cast<float>(asked.map.resolution);
-    const auto first = hn::Set(f, static_cast<float>(asked.map.first_row)),
-               end = hn::Set(f, static_cast<float>(asked.map.first_row + asked.map.rows));
+HWY_INLINE void set_texel(Question& q, const QueriedMap& queried, Floats column, Floats row) {
+    const auto resolution = static_cast<float>(queried.map.resolution);
+    const auto first = hn::Set(f, static_cast<float>(queried.map.first_row)),
+               end = hn::Set(f, static_cast<float>(queried.map.first_row + queried.map.rows));
     q.outside = is_outside(column, row, resolution);
     q.here = hn::AndNot(q.outside, hn::And(hn::Ge(row, first), hn::Lt(row, end)));
     const auto texel = hn::MulAdd(hn::Sub(row, first), hn::Set(f, resolution), column);
     q.texel = hn::ConvertTo(n, hn::IfThenElseZero(q.here, texel));
 }
 
-HWY_INLINE Slant slant_of(const Asked& asked, const SelfHitRule& rule, const Vector3& normal, Floats facing) {
+HWY_INLINE Slant slant_of(const QueriedMap& queried, const SelfHitRule& rule, const Vector3& normal,
+                          Floats facing) {
     const auto per_facing = hn::Div(hn::Set(f, -1), hn::Max(hn::Abs(facing), hn::Set(f, min_facing)));
     Slant result;
-    result.per_column = hn::Mul(dot(normal, asked.slope_u), per_facing);
-    result.per_row = hn::Mul(dot(normal, asked.slope_v), per_facing);
+    result.per_column = hn::Mul(dot(normal, queried.slope_u), per_facing);
+    result.per_row = hn::Mul(dot(normal, queried.slope_v), per_facing);
     const auto slope = hn::Add(hn::Abs(result.per_column), hn::Abs(result.per_row));
     result.tolerance = hn::Add(
         hn::Set(f, rule.quanta),
-        hn::Min(hn::Mul(hn::Set(f, rule.slope), slope), hn::Set(f, max_tolerance * asked.texel_quanta)));
+        hn::Min(hn::Mul(hn::Set(f, rule.slope), slope), hn::Set(f, max_tolerance * queried.texel_quanta)));
     return result;
 }
 
-/// The texel that a point asks, the way to its centre in texels, and what the tangent plane gains up to
+/// The texel that a point queries, the way to its centre in texels, and what the tangent plane gains up to
 /// there. `is_inside`: the point's texel and its neighbours are texels of the map.
-struct Asks {
+struct QueriedTexel {
     Floats column, row, gain, to_u, to_v;
 };
 template <bool is_inside>
-HWY_INLINE Asks texel_of(const Asked& asked, const SelfHitRule& rule, const Slant& slant, Floats u,
-                         Floats v) {
+HWY_INLINE QueriedTexel texel_of(const QueriedMap& queried, const SelfHitRule& rule, const Slant& slant,
+                                 Floats u, Floats v) {
     const auto zero = hn::Zero(f), one = hn::Set(f, 1), half = hn::Set(f, 0.5f);
-    const auto resolution = static_cast<float>(asked.map.resolution);
-    Asks at{hn::Floor(u), hn::Floor(v), zero, zero, zero};
+    const auto resolution = static_cast<float>(queried.map.resolution);
+    QueriedTexel at{hn::Floor(u), hn::Floor(v), zero, zero, zero};
     at.to_u = hn::Sub(hn::Add(at.column, half), u), at.to_v = hn::Sub(hn::Add(at.row, half), v);
     at.gain = hn::MulAdd(slant.per_column, at.to_u, hn::Mul(slant.per_row, at.to_v));
-    auto moves = hn::Gt(at.gain, hn::Set(f, rule.max_dip * asked.texel_quanta));
+    auto moves = hn::Gt(at.gain, hn::Set(f, rule.max_dip * queried.texel_quanta));
     if constexpr (!is_inside) moves = hn::AndNot(is_outside(at.column, at.row, resolution), moves);
     if (hn::AllFalse(f, moves)) return at;
     const auto along_u = hn::Gt(hn::Abs(slant.per_column), hn::Abs(slant.per_row));
@@ -144,55 +145,55 @@ HWY_INLINE Asks texel_of(const Asked& asked, const SelfHitRule& rule, const Slan
                              at.gain);
     return at;
 }
-Floats start_of(Floats own, const Asks& at, const Slant& slant) {
+Floats start_of(Floats own, const QueriedTexel& at, const Slant& slant) {
     return hn::Add(own, hn::Max(hn::Add(at.gain, slant.tolerance), hn::Zero(f)));
 }
 
 /// ldm_question_tangent
-HWY_INLINE void ask_tangent(Question& q, const Asked& asked, const SelfHitRule& rule, const Vector3& position,
-                            const Vector3& normal, Floats facing) {
-    const auto& frame = asked.map.frame;
-    q.slant = slant_of(asked, rule, normal, facing);
+HWY_INLINE void query_tangent(Question& q, const QueriedMap& queried, const SelfHitRule& rule,
+                              const Vector3& position, const Vector3& normal, Floats facing) {
+    const auto& frame = queried.map.frame;
+    q.slant = slant_of(queried, rule, normal, facing);
     const auto at =
-        texel_of<false>(asked, rule, q.slant, project(position, frame.u), project(position, frame.v));
+        texel_of<false>(queried, rule, q.slant, project(position, frame.u), project(position, frame.v));
     q.own = along(q.forward, project(position, frame.depth));
     q.to_u = at.to_u, q.to_v = at.to_v;
     q.tolerance = q.slant.tolerance;
     q.plane = hn::Add(q.own, at.gain);
     q.start = start_of(q.own, at, q.slant);
-    set_texel(q, asked, at.column, at.row);
+    set_texel(q, queried, at.column, at.row);
 }
 
 /// ldm_question_offset
-void ask_offset(Question& q, const Asked& asked, const SelfHitRule& rule, const Vector3& position,
-                const Vector3& normal, Floats facing) {
-    const auto& frame = asked.map.frame;
+void query_offset(Question& q, const QueriedMap& queried, const SelfHitRule& rule, const Vector3& position,
+                  const Vector3& normal, Floats facing) {
+    const auto& frame = queried.map.frame;
     const auto sine = hn::Sqrt(hn::Max(hn::Zero(f), hn::NegMulAdd(facing, facing, hn::Set(f, 1))));
-    const auto distance = hn::Mul(hn::Set(f, rule.offset * asked.texel_size), sine);
+    const auto distance = hn::Mul(hn::Set(f, rule.offset * queried.texel_size), sine);
     const Vector3 moved{hn::MulAdd(distance, normal.x, position.x),
                         hn::MulAdd(distance, normal.y, position.y),
                         hn::MulAdd(distance, normal.z, position.z)};
     q.tolerance = hn::Zero(f);
     q.plane = q.start = project(moved, frame.depth);  // along v: the rule looks both ways
-    set_texel(q, asked, hn::Floor(project(moved, frame.u)), hn::Floor(project(moved, frame.v)));
+    set_texel(q, queried, hn::Floor(project(moved, frame.u)), hn::Floor(project(moved, frame.v)));
 }
 
-HWY_INLINE Question question(const PixelTiles& tiles, std::size_t place, const Asked& asked,
+HWY_INLINE Question question(const PixelTiles& tiles, std::size_t place, const QueriedMap& queried,
                              const SelfHitRule& rule) {
     Question q;
     const auto zero = hn::Zero(f);
     const auto geometric_normal = load(tiles.geometric_normal, place);
-    const auto cosine = dot(load(tiles.normal, place), asked.map.frame.direction);
-    const auto facing = dot(geometric_normal, asked.map.frame.direction);
+    const auto cosine = dot(load(tiles.normal, place), queried.map.frame.direction);
+    const auto facing = dot(geometric_normal, queried.map.frame.direction);
     q.cosine = hn::Abs(cosine);
     q.forward = hn::Gt(cosine, zero);
     q.above =
         hn::Or(hn::And(q.forward, hn::Gt(facing, zero)), hn::And(hn::Lt(cosine, zero), hn::Lt(facing, zero)));
     const auto position = load(tiles.position, place);
     if (rule.tangent_plane)
-        ask_tangent(q, asked, rule, position, geometric_normal, facing);
+        query_tangent(q, queried, rule, position, geometric_normal, facing);
     else
-        ask_offset(q, asked, rule, position, geometric_normal, facing);
+        query_offset(q, queried, rule, position, geometric_normal, facing);
     return q;
 }
 

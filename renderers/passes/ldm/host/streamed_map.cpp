@@ -24,11 +24,11 @@ float sum_scale(int maps) {
 }
 
 void SelfHitCounts::resize(std::size_t pixels) {
-    for (auto* counts : {&own, &asked, &rejected}) counts->assign(pixels, 0);
+    for (auto* counts : {&own, &queried, &rejected}) counts->assign(pixels, 0);
 }
 
 void SelfHitCounts::add(const SelfHitCounts& other) {
-    for (const auto counts : {&SelfHitCounts::own, &SelfHitCounts::asked, &SelfHitCounts::rejected})
+    for (const auto counts : {&SelfHitCounts::own, &SelfHitCounts::queried, &SelfHitCounts::rejected})
         for (std::size_t i = 0; i < (this->*counts).size(); ++i) (this->*counts)[i] += (other.*counts)[i];
 }
 

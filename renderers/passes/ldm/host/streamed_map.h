@@ -110,7 +110,7 @@ struct BuildScratch {
 /// Numbers of directions for each pixel, as PixelTiles counts them.
 struct SelfHitCounts {
     std::vector<std::uint16_t> own;       ///< own entry found
-    std::vector<std::uint16_t> asked;     ///< directions in which the pixel is inside of the map
+    std::vector<std::uint16_t> queried;   ///< directions in which the pixel is inside of the map
     std::vector<std::uint16_t> rejected;  ///< something else may have been taken for the own entry
     void resize(std::size_t pixels);
     void add(const SelfHitCounts& other);

@@ -18,7 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Each pass over the pixels asks so many maps, if they and the pixels' sums leave room in a thread's cache.
+/// Each pass over the pixels queries so many maps, if they and the pixels' sums leave room in a thread's
+/// cache.
 constexpr int max_together = 8;
 constexpr std::uint64_t cache_bytes = 5 << 18;
 /// What the maps of all threads may take which are not kept.
@@ -44,7 +45,7 @@ struct Worker {
     SelfHitCounts counts;
     std::vector<std::uint64_t> sky;  ///< by pixel: V cosθ L in three channels, and cosθ, in whole numbers
     std::uint64_t built = 0;         ///< maps
-    double build_ms = 0, ask_ms = 0;
+    double build_ms = 0, query_ms = 0;
 
     std::uint64_t map_bytes() const {
         auto bytes = scratch.bytes();
@@ -53,16 +54,16 @@ struct Worker {
     }
 };
 
-/// The images of the G-buffer that the maps are asked for.
+/// The images of the G-buffer that the maps are queried for.
 struct Surfaces {
     graph::ImageRef position, normal, geometric_normal;
 };
 
-/// Builds and asks all maps of a frame, slice by slice.
+/// Builds and queries all maps of a frame, slice by slice.
 class Stream {
   public:
-    /// Asks maps for all pixels, once for each group of maps that a thread has built.
-    using Ask = std::function<void(const PixelTiles&, Worker&, std::span<const StreamedMap>)>;
+    /// Queries maps for all pixels, once for each group of maps that a thread has built.
+    using Query = std::function<void(const PixelTiles&, Worker&, std::span<const StreamedMap>)>;
     using Prepare = std::function<void(const PixelTiles&, Worker&)>;
 
     Stream(graph::ObjectRef scene, graph::ObjectRef kept, std::shared_ptr<const Maps> maps, Surfaces surfaces,
@@ -101,7 +102,7 @@ class Stream {
     }
 
     /// Maps begin … end - 1.
-    void run(const graph::PassContext& context, std::int64_t begin, std::int64_t end, const Ask& ask) {
+    void run(const graph::PassContext& context, std::int64_t begin, std::int64_t end, const Query& query) {
         const auto scene = context.object<HostScene>(scene_);
         const auto kept = is_kept() ? context.object<KeptMaps>(kept_) : nullptr;
         const auto count = static_cast<std::int64_t>(workers_.size());
@@ -116,7 +117,7 @@ class Stream {
                     while (!context.cancel().is_cancelled()) {
                         const auto first = next.fetch_add(group);
                         if (first >= end) return;
-                        work(*scene, kept.get(), workers_[i], first, std::min(first + group, end), ask);
+                        work(*scene, kept.get(), workers_[i], first, std::min(first + group, end), query);
                     }
                 },
                 tbb::simple_partitioner());
@@ -130,7 +131,7 @@ class Stream {
         std::uint64_t built = 0;
         for (const auto& worker : workers_) {
             work.push_back(
-                {worker.scratch.fragments_made, worker.map_bytes(), worker.build_ms, worker.ask_ms});
+                {worker.scratch.fragments_made, worker.map_bytes(), worker.build_ms, worker.query_ms});
             built += worker.built;
         }
         if (is_kept()) work.front().bytes += context.object<KeptMaps>(kept_)->bytes();
@@ -142,18 +143,18 @@ class Stream {
     bool is_kept() const { return kept_.index >= 0; }
 
     void work(const HostScene& scene, KeptMaps* kept, Worker& worker, std::int64_t first, std::int64_t end,
-              const Ask& ask) {
+              const Query& query) {
         const auto kept_end = std::min<std::int64_t>(end, kept ? kept->count() : 0);
         const int resolution = maps_->layout.resolution, rows = StreamedMap::band_rows(resolution);
         for (int row = 0; row < resolution; row += rows) {
             if (first < kept_end)
-                build_and_ask(worker, ask, [&] {
+                build_and_query(worker, query, [&] {
                     return kept->get(scene, *maps_, first, kept_end, row, worker.scratch, worker.built);
                 });
             const auto streamed = std::max(first, kept_end);
             if (streamed >= end) continue;
             if (row == 0) worker.built += static_cast<std::uint64_t>(end - streamed);
-            build_and_ask(worker, ask, [&] {
+            build_and_query(worker, query, [&] {
                 for (auto map = streamed; map < end; ++map)
                     build_map(scene.meshlets, scene.masks, maps_->frames[static_cast<std::size_t>(map)], row,
                               std::min(rows, resolution - row),
@@ -165,13 +166,13 @@ class Stream {
     }
 
     template <class Build>
-    void build_and_ask(Worker& worker, const Ask& ask, Build build) {
+    void build_and_query(Worker& worker, const Query& query, Build build) {
         const auto start = Clock::now();
         const auto maps = build();
         const auto built = Clock::now();
-        ask(tiles_, worker, maps);
+        query(tiles_, worker, maps);
         worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
-        worker.ask_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
+        worker.query_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
     }
 
     graph::ObjectRef scene_, kept_;  ///< kept_: may be absent
@@ -197,7 +198,7 @@ struct StreamPass {
     graph::ObjectRef also_read = {};  ///< may be absent
     std::function<void(const graph::PassContext&)> begin = [](const auto&) {};  ///< of each frame
     Stream::Prepare prepare;
-    Stream::Ask ask;
+    Stream::Query query;
     std::function<void(const graph::PassContext&, Stream&)> finish;
 };
 
@@ -227,7 +228,7 @@ void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::Object
                     what.begin(context);
                     stream->begin(context, what.prepare);
                 }
-                stream->run(context, slice.begin, slice.end, what.ask);
+                stream->run(context, slice.begin, slice.end, what.query);
                 if (!slice.last) return;
                 what.finish(context, *stream);
                 stream->report(context, counters, built_maps);
@@ -279,8 +280,8 @@ void write_counts(const graph::PassContext& context, Stream& stream, graph::Imag
     for (std::size_t i = 1; i < stream.workers().size(); ++i) counts.add(stream.workers()[i].counts);
     const auto out = context.pixels<glm::vec4>(target);
     for_each_pixel(stream.tiles(), [&](std::size_t pixel, std::size_t place) {
-        const float own = counts.own[place], asked = counts.asked[place];
-        out[pixel] = {own, asked, asked - own, counts.rejected[place]};
+        const float own = counts.own[place], queried = counts.queried[place];
+        out[pixel] = {own, queried, queried - own, counts.rejected[place]};
     });
 }
 
@@ -288,16 +289,16 @@ void write_counts(const graph::PassContext& context, Stream& stream, graph::Imag
 constexpr double sky_scale = double(std::uint64_t{1} << 40);
 
 /// Adds to a pixel's sums what maps say of the environment.
-class SkyAsker {
+class SkyQuery {
   public:
-    SkyAsker(const Maps& maps, const std::vector<glm::vec3>& regions, const SelfHitRule& rule,
+    SkyQuery(const Maps& maps, const std::vector<glm::vec3>& regions, const SelfHitRule& rule,
              const Visibility& visibility)
         : maps_(maps), regions_(regions), rule_(rule), visibility_(visibility) {
         for (const auto& light : regions) brightest_ = std::max({brightest_, light.r, light.g, light.b});
     }
     float unit() const { return brightest_; }
 
-    void ask(const PixelTiles& tiles, const StreamedMap& map, std::vector<std::uint64_t>& sums) const {
+    void query(const PixelTiles& tiles, const StreamedMap& map, std::vector<std::uint64_t>& sums) const {
         const PointTracer tracer(map, rule_);
         const auto same = [&](const MapFrame& f) { return f.direction == map.frame.direction; };
         const auto number =
@@ -361,7 +362,7 @@ void trace_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::
     pass.prepare = [](const PixelTiles& tiles, Worker& worker) {
         worker.sums.assign(tiles.count() * PixelTiles::pixels, 0);
     };
-    pass.ask = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
+    pass.query = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
         add_visibility(tiles, 0, tiles.count(), some, rule, visibility, scale, worker.sums);
     };
     pass.finish = [=](const graph::PassContext& context, Stream& stream) {
@@ -379,7 +380,7 @@ void count_self_hits_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffe
     pass.prepare = [](const PixelTiles& tiles, Worker& worker) {
         worker.counts.resize(tiles.count() * PixelTiles::pixels);
     };
-    pass.ask = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
+    pass.query = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
         count_self_hits(tiles, some, rule, worker.counts);
     };
     pass.finish = [=](const graph::PassContext& context, Stream& stream) {
@@ -401,12 +402,12 @@ void trace_sky_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, gra
     pass.prepare = [](const PixelTiles& tiles, Worker& worker) {
         worker.sky.assign(4 * tiles.count() * PixelTiles::pixels, 0);
     };
-    pass.ask = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
-        const SkyAsker asker(*maps, **regions, rule, sky.visibility);
-        for (const auto& map : some) asker.ask(tiles, map, worker.sky);
+    pass.query = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
+        const SkyQuery sky_query(*maps, **regions, rule, sky.visibility);
+        for (const auto& map : some) sky_query.query(tiles, map, worker.sky);
     };
     pass.finish = [=](const graph::PassContext& context, Stream& stream) {
-        const SkyAsker asker(*maps, **regions, rule, sky.visibility);
+        const SkyQuery sky_query(*maps, **regions, rule, sky.visibility);
         auto& sums = stream.workers().front().sky;
         for (std::size_t i = 1; i < stream.workers().size(); ++i)
             for (std::size_t p = 0; p < sums.size(); ++p) sums[p] += stream.workers()[i].sky[p];
@@ -414,7 +415,7 @@ void trace_sky_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, gra
         for_each_pixel(stream.tiles(), [&](std::size_t pixel, std::size_t place) {
             const auto* sum = &sums[4 * place];
             const auto part = [&](int c) { return static_cast<float>(double(sum[c]) / sky_scale); };
-            out[pixel] = glm::vec4(asker.unit() * glm::vec3(part(0), part(1), part(2)), part(3));
+            out[pixel] = glm::vec4(sky_query.unit() * glm::vec3(part(0), part(1), part(2)), part(3));
         });
     };
     declare(builder, gbuffer, meshlets, maps, sky.sums, pass);

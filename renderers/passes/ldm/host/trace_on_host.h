@@ -18,10 +18,10 @@ inline bool has_host_body(const Options& options) {
 SelfHitRule self_hit_rule(const MapParameters& parameters, NodeKind nodes = NodeKind::plain);
 
 /// Declares the pass "build and trace maps" (cpu), which streams all maps through the caches of its threads:
-/// each builds a few, asks them for all pixels and forgets them. Memory does not depend on their number.
+/// each builds a few, queries them for all pixels and forgets them. Memory does not depend on their number.
 /// `sums` (rg32f): Σ V cosθ and Σ cosθ. The same picture whatever the number of threads. Of `maps` only the
 /// frames are used. While the maps stand still from frame to frame (`stands_still`), those that hold
-/// outermost depths alone are kept as far as there is room, and only asked anew: the same picture, bit by
+/// outermost depths alone are kept as far as there is room, and only queried anew: the same picture, bit by
 /// bit. [Aalund15 eq. 2]
 void trace_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,
                    const std::shared_ptr<const Maps>& maps, const SelfHitRule& rule,

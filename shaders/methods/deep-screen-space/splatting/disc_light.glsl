@@ -2,7 +2,7 @@
 // it the surfels, how many are stored, and their light.
 #include "lib/random.glsl"
 
-/// How many of them are asked.
+/// How many of them are queried.
 // C++: ir::methods::deep_screen_space::disc_light_picks
 const int DISC_LIGHT_PICKS = 16;
 

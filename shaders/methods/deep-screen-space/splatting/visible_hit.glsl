@@ -1,6 +1,6 @@
 // What a surfel does to a ray of a pixel: the same for splatting and for its explanation.
 
-/// What one level asks of a surfel.
+/// What one level needs to know of a surfel.
 struct SplatLevel {
     int level;           // of the framebuffer: l
     float shell_radius;  // m: d of the surfel
@@ -91,7 +91,7 @@ struct SplatHit {
     float distance_m, z, disc_radius;
 };
 
-/// The ray from x_p against the disc for a shell of 0 or more; SPLAT_REFUSED is left to ask.
+/// The ray from x_p against the disc for a shell of 0 or more; SPLAT_REFUSED is left to test.
 SplatHit splat_hit(SplatLevel l, int shell, vec3 x_ws, vec3 direction_ws, vec3 centre_ws, vec3 normal_ws,
                    float surfel_radius) {
     SplatHit hit = SplatHit(SPLAT_MISSED, splat_plane_distance(x_ws, direction_ws, centre_ws, normal_ws), 1.0,

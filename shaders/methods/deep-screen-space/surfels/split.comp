@@ -1,5 +1,5 @@
 // Culls parts of triangles and splits those that are too large for the tessellator. ROUND 1: triangles; ROUND 2:
-// the parts that the first round left, each as its own distance asks. Twice, to count and (PACKS) to write.
+// the parts that the first round left, each as its own distance needs. Twice, to count and (PACKS) to write.
 // SYSTEMATIC: parts are small beside their distance and few surfels large, triangles come in an order of their own.
 layout(local_size_x = 64) in;
 #define SCENE_POSITIONS

@@ -30,7 +30,7 @@ struct Footprint {
 
 bool not_finite(vec3 v) { return any(isnan(v)) || any(isinf(v)); }
 
-bool is_asked_for(Photon photon) {
+bool is_requested(Photon photon) {
     return (photon.leg & LEG_DIRECT) != 0u ? count_direct : count_indirect;
 }
 
@@ -51,7 +51,7 @@ vec3 source_direction(Photon photon) {
 Footprint footprint_of(Photon photon) {
     Footprint f;
     f.mended = 0u;
-    f.counts = is_asked_for(photon);
+    f.counts = is_requested(photon);
     if (not_finite(photon.centre_ws) || not_finite(photon.flux)) {
         f.counts = false;
         f.mended = NOT_FINITE;

@@ -24,7 +24,7 @@ struct Kernel {
     float radius;           // s_l s_d
 };
 
-/// Photons in the tile of a place; at least the one that asks, which may be outside the picture.
+/// Photons in the tile of a place; at least the one that queries, which may be outside the picture.
 float photons_of_tile(vec3 position_ws) {
     ivec2 tile = ivec2(texel_at(position_ws) / float(tile_size));
     return max(1.0, float(texelFetch(tiles, clamp(tile, ivec2(0), textureSize(tiles, 0) - 1), 0).r));
@@ -96,5 +96,5 @@ Kernel kernel_of(Photon photon) {
 }
 
 /// Only from the side that the photon arrived on.
-/// DEVIATION [Smal19 §4.3]: asked here too, as photons may be stored without being culled.
+/// DEVIATION [Smal19 §4.3]: tested here too, as photons may be stored without being culled.
 bool is_splatted(Photon photon) { return faces_viewer(photon.position_ws, normal_of(photon)); }

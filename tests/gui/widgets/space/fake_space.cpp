@@ -77,7 +77,7 @@ SpacePicture FakeSpace::draw(const SpaceScene& scene, QSize size) {
         info.low = info.min = 1e9;
         info.high = info.max = -1e9;
         info.bounds = SpaceBox{};
-        info.asked = layer;
+        info.requested = layer;
         const int drawn = int(picture.layers.size());
         for (int i = 0; i < points; ++i) {
             const double value = i % layers_of_points;

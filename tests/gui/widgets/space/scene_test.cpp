@@ -88,7 +88,7 @@ TEST(Texts, SayHowManyAreDrawn) {
 TEST(Texts, SayHowManyPassTheFilters) {
     LayerInfo info{.key = "points", .elements = 2'700'000, .passing = 12'300};
     EXPECT_EQ(amount_text(info).toStdString(), "2.7 M points") << "there is no filter";
-    info.asked.filters = {{"layer", 0, 1}};
+    info.requested.filters = {{"layer", 0, 1}};
     EXPECT_EQ(amount_text(info).toStdString(), "12.3 k of 2.7 M points");
     info.stride = 7;
     EXPECT_EQ(amount_text(info).toStdString(), "12.3 k of every 7th of 2.7 M points");

@@ -297,13 +297,13 @@ TEST_F(SpaceViewTest, TheLegendIsOfThePictureThatIsShown) {
     EXPECT_EQ(view_.snapshot(true), before);  // still coloured by layer, and says so
     view_.set_picture(space_.draw(wanted_.back(), view_.wanted_size()));
     EXPECT_NE(view_.snapshot(true), before);
-    EXPECT_EQ(view_.picture().layers[0].asked.colour_by, "depth");
+    EXPECT_EQ(view_.picture().layers[0].requested.colour_by, "depth");
     EXPECT_EQ(shown.count(), 1);
     // An answer that names its question is read as that, however late it comes.
     SpacePicture late = space_.draw(scene_, view_.wanted_size());
     late.scene = std::make_shared<SpaceScene>(scene_);
     view_.set_picture(std::move(late));
-    EXPECT_EQ(view_.picture().layers[0].asked.colour_by, "layer");
+    EXPECT_EQ(view_.picture().layers[0].requested.colour_by, "layer");
 }
 
 TEST_F(SpaceViewTest, ANoteLeavesTheOldPicture) {

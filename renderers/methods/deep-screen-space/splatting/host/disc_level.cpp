@@ -93,12 +93,12 @@ void DiscLevel::filter(const RTCFilterFunctionNArguments* arguments) {
     auto& ray = *reinterpret_cast<DiscRay*>(arguments->context);
     const bool taken = ray.level->take(ray, RTCHitN_primID(arguments->hit, 1, 0));
     arguments->valid[0] = taken ? -1 : 0;
-    // Discs of one plane are equally far but for rounding: none may hide another before both were asked.
+    // Discs of one plane are equally far but for rounding: none may hide another before both were queried.
     auto& far = RTCRayN_tfar(arguments->ray, 1, 0);
     if (taken) far = far * room + ray.level->rounding_;
 }
 
-void DiscLevel::ask(DiscRay& ray, std::uint32_t cell, float near, float far) const {
+void DiscLevel::query(DiscRay& ray, std::uint32_t cell, float near, float far) const {
     if (!scene_) return;
     far = std::min(far, exit(ray));
     if (!(near < far)) return;

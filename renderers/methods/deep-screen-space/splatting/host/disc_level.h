@@ -23,7 +23,7 @@ struct DiscRay {
     float known = 0;                         ///< m: up to which no disc counts
     float z = 2;                             ///< only discs below it count; then of the nearest
     std::uint32_t winner = 0;                ///< 1 + surfel of the nearest; 0: none
-    const class DiscLevel* level = nullptr;  ///< that is being asked
+    const class DiscLevel* level = nullptr;  ///< that is being queried
 };
 
 /// The discs of one level of the hierarchical framebuffer for one sample: those of its 4^level sub-images
@@ -35,7 +35,7 @@ class DiscLevel {
               const WhatIsSeen& seen, const std::function<std::uint32_t(const Surfel&)>& cell_of);
 
     /// Looks for discs of a sub-image with hits in (near, far).
-    void ask(DiscRay& ray, std::uint32_t cell, float near, float far) const;
+    void query(DiscRay& ray, std::uint32_t cell, float near, float far) const;
 
   private:
     static void filter(const RTCFilterFunctionNArguments* arguments);

@@ -132,9 +132,9 @@ class HostSplats {
         return (sub_image - offset) & ((1u << 2 * level) - 1);
     }
 
-    void ask(DiscRay& ray, std::uint32_t cell, int level, RayRanges::Range range) const {
+    void query(DiscRay& ray, std::uint32_t cell, int level, RayRanges::Range range) const {
         ray.winner = 0;
-        levels_[static_cast<std::size_t>(level)]->ask(ray, cell, range.near, range.far);
+        levels_[static_cast<std::size_t>(level)]->query(ray, cell, range.near, range.far);
     }
 
     struct Winner {
@@ -151,7 +151,7 @@ class HostSplats {
                                   direction_ws, 0, from.known);
     }
 
-    /// Before discs are asked.
+    /// Before discs are queried.
     Winner first_winner(const Origin& from, glm::vec3 direction_ws) const {
         const auto hit = exact_hit_of(from, direction_ws);
         if (hit.is_hit()) return {exact_hit | hit.triangle, 0, hit.distance};
@@ -173,7 +173,7 @@ class HostSplats {
             range.far = std::min(range.far, finer.distance);
             ray.z = splat_z(rules_.influence, finer.distance);
         }
-        ask(ray, cell, level, range);
+        query(ray, cell, level, range);
         if (ray.winner == 0) return finer;
         const auto& winner = surfels_[ray.winner - 1];
         return {ray.winner, level,
@@ -327,7 +327,7 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
                     DiscRay ray(from.receiver, direction);
                     ray.known = from.known;
                     const auto at = splats.place(pixel, level);
-                    splats.ask(ray, splats.cell(splats.sub_image(at, level), level, sample), level, {});
+                    splats.query(ray, splats.cell(splats.sub_image(at, level), level, sample), level, {});
                     if (ray.winner == 0) continue;
                     const auto texel = at.y * static_cast<std::size_t>(hierarchy.width) + at.x;
                     const auto layer = static_cast<std::size_t>(sample * hierarchy.levels + level);

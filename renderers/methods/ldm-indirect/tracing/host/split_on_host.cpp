@@ -69,7 +69,7 @@ struct Worker {
     explicit Worker(int resolution) : map(resolution, ldm::Holds::lists) {}
     ldm::StreamedMap map;
     ldm::BuildScratch scratch;
-    double build_ms = 0, ask_ms = 0;
+    double build_ms = 0, query_ms = 0;
 };
 
 /// Traces and stores the photons of a frame.
@@ -96,7 +96,7 @@ class HostSplit {
         shares_.assign(sources_.size());
         for (auto& worker : workers_) {  // a frame begins anew where a buffer has to grow
             worker.scratch.fragments_made = 0;
-            worker.build_ms = worker.ask_ms = 0;
+            worker.build_ms = worker.query_ms = 0;
         }
         hits_.assign(maps_->frames.size(), {});
     }
@@ -155,7 +155,7 @@ class HostSplit {
         std::vector<ldm::HostWork> work;
         for (const auto& worker : workers_)
             work.push_back({worker.scratch.fragments_made, worker.scratch.bytes() + worker.map.bytes(),
-                            worker.build_ms, worker.ask_ms});
+                            worker.build_ms, worker.query_ms});
         counters.report(context, maps_->layout, work);
     }
 
@@ -185,7 +185,7 @@ class HostSplit {
             trace_band(view, primaries, worker, map);
             if (!looks.looks.empty()) look(looks, worker.map, map);
             worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
-            worker.ask_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
+            worker.query_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
         }
         if (rows < resolution)  // bands know them in parts
             std::sort(hits.begin(), hits.end(),

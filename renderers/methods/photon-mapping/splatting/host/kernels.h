@@ -44,7 +44,7 @@ struct HostKernel {
 class KernelMaker {
   public:
     /// `photons_by_tile`: the texels of "splat.tiles", of which there are `columns` a row.
-    /// With `probed` it asks where kernels hang over edges.
+    /// With `probed` it looks where kernels hang over edges.
     KernelMaker(const KernelRules& rules, std::span<const std::uint32_t> photons_by_tile, int columns,
                 const TexelPlanes* probed);
     /// Nothing of photons that light no texel. `box` is where its texels lie.

@@ -1,14 +1,14 @@
-// Asks lists of depths, which are in no order, for the 64 pixels of a tile at once.
+// Queries lists of depths, which are in no order, for the 64 pixels of a tile at once.
 // Read once for each instruction set, within a source that includes <hwy/foreach_target.h>.
 #include <bit>
 
 #include "renderers/passes/ldm/host/question.inl"
 
-#if defined(IR_LDM_HOST_ASK_LISTS) == defined(HWY_TARGET_TOGGLE)
-#ifdef IR_LDM_HOST_ASK_LISTS
-#undef IR_LDM_HOST_ASK_LISTS
+#if defined(IR_LDM_HOST_QUERY_LISTS) == defined(HWY_TARGET_TOGGLE)
+#ifdef IR_LDM_HOST_QUERY_LISTS
+#undef IR_LDM_HOST_QUERY_LISTS
 #else
-#define IR_LDM_HOST_ASK_LISTS
+#define IR_LDM_HOST_QUERY_LISTS
 #endif
 
 HWY_BEFORE_NAMESPACE();
@@ -34,7 +34,7 @@ std::uint64_t bits_of_shorts(hn::Mask<ShortTag> mask) {
     return bits & ((std::uint64_t{1} << short_lanes) - 1);
 }
 
-/// What the 64 pixels of a tile ask of lists, and what they are told.
+/// Queries of the 64 pixels of a tile in lists, and what they are told.
 struct TileQuestion {
     alignas(64) std::uint16_t texel[pixels];
     alignas(64) std::uint16_t mirror[pixels];  ///< all bits where depths are counted backwards
@@ -42,13 +42,13 @@ struct TileQuestion {
     alignas(
         64) std::uint16_t beyond[pixels];    ///< distance of the first entry beyond the key, less 1; or none
     alignas(64) std::uint16_t upto[pixels];  ///< distance down to the last entry not beyond it; or none
-    std::uint64_t asks = 0;                  ///< pixels
+    std::uint64_t queries = 0;               ///< pixels
 
     // Of sloped lists, with the highest bit of depths turned over, so that they compare as signed numbers:
     alignas(64) std::uint16_t point[pixels];  ///< depth beyond which the surface at the point lies before it
     alignas(64) std::int16_t across[pixels], down[pixels];  ///< from the centre to the point, texels << 14
-    int reach = 0;                        ///< quanta: farther beyond the key slopes are not asked
-    int first_asked = 0, last_asked = 0;  ///< depths for which some pixel asks slopes
+    int reach = 0;                        ///< quanta: farther beyond the key slopes are not queried
+    int first_asked = 0, last_asked = 0;  ///< depths for which some pixel queries slopes
 };
 constexpr unsigned turned_bit = 0x8000;
 
@@ -61,7 +61,7 @@ Floats load_halves(const std::uint16_t* from) {
 
 using Shorts = hn::Vec<ShortTag>;
 
-/// Pixels of one vector that ask what a node's surface is at their own place.
+/// Pixels of one vector that query what a node's surface is at their own place.
 class SlopeTest {
   public:
     SlopeTest(const StreamedMap& map, const TileQuestion& q, int first)
@@ -111,7 +111,7 @@ void find_nearest(const StreamedMap& map, TileQuestion& q) {
         if constexpr (both) hn::Store(all, shorts, q.upto + i);
     }
     const auto* const depths = map.depths.data();
-    for (auto left = q.asks; left != 0;) {
+    for (auto left = q.queries; left != 0;) {
         const auto texel = q.texel[std::countr_zero(left)];
         const auto begin = map.begins[texel], end = map.begins[texel + 1u];
         for (int i = 0; i < pixels; i += short_lanes) {
@@ -119,7 +119,7 @@ void find_nearest(const StreamedMap& map, TileQuestion& q) {
             const auto bits = bits_of_shorts(in_texel) << i;
             if ((bits & left) == 0) continue;
             left &= ~bits;
-            // Where another texel is asked the key is beyond all entries, and no answer changes.
+            // Where another texel is queried the key is beyond all entries, and no answer changes.
             const auto key = hn::IfThenElse(in_texel, hn::Load(shorts, q.key + i), all);
             const auto mirror = hn::Load(shorts, q.mirror + i);
             auto beyond = hn::Load(shorts, q.beyond + i);
@@ -174,8 +174,8 @@ void store_key(TileQuestion& q, int first, Ints key, Mask mirrored) {
 /// What is asked of slopes, for a vector of pixels.
 class SlopeQuestion {
   public:
-    SlopeQuestion(TileQuestion& q, const Asked& asked, const SelfHitRule& rule)
-        : q_(q), asked_(asked), rule_(rule), least_(hn::Set(f, 65535)), most_(hn::Zero(f)) {}
+    SlopeQuestion(TileQuestion& q, const QueriedMap& queried, const SelfHitRule& rule)
+        : q_(q), queried_(queried), rule_(rule), least_(hn::Set(f, 65535)), most_(hn::Zero(f)) {}
 
     void add(int first, const Question& q) {
         const auto tolerance = hn::Add(hn::Set(f, rule_.quanta), slope_tolerance(q));
@@ -184,13 +184,13 @@ class SlopeQuestion {
         store_halves(point, q_.point + first);
         store_fixed(q.to_u, q_.across + first);
         store_fixed(q.to_v, q_.down + first);
-        const auto asks = hn::And(q.above, q.here);
+        const auto queries = hn::And(q.above, q.here);
         const auto start = along(q.forward, q.start);
-        least_ = hn::Min(least_, hn::IfThenElse(asks, start, least_));
-        most_ = hn::Max(most_, hn::IfThenElse(asks, start, most_));
+        least_ = hn::Min(least_, hn::IfThenElse(queries, start, least_));
+        most_ = hn::Max(most_, hn::IfThenElse(queries, start, most_));
     }
     void finish() {
-        q_.reach = static_cast<int>(std::min(slope_reach * asked_.texel_quanta, 65534.0f));
+        q_.reach = static_cast<int>(std::min(slope_reach * queried_.texel_quanta, 65534.0f));
         const auto reach = static_cast<float>(q_.reach + 2);
         q_.first_asked =
             static_cast<int>(std::clamp(hn::GetLane(hn::MinOfLanes(f, least_)) - reach, 0.0f, 65535.0f));
@@ -203,12 +203,12 @@ class SlopeQuestion {
     Floats slope_tolerance(const Question& q) const {
         const auto part = [&](Floats slope, Floats place) {
             const auto widening =
-                hn::MulAdd(hn::Abs(slope), hn::Set(f, 1 / asked_.texel_quanta), hn::Set(f, 1));
+                hn::MulAdd(hn::Abs(slope), hn::Set(f, 1 / queried_.texel_quanta), hn::Set(f, 1));
             return hn::Mul(hn::Abs(place), hn::Mul(widening, widening));
         };
         const auto steps = hn::Add(part(q.slant.per_column, q.to_u), part(q.slant.per_row, q.to_v));
         const auto texels = hn::Mul(steps, hn::Set(f, 1 / (2 * ldm_slope_steps)));
-        return hn::Mul(hn::Set(f, asked_.texel_quanta), hn::Min(texels, hn::Set(f, 1)));
+        return hn::Mul(hn::Set(f, queried_.texel_quanta), hn::Min(texels, hn::Set(f, 1)));
     }
     /// From the way to the centre.
     static void store_fixed(Floats to_centre, std::int16_t* to) {
@@ -218,23 +218,24 @@ class SlopeQuestion {
     }
 
     TileQuestion& q_;
-    const Asked& asked_;
+    const QueriedMap& queried_;
     const SelfHitRule& rule_;
     Floats least_, most_;
 };
 
-/// Asks for all pixels of a tile; false: none has a question for this band.
-bool ask_tile(TileState& state, const PixelTiles& tiles, std::size_t tile, const Asked& asked,
-              const SelfHitRule& rule) {
-    state.q.asks = state.forward = state.above = state.open = 0;
-    const bool is_sloped = asked.map.holds == Holds::sloped_lists;
-    SlopeQuestion slopes(state.q, asked, rule);
+/// Queries for all pixels of a tile; false: none has a question for this band.
+bool query_tile(TileState& state, const PixelTiles& tiles, std::size_t tile, const QueriedMap& queried,
+                const SelfHitRule& rule) {
+    state.q.queries = state.forward = state.above = state.open = 0;
+    const bool is_sloped = queried.map.holds == Holds::sloped_lists;
+    SlopeQuestion slopes(state.q, queried, rule);
     for (int i = 0; i < pixels; i += lanes) {
-        const auto q = question(tiles, tile * pixels + static_cast<std::size_t>(i), asked, rule);
+        const auto q = question(tiles, tile * pixels + static_cast<std::size_t>(i), queried, rule);
         state.forward |= std::uint64_t{bits_of(q.forward)} << i;
         state.above |= std::uint64_t{bits_of(q.above)} << i;
-        if (asked.map.first_row == 0) state.open |= std::uint64_t{bits_of(hn::And(q.above, q.outside))} << i;
-        state.q.asks |= std::uint64_t{bits_of(hn::And(q.above, q.here))} << i;
+        if (queried.map.first_row == 0)
+            state.open |= std::uint64_t{bits_of(hn::And(q.above, q.outside))} << i;
+        state.q.queries |= std::uint64_t{bits_of(hn::And(q.above, q.here))} << i;
         hn::Store(q.cosine, f, state.cosine + i);
         hn::Store(q.plane, f, state.plane + i);
         hn::Store(q.tolerance, f, state.tolerance + i);
@@ -246,7 +247,7 @@ bool ask_tile(TileState& state, const PixelTiles& tiles, std::size_t tile, const
         if (is_sloped) slopes.add(i, q);
     }
     if (is_sloped) slopes.finish();
-    return state.q.asks != 0;
+    return state.q.queries != 0;
 }
 
 /// Normal offset: from the nearest entries before and behind the plane to the first one beyond the nearer of
@@ -274,43 +275,44 @@ std::uint64_t go_on_from_own(TileState& state, const StreamedMap& map) {
         hn::Store(depth, f, state.plane + i);
         store_key(state.q, i, key_of(depth), hn::Not(forward));
     }
-    found &= state.q.asks;
-    state.open |= state.q.asks & ~found;
-    state.q.asks = found;
+    found &= state.q.queries;
+    state.open |= state.q.queries & ~found;
+    state.q.queries = found;
     find_nearest<false, false>(map, state.q);
     return found;
 }
 
 /// Visibility of what was found.
-void add_answers(const TileState& state, const Asked& asked, const Visibility& visibility, float scale,
+void add_answers(const TileState& state, const QueriedMap& queried, const Visibility& visibility, float scale,
                  std::uint32_t* sums) {
     const auto one = hn::Set(f, 1), zero = hn::Zero(f);
     const auto per_reach =
-        hn::Set(f, visibility.smooth && visibility.max_distance > 0 ? 1 / asked.reach : 0.0f);
+        hn::Set(f, visibility.smooth && visibility.max_distance > 0 ? 1 / queried.reach : 0.0f);
     for (int i = 0; i < pixels; i += lanes) {
-        const auto counts = lanes_of(state.q.asks | state.open, i);
+        const auto counts = lanes_of(state.q.queries | state.open, i);
         if (hn::AllFalse(f, counts)) continue;
         const auto beyond = load_halves(state.q.beyond + i), key = load_halves(state.q.key + i);
         const auto distance = hn::Sub(hn::Add(hn::Add(key, beyond), one), hn::Load(f, state.plane + i));
         const auto found =
-            hn::And(lanes_of(state.q.asks, i),
-                    hn::And(hn::Ne(beyond, hn::Set(f, none)), hn::Lt(distance, hn::Set(f, asked.reach))));
+            hn::And(lanes_of(state.q.queries, i),
+                    hn::And(hn::Ne(beyond, hn::Set(f, none)), hn::Lt(distance, hn::Set(f, queried.reach))));
         const auto part = hn::Mul(hn::Max(distance, zero), per_reach);
         const auto open = hn::IfThenElse(found, hn::Mul(part, part), one);
         add(sums + i, part_of_sum(open, hn::Load(f, state.cosine + i), scale), counts);
     }
 }
 
-void ask_lists(const PixelTiles& tiles, std::size_t tile, const Asked& asked, const SelfHitRule& rule,
-               const Visibility& visibility, float scale, TileState& state, std::uint32_t* sums) {
-    const bool asks = ask_tile(state, tiles, tile, asked, rule);
-    if (asks && asked.map.holds == Holds::sloped_lists)
-        find_nearest<false, true>(asked.map, state.q);
-    else if (asks && rule.tangent_plane)
-        find_nearest<false, false>(asked.map, state.q);
-    else if (asks)
-        go_on_from_own(state, asked.map);
-    if (asks || state.open != 0) add_answers(state, asked, visibility, scale, sums);
+void query_lists(const PixelTiles& tiles, std::size_t tile, const QueriedMap& queried,
+                 const SelfHitRule& rule, const Visibility& visibility, float scale, TileState& state,
+                 std::uint32_t* sums) {
+    const bool queries = query_tile(state, tiles, tile, queried, rule);
+    if (queries && queried.map.holds == Holds::sloped_lists)
+        find_nearest<false, true>(queried.map, state.q);
+    else if (queries && rule.tangent_plane)
+        find_nearest<false, false>(queried.map, state.q);
+    else if (queries)
+        go_on_from_own(state, queried.map);
+    if (queries || state.open != 0) add_answers(state, queried, visibility, scale, sums);
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
-// Asks maps that are in memory for the pixels of a picture.
+// Queries maps that are in memory for the pixels of a picture.
 #include <vector>
 
 #include "renderers/passes/ldm/host/streamed_map.h"
 #include "renderers/passes/vectors/targets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "renderers/passes/ldm/host/ask_maps.cpp"
+#define HWY_TARGET_INCLUDE "renderers/passes/ldm/host/query_maps.cpp"
 #include <hwy/foreach_target.h>
 
-#include "renderers/passes/ldm/host/ask_lists.inl"
-#include "renderers/passes/ldm/host/ask_outermost.inl"
 #include "renderers/passes/ldm/host/judge.inl"
+#include "renderers/passes/ldm/host/query_lists.inl"
+#include "renderers/passes/ldm/host/query_outermost.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace ir::passes::ldm::HWY_NAMESPACE {
@@ -19,30 +19,30 @@ void visibility_sums(const PixelTiles& tiles, std::size_t first, std::size_t end
                      std::span<const StreamedMap> maps, const SelfHitRule& rule, const Visibility& visibility,
                      float scale, std::uint32_t* sums) {
     TileState state;
-    std::vector<Asked> all;
+    std::vector<QueriedMap> all;
     for (const auto& map : maps) all.emplace_back(map, visibility);
     for (auto group = first; group < end; group += lanes) {
         const auto group_end = std::min(end, group + lanes);
-        for (const auto& asked : all) {
-            const bool keeps_outermost = asked.map.holds == Holds::outermost;
-            const auto verdict = keeps_outermost ? Judge(tiles, group, asked, rule).verdict() : Verdict{};
+        for (const auto& queried : all) {
+            const bool keeps_outermost = queried.map.holds == Holds::outermost;
+            const auto verdict = keeps_outermost ? Judge(tiles, group, queried, rule).verdict() : Verdict{};
             for (auto tile = group; tile < group_end; ++tile) {
                 const auto bit = tile - group;
                 if (tiles.valid[tile] == 0 || (verdict.nothing >> bit & 1) != 0) continue;
                 auto* const to = sums + tile * pixels;
                 const bool is_whole = tiles.valid[tile] == ~std::uint64_t{0};
                 if ((verdict.open >> bit & 1) != 0)
-                    add_open(tiles, tile, asked, scale, to);
+                    add_open(tiles, tile, queried, scale, to);
                 else if (is_whole && (verdict.forward >> bit & 1) != 0)
-                    ask_inside<Along::v>(tiles, tile, asked, rule, scale, to);
+                    query_inside<Along::v>(tiles, tile, queried, rule, scale, to);
                 else if (is_whole && (verdict.backward >> bit & 1) != 0)
-                    ask_inside<Along::minus_v>(tiles, tile, asked, rule, scale, to);
+                    query_inside<Along::minus_v>(tiles, tile, queried, rule, scale, to);
                 else if (is_whole && (verdict.inside >> bit & 1) != 0)
-                    ask_inside<Along::either>(tiles, tile, asked, rule, scale, to);
+                    query_inside<Along::either>(tiles, tile, queried, rule, scale, to);
                 else if (keeps_outermost)
-                    ask_outermost(tiles, tile, asked, rule, scale, to);
+                    query_outermost(tiles, tile, queried, rule, scale, to);
                 else
-                    ask_lists(tiles, tile, asked, rule, visibility, scale, state, to);
+                    query_lists(tiles, tile, queried, rule, visibility, scale, state, to);
             }
         }
     }
@@ -51,18 +51,18 @@ void visibility_sums(const PixelTiles& tiles, std::size_t first, std::size_t end
 void seen_distances(const PixelTiles& tiles, std::size_t first, std::size_t end, const StreamedMap& map,
                     const SelfHitRule& rule, float* distances) {
     TileState state;
-    const Asked asked(map, {});
+    const QueriedMap queried(map, {});
     for (auto tile = first; tile < end; ++tile, distances += pixels) {
         if (tiles.valid[tile] == 0) {
             std::fill_n(distances, pixels, -1.0f);
             continue;
         }
-        const bool asks = ask_tile(state, tiles, tile, asked, rule);
-        if (asks && rule.tangent_plane)
+        const bool queries = query_tile(state, tiles, tile, queried, rule);
+        if (queries && rule.tangent_plane)
             find_nearest<false>(map, state.q);
-        else if (asks)
+        else if (queries)
             go_on_from_own(state, map);
-        const auto found = tiles.valid[tile] & state.q.asks, open = tiles.valid[tile] & state.open;
+        const auto found = tiles.valid[tile] & state.q.queries, open = tiles.valid[tile] & state.open;
         for (int i = 0; i < pixels; i += lanes) {
             const auto beyond = load_halves(state.q.beyond + i), key = load_halves(state.q.key + i);
             const auto distance =
@@ -80,10 +80,10 @@ void self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const
                SelfHitCounts& counts) {
     TileState state;
     for (const auto& map : maps) {
-        const Asked asked(map, {});
+        const QueriedMap queried(map, {});
         for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
-            if (tiles.valid[tile] == 0 || !ask_tile(state, tiles, tile, asked, rule)) continue;
-            const auto asks = state.q.asks;
+            if (tiles.valid[tile] == 0 || !query_tile(state, tiles, tile, queried, rule)) continue;
+            const auto queries = state.q.queries;
             std::uint64_t passed_over = 0;  // by their slopes
             if (rule.tangent_plane)
                 find_nearest<true, false>(map, state.q);
@@ -97,8 +97,8 @@ void self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const
                     passed_over |= std::uint64_t{state.q.beyond[i] != beyond[i]} << i;
             }
             for (int i = 0; i < pixels; ++i) {
-                if ((asks >> i & 1) == 0) continue;
-                bool own = (state.q.asks >> i & 1) != 0;
+                if ((queries >> i & 1) == 0) continue;
+                bool own = (state.q.queries >> i & 1) != 0;
                 float ahead = state.tolerance[i];
                 if (rule.tangent_plane) {
                     const int before = state.q.key[i] - state.q.upto[i];
@@ -107,7 +107,7 @@ void self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const
                 }
                 const bool passes = (passed_over >> i & 1) != 0;
                 const auto place = tile * pixels + static_cast<std::size_t>(i);
-                ++counts.asked[place];
+                ++counts.queried[place];
                 counts.own[place] += own || passes;
                 counts.rejected[place] += passes || (own && ahead > near_plane);
             }
