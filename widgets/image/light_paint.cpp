@@ -37,13 +37,27 @@ QString letter_of(LightHandle handle) {
     }
 }
 
-/// A line that shows on every colour.
-void paint_line(QPainter& painter, const QPolygonF& points, const QColor& colour, qreal width, qreal ratio) {
+/// Lines that show on every colour.
+void paint_lines(QPainter& painter, const QPainterPath& lines, const QColor& colour, qreal width,
+                 qreal ratio) {
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(shadow, (width + 2) * ratio), QPen(colour, width * ratio)}) {
         painter.setPen(pen);
-        painter.drawPolyline(points);
+        painter.drawPath(lines);
     }
+}
+
+void paint_line(QPainter& painter, const QPolygonF& points, const QColor& colour, qreal width, qreal ratio) {
+    QPainterPath line;
+    line.addPolygon(points);
+    paint_lines(painter, line, colour, width, ratio);
+}
+
+void paint_ring(QPainter& painter, QPointF centre, qreal radius, const QColor& colour, qreal width,
+                qreal ratio) {
+    QPainterPath ring;
+    ring.addEllipse(centre, radius, radius);
+    paint_lines(painter, ring, colour, width, ratio);
 }
 
 void paint_dot(QPainter& painter, QPointF at, const QColor& colour, qreal radius, qreal ratio) {
@@ -58,7 +72,6 @@ void paint_arrow(QPainter& painter, QPointF from, QPointF to, const QColor& colo
     paint_line(painter, {from, to}, colour, is_held ? 3 : 2, ratio);
     const QPointF along = to - from;
     const qreal length = std::hypot(along.x(), along.y());
-    if (length < 1) return;
     const QPointF unit = along / length * ratio, across(-unit.y(), unit.x());
     const qreal size = is_held ? 7 : 5.5;
     QPainterPath head(to + 1.6 * size * unit);
@@ -110,29 +123,41 @@ void paint_letter(QPainter& painter, QPointF centre, QPointF end, LightHandle ha
     painter.drawText(box, Qt::AlignCenter, letter_of(handle));
 }
 
+void paint_handle(QPainter& painter, const Grip& grip, LightHandle handle, bool is_held, bool dots,
+                  qreal ratio) {
+    const bool is_axis = handle != LightHandle::centre && handle != LightHandle::direction;
+    const QColor colour = is_held && !is_axis ? QColor(Qt::white) : colour_of(handle);
+    const qreal width = is_held ? 3 : 2;
+    if (handle == LightHandle::centre) {
+        if (dots) paint_dot(painter, grip.centre, colour, is_held ? 8 : 6.5, ratio);
+    } else if (is_axis) {
+        if (dots) return;
+        paint_arrow(painter, grip.centre, grip.end, colour, is_held, ratio);
+        paint_letter(painter, grip.centre, grip.end, handle, ratio);
+    } else if (grip.ring > 0) {
+        if (dots) paint_ring(painter, grip.centre, grip.ring, colour, width, ratio);
+    } else if (dots) {
+        paint_dot(painter, grip.end, colour, is_held ? 6.5 : 5, ratio);
+    } else {
+        paint_line(painter, {grip.centre, grip.end}, lamp_colour, width, ratio);
+    }
+}
+
 }  // namespace
 
 void paint_light(QPainter& painter, const CanvasState& state, qreal ratio) {
     const auto centre = seen_at(state, state.light->position);
     if (!centre) return;
     painter.save();
-    const double length = handle_length(state, ratio);
-    paint_outline(painter, state, length, ratio);
+    paint_outline(painter, state, handle_length(state, ratio), ratio);
+    if (!state.light->moves()) paint_ring(painter, *centre, 4 * ratio, lamp_colour, 1.5, ratio);
     auto handles = handles_of(*state.light);
     std::reverse(handles.begin(), handles.end());
-    for (const auto handle : handles) {
-        const bool is_held = handle == state.light_handle;
-        const auto end = seen_at(state, end_of(*state.light, handle, length));
-        if (handle == LightHandle::centre)
-            paint_dot(painter, *centre, is_held ? QColor(Qt::white) : lamp_colour, is_held ? 8 : 6.5, ratio);
-        else if (end && handle == LightHandle::direction) {
-            paint_line(painter, {*centre, *end}, lamp_colour, is_held ? 3 : 2, ratio);
-            paint_dot(painter, *end, is_held ? QColor(Qt::white) : lamp_colour, is_held ? 6.5 : 5, ratio);
-        } else if (end) {
-            paint_arrow(painter, *centre, *end, colour_of(handle), is_held, ratio);
-            paint_letter(painter, *centre, *end, handle, ratio);
-        }
-    }
+    // What is a dot lies above all lines.
+    for (const bool dots : {false, true})
+        for (const auto handle : handles)
+            if (const auto grip = grip_of(state, handle, ratio))
+                paint_handle(painter, *grip, handle, handle == state.light_handle, dots, ratio);
     painter.restore();
 }
 

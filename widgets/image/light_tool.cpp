@@ -12,8 +12,8 @@
 namespace ir::widgets {
 namespace {
 
-/// Logical pixels.
-constexpr double handle_pixels = 64, handle_reach = 8;
+/// Logical pixels. Lines that look shorter than min_line point at the camera or away from it.
+constexpr double handle_pixels = 64, handle_reach = 8, min_line = 18, ring_radius = 14;
 /// The part of an axis next to the light belongs to the centre.
 constexpr double free_part = 0.25;
 
@@ -49,6 +49,22 @@ std::optional<QPointF> seen_at(const CanvasState& state, const glm::dvec3& point
     return state.transform.view_from_image({place->x * size.width(), place->y * size.height()});
 }
 
+double Grip::distance_to(QPointF position) const {
+    if (ring > 0) return std::abs(std::hypot(position.x() - centre.x(), position.y() - centre.y()) - ring);
+    return distance_to_line(position, centre + free_part * (end - centre), end);
+}
+
+std::optional<Grip> grip_of(const CanvasState& state, LightHandle handle, qreal pixel_ratio) {
+    const auto centre = seen_at(state, state.light->position);
+    const auto end = seen_at(state, end_of(*state.light, handle, handle_length(state, pixel_ratio)));
+    if (!centre || !end) return {};
+    if (handle == LightHandle::centre) return Grip{*centre, *centre};
+    const QPointF along = *end - *centre;
+    if (std::hypot(along.x(), along.y()) >= min_line * pixel_ratio) return Grip{*centre, *end};
+    if (handle != LightHandle::direction) return {};
+    return Grip{*centre, *end, ring_radius * pixel_ratio};
+}
+
 double LightTool::length() const {
     return handle_length(state_, view_.devicePixelRatioF());
 }
@@ -56,19 +72,12 @@ double LightTool::length() const {
 bool LightTool::hover(QPointF position) {
     const qreal ratio = view_.devicePixelRatioF();
     auto found = LightHandle::none;
-    const auto centre = is_active() ? seen_at(state_, state_.light->position) : std::nullopt;
-    if (centre) {
+    if (is_active()) {
         double nearest = handle_reach * ratio;
         for (const auto handle : handles_of(*state_.light)) {
-            const auto end = seen_at(state_, end_of(*state_.light, handle, length()));
-            if (!end) continue;
-            const bool is_line = handle != LightHandle::centre;
-            const QPointF from = is_line ? *centre + free_part * (*end - *centre) : *centre;
-            // An axis that points at the camera is no handle.
-            const QPointF drawn = *end - *centre;
-            const bool is_short = is_line && std::hypot(drawn.x(), drawn.y()) < 2 * handle_reach * ratio;
-            const double off = distance_to_line(position * ratio, from, *end);
-            if (off >= nearest || (is_short && handle != LightHandle::direction)) continue;
+            const auto grip = grip_of(state_, handle, ratio);
+            const double off = grip ? grip->distance_to(position * ratio) : nearest;
+            if (off >= nearest) continue;
             nearest = off;
             found = handle;
         }

@@ -57,6 +57,15 @@ class LightTool : public QObject {
 double handle_length(const CanvasState& state, qreal pixel_ratio);
 /// Where a point of the scene is seen in the view, device pixels; none: not in front of the camera.
 std::optional<QPointF> seen_at(const CanvasState& state, const glm::dvec3& point);
+
+/// Where a handle of the light is seen and held, device pixels.
+struct Grip {
+    QPointF centre, end;  ///< a line, of the centre a point
+    double ring = 0;      ///< radius of a ring about the centre that takes the line's place; 0: there is none
+    double distance_to(QPointF position) const;
+};
+/// A direction that points at the camera or away from it is a ring. None: out of sight, or an axis that does.
+std::optional<Grip> grip_of(const CanvasState& state, LightHandle handle, qreal pixel_ratio);
 void paint_light(QPainter& painter, const CanvasState& state, qreal pixel_ratio);
 
 }  // namespace ir::widgets

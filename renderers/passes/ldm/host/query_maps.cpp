@@ -59,7 +59,7 @@ void seen_distances(const PixelTiles& tiles, std::size_t first, std::size_t end,
         }
         const bool queries = query_tile(state, tiles, tile, queried, rule);
         if (queries && rule.tangent_plane)
-            find_nearest<false>(map, state.q);
+            find_nearest<false, false>(map, state.q);
         else if (queries)
             go_on_from_own(state, map);
         const auto found = tiles.valid[tile] & state.q.queries, open = tiles.valid[tile] & state.open;

@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
+#include <set>
 
 #include "widgets/image/decimals.h"
 #include "widgets/image/image_view.h"
@@ -313,6 +314,53 @@ TEST_F(LightToolTest, HandlesFollowTheCameraAndKeepTheirLength) {
     QTest::mouseMove(&view, {300, 200});
     EXPECT_EQ(view.state().light_handle, none);
     view.grab();
+}
+
+/// So that each axis and the light's direction in turn point at the camera.
+TEST_F(LightToolTest, WhatPointsAtTheCameraHidesNoOtherHandle) {
+    const auto look_along = [&](const glm::dvec3& forward) {
+        CameraPose pose;
+        pose.target = spot().position;
+        pose.eye = pose.target - 5.0 * forward;
+        view.camera().set_pose(pose);
+    };
+    const auto holds = [&](QPoint position, LightHandle handle) {
+        QTest::mouseMove(&view, {20, 20});
+        QTest::mouseMove(&view, position);
+        return QTest::qWaitFor([&] { return view.state().light_handle == handle; });
+    };
+    look_along({0, 0, -1});
+    EXPECT_FALSE(grip_of(view.state(), z, view.devicePixelRatioF())) << "neither drawn nor held";
+    EXPECT_TRUE(holds(place(centre), centre));
+    EXPECT_TRUE(holds(place(x), x));
+    EXPECT_TRUE(holds(place(direction), direction));
+    for (const double side : {1.0, -1.0}) {
+        SCOPED_TRACE(side);
+        look_along(side * spot().direction);
+        const auto grip = grip_of(view.state(), direction, view.devicePixelRatioF());
+        ASSERT_TRUE(grip);
+        ASSERT_GT(grip->ring, 0);
+        const int ring = int(grip->ring / view.devicePixelRatioF());
+        EXPECT_TRUE(holds(place(centre), centre));
+        const auto from = place(centre) - QPoint(ring, 0);
+        EXPECT_TRUE(holds(from, direction));
+        QTest::mousePress(&view, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&view, from - QPoint(15, 0));
+        QTest::mouseMove(&view, from - QPoint(40, 0));
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, from - QPoint(40, 0));
+        EXPECT_GT(glm::length(light().direction - spot().direction), 0.3);
+        EXPECT_EQ(grip_of(view.state(), direction, 1)->ring, 0);
+        view.set_light(spot());
+    }
+}
+
+TEST_F(LightToolTest, NoLineCrossesTheMiddle) {
+    const QImage seen = view.grab().toImage();
+    const auto middle = place(centre) * seen.devicePixelRatio();
+    std::set<QRgb> colours;
+    for (int row = -2; row <= 2; ++row)
+        for (int column = -2; column <= 2; ++column) colours.insert(seen.pixel(middle + QPoint(column, row)));
+    EXPECT_EQ(colours.size(), 1u);
 }
 
 TEST_F(LightToolTest, ASunStandsWhereTheCameraLooksAndOnlyTurns) {
