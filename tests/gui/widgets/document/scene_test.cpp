@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include "projects/document_json.h"
 #include "tests/gui/widgets/document/harness.h"
 #include "widgets/document/makers.h"
 #include "widgets/document/trs.h"
