@@ -34,6 +34,9 @@ uint node_of(LdmFragment fragment) { return fragment.arrival_depth & 0xffffu; }
 /// Comes after all nodes.
 const uint NO_NODE = 0xffffffffu;
 
+/// Nodes that there is room for, in programs that use the nodes themselves (of others see array_table.glsl).
+uint node_room() { return NODES_PER_WORD * uint(depths.length()); }
+
 /// Writes one half of a word that another invocation may write the other half of.
 void store_half(uint index, uint depth) {
     int shift = int(index & 1u) << 4;

@@ -15,7 +15,7 @@ from pathlib import Path
 
 ENTRY_POINTS = {".vert", ".tesc", ".tese", ".geom", ".frag", ".comp"}
 BLOCK = re.compile(r"layout\([^)]*\)\s*((?:\w+\s+)*)buffer\s+(\w+)\s*\{([^}]*)\}\s*(\w*)")
-DEFINES = re.compile(r"^[ \t]*#define[^\n]*", re.M)
+DEFINES = re.compile(r"^[ \t]*#define(?:[^\n]*\\\n)*[^\n]*", re.M)
 FUNCTION = re.compile(r"^[ \t]*(?:\w+[ \t]+)+(\w+)[ \t]*\([^;{}]*\)\s*\{", re.M)
 
 
@@ -42,17 +42,18 @@ def body_at(text, begin):
 
 
 def reached(text):
-    """The bodies of main() and of all functions that it may call."""
+    """The bodies of main() and of all functions that it may call, and what macros stand for."""
     bodies = {}
     for match in FUNCTION.finditer(text):
         bodies[match[1]] = bodies.get(match[1], "") + body_at(text, match.end())
-    found, left = {}, ["main", *re.findall(r"\w+", " ".join(DEFINES.findall(text)))]
+    macros = "\n".join(DEFINES.findall(text))
+    found, left = {}, ["main", *re.findall(r"\w+", macros)]
     while left:
         name = left.pop()
         if name in bodies and name not in found:
             found[name] = bodies[name]
             left += set(re.findall(r"\w+", bodies[name]))
-    return "\n".join(found.values())
+    return "\n".join([*found.values(), macros])
 
 
 def faults(path, shaders):
