@@ -227,7 +227,7 @@ bool changes_outputs(std::vector<Studio>& studios, const ParameterDescription& p
     const auto middle_of_all = middle_settings(method, quick), older = older_settings(method, unlimited);
     for (const auto* start :
          std::initializer_list<const Settings*>{&quick, &middle_of_all, &unlimited, &older}) {
-        const bool middle = start == &middle_of_all;
+        const int frames_rendered = start == &quick ? 1 : 2;  // some show in a history alone
         auto settings = *start;
         if (!activate(method, p, settings)) return false;
         for (auto& studio : studios) {
@@ -236,7 +236,7 @@ bool changes_outputs(std::vector<Studio>& studios, const ParameterDescription& p
             bool all_differ = true;
             for (const auto& value : tried_values(p)) {
                 settings[p.key] = value;
-                frames.push_back(studio.render(settings, middle ? 2 : 1));
+                frames.push_back(studio.render(settings, frames_rendered));
                 same_picture.push_back(is_way_to_the_same(p, value));
                 for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
                     if (same_picture[i] && same_picture.back())
