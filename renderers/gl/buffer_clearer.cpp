@@ -38,6 +38,9 @@ void BufferClearer::clear(Name buffer, std::uint64_t offset, std::uint64_t bytes
     GLint program = 0, bound = 0;
     GLint64 begin = 0, size = 0;
     gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+    // one that was deleted while it was current ends here
+    GLint deleted = 0;
+    if (program != 0) gl.GetProgramiv(static_cast<GLuint>(program), GL_DELETE_STATUS, &deleted);
     gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, 0, &bound);
     gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, 0, &begin);
     gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, 0, &size);
@@ -48,7 +51,7 @@ void BufferClearer::clear(Name buffer, std::uint64_t offset, std::uint64_t bytes
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     gl.DispatchCompute(static_cast<GLuint>(std::min((bytes / 4 + group - 1) / group, max_groups)), 1, 1);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-    gl.UseProgram(static_cast<GLuint>(program));
+    gl.UseProgram(deleted ? 0 : static_cast<GLuint>(program));
     if (size > 0)
         gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLuint>(bound), begin, size);
     else

@@ -17,8 +17,8 @@ class BufferClearer {
 
     /// Whether clear() takes the range: whole words, and a begin that buffers may be bound at.
     bool takes(std::uint64_t offset, std::uint64_t bytes) const;
-    /// Program and bindings of the context stay as they are. Throws Error where the driver has no such
-    /// program.
+    /// Program and bindings of the context stay as they are, but that a program which was deleted is current
+    /// no more. Throws Error where the driver has no such program.
     void clear(Name buffer, std::uint64_t offset, std::uint64_t bytes);
 
   private:

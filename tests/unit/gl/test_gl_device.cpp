@@ -37,6 +37,16 @@ TEST_P(GlDeviceTest, AProgramClearsARangeAndChangesNothingElse) {
     device->write_buffer(buffer, 0, std::as_bytes(std::span(words)));
     const auto& gl = context->api();
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, other);
+    const auto deleted = gl.CreateProgram();
+    const auto shader = gl.CreateShader(GL_COMPUTE_SHADER);
+    const char* empty = "#version 450 core\nlayout(local_size_x = 1) in;\nvoid main() {}\n";
+    gl.ShaderSource(shader, 1, &empty, nullptr);
+    gl.CompileShader(shader);
+    gl.AttachShader(deleted, shader);
+    gl.LinkProgram(deleted);
+    gl.UseProgram(deleted);
+    gl.DeleteShader(shader);
+    gl.DeleteProgram(deleted);
     {
         BufferClearer clearer(*context);
         EXPECT_FALSE(clearer.takes(4, 1024));
@@ -48,7 +58,7 @@ TEST_P(GlDeviceTest, AProgramClearsARangeAndChangesNothingElse) {
     gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, 0, &bound);
     gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
     EXPECT_EQ(bound, static_cast<GLint>(other));
-    EXPECT_EQ(program, 0);
+    EXPECT_EQ(program, 0) << "nothing is left of a deleted one";
     device->read_buffer(buffer, 0, std::as_writable_bytes(std::span(words)));
     for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(words[i], i >= 256 && i < 256 + 256'001 ? 0u : 7u) << i;
     device->destroy_buffer(buffer);
