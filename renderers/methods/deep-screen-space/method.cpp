@@ -1,5 +1,5 @@
 // Deep screen space: the scene becomes a cloud of surfels, each of which is splatted onto the pixels about
-// it, on coarser levels of the picture the farther away. With visibility every sample of a pixel queries
+// it, on coarser levels of the picture the farther away. With visibility every sample of a pixel looks
 // along one direction and keeps the nearest surfel. [Nalbach15; Nalbach14]
 #include <algorithm>
 #include <iomanip>

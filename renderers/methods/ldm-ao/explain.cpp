@@ -136,8 +136,9 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::point_set,
          .semantic = Semantic::position,
          .unit = "m",
-         .doc = "All depths at the texel that the map chosen is queried for the pixel's point. depth: metres "
-                "along the map's direction, from the point. layer: 0 is the first along that direction.",
+         .doc =
+             "All depths at the texel where the map chosen is queried for the pixel's point. depth: metres "
+             "along the map's direction, from the point. layer: 0 is the first along that direction.",
          .categories = {what_an_entry_is},
          .when_empty = no_surface,
          .explains = true},
@@ -163,7 +164,7 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::glyphs,
          .unit = "m",
          .doc =
-             "The outline of the texel that the map chosen is queried, where the point's surface crosses its "
+             "The outline of the texel where the map chosen is queried, as high as the point's surface at its "
              "middle.",
          .when_empty = no_surface,
          .explains = true},

@@ -146,7 +146,7 @@ class Layout {
         if (root && !root->is_leaf) {
             fill(node, static_cast<const Inner&>(*root));
         } else {
-            // Every ray queries the root for two children.
+            // Every ray reads two children of the root.
             auto& only = result_.nodes[node];
             only.left = only.right = bvh_no_child;
             if (root) set_single_leaf(node, static_cast<const Leaf&>(*root));

@@ -13,7 +13,7 @@ namespace ir::passes {
 struct TexelLayout {
     struct Entry {
         std::uint32_t first_word = 0;
-        int width = 0, height = 0;  ///< 0: no surface queries the texture
+        int width = 0, height = 0;  ///< 0: no surface reads the texture
         int halvings = 0;           ///< of the sides of the scene's texture
     };
     std::vector<Entry> textures;  ///< as many as Scene::textures

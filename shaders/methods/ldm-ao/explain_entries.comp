@@ -1,4 +1,4 @@
-// Walks through the sequence at the texel that one map is queried for a pixel: all entries with what they are to the
+// Walks through the sequence at the texel where one map is queried for a pixel: all entries with what they are to the
 // pixel's point, the walk as lines, the texel's outline, and those of its nodes. [Aalund15 §3.1, Fig. 4]
 layout(local_size_x = 1) in;
 #include "methods/ldm-ao/explained.glsl"

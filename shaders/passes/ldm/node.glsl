@@ -25,11 +25,11 @@ const float LDM_SLOPE_REACH = 2.0;
 // C++: ir::passes::ldm::sloped_tolerance
 const float LDM_SLOPED_TOLERANCE = 0.3;
 
-/// What queries nodes whether they lie before x by their slopes, too.
+/// Tells whether nodes lie before x by their slopes, too.
 struct LdmSlopeTest {
     vec2 place;  // of x, texels from the texel's centre
     float depth, tolerance, texel_quanta;
-    int key;  // as ldm_neighbours() is queried
+    int key;  // as ldm_neighbours() takes it
     bool forward;
 };
 

@@ -88,7 +88,7 @@ LdmHit ldm_query(uint map, ivec2 texel, int resolution, float plane, float toler
     return hit;
 }
 
-/// What a map is queried for at a point.
+/// What is looked for in a map at a point.
 struct LdmQuestion {
     ivec2 texel;
     bool outside;     // of the map: open

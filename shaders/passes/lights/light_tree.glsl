@@ -96,7 +96,7 @@ bool may_meet_group(LightNode node, vec3 origin_ws, vec3 direction_ws) {
     return dot(closest, closest) <= reach * reach;
 }
 
-/// Nodes that a ray queries; with the loop within below the 65,535 turns after which llvmpipe ends loops.
+/// Nodes that a ray reads; with the loop within below the 65,535 turns after which llvmpipe ends loops.
 const uint MAX_LIGHT_NODES = 30000u;
 
 /// False only where a ray meets none of the sources in the tree.

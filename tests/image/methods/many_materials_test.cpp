@@ -80,7 +80,7 @@ TEST_F(ManyMaterials, ReferenceRefusesTheGBufferAndNamesTheMend) {
     }
     EXPECT_NO_THROW(render("reference", light("rays")));
     EXPECT_NO_THROW(render("reference", {{"paths", std::string("ao")}}))
-        << "rays of ambient occlusion query no material";
+        << "rays of ambient occlusion read no material";
 }
 
 TEST_F(ManyMaterials, RasterisedLightSaysSo) {

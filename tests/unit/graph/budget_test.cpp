@@ -197,7 +197,7 @@ TEST_F(GraphTest, GrowthThatBreaksTheBudgetLeadsToBatches) {
         const auto list = builder.buffer(desc);
         for (int batch = 0; batch < batches; ++batch) {
             const auto count = builder.counter({.key = "count", .label = "", .growth_of = list});
-            builder.pass("ask " + std::to_string(batch), Queue::cpu)
+            builder.pass("query " + std::to_string(batch), Queue::cpu)
                 .writes(list)
                 .counts(count)
                 .execute([=](PassContext& p) { p.add(count, 4000u / batches); });
@@ -261,7 +261,7 @@ Declare spares(std::uint64_t numbers, int* made) {
         builder.pass("keep", Queue::cpu).writes(maps).execute([=](PassContext& p) {
             p.store(maps, std::make_shared<int>(++*made), std::min<std::uint64_t>(10'000, p.capacity(maps)));
         });
-        builder.pass("ask", Queue::cpu).reads(maps).writes(needed).execute([](PassContext&) {});
+        builder.pass("query", Queue::cpu).reads(maps).writes(needed).execute([](PassContext&) {});
     };
 }
 

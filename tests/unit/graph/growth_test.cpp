@@ -204,7 +204,7 @@ TEST_F(GraphTest, ABufferThatNeverHasEnoughIsAnError) {
                      desc.growable = true;
                      const auto list = builder.buffer(desc);
                      const auto count = builder.counter({.key = "count", .label = "", .growth_of = list});
-                     builder.pass("ask", Queue::cpu).writes(list).counts(count).execute([=](PassContext& p) {
+                     builder.pass("add", Queue::cpu).writes(list).counts(count).execute([=](PassContext& p) {
                          p.add(count, static_cast<std::uint32_t>(p.capacity(list)) + 1);
                      });
                  }),

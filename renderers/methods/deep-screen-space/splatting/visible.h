@@ -10,7 +10,7 @@ namespace ir::methods::deep_screen_space {
 struct VisibleSplats {
     Splats splats;
     passes::SceneBuffers scene;
-    passes::DeviceBvh bvh;  ///< only where rays query triangles
+    passes::DeviceBvh bvh;  ///< only where rays meet triangles
     passes::GBuffer gbuffer;
     passes::bounce::Directions directions;
     graph::ImageRef depth;  ///< "splats.depth" depth32f stack, z, a layer per sample and level (sample-major)
@@ -31,7 +31,7 @@ struct VisibleLevel {
 };
 VisibleLevel visible_level(const Splats& splats);
 
-/// Whether rays query the scene's triangles, and not only discs.
+/// Whether rays meet the scene's triangles, and not only discs.
 inline bool needs_triangles(const Parameters& parameters) {
     return parameters.discs == Discs::seen || parameters.level0 == Level0::triangles;
 }

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ir::passes::ldm::HWY_NAMESPACE {
 namespace {
 
-/// What is known of tiles of pixels without querying any of them, as bits.
+/// What is known of tiles of pixels without a look at any of them, as bits.
 struct Verdict {
     std::uint32_t nothing = 0;                ///< no pixel gets light from this band
     std::uint32_t open = 0;                   ///< all pixels are open

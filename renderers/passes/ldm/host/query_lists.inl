@@ -34,7 +34,7 @@ std::uint64_t bits_of_shorts(hn::Mask<ShortTag> mask) {
     return bits & ((std::uint64_t{1} << short_lanes) - 1);
 }
 
-/// Queries of the 64 pixels of a tile in lists, and what they are told.
+/// What the 64 pixels of a tile look for in lists.
 struct TileQuestion {
     alignas(64) std::uint16_t texel[pixels];
     alignas(64) std::uint16_t mirror[pixels];  ///< all bits where depths are counted backwards
@@ -61,7 +61,7 @@ Floats load_halves(const std::uint16_t* from) {
 
 using Shorts = hn::Vec<ShortTag>;
 
-/// Pixels of one vector that query what a node's surface is at their own place.
+/// Where a node's surface lies at the own places of the pixels of one vector.
 class SlopeTest {
   public:
     SlopeTest(const StreamedMap& map, const TileQuestion& q, int first)

@@ -1,4 +1,4 @@
-// What pixels query a map, many pixels at a time: the questions and rules of shaders/passes/ldm/trace.glsl,
+// What many pixels at a time look for in a map: the questions and rules of shaders/passes/ldm/trace.glsl,
 // whose names are used here. [Aalund15 §3.1]
 // Read once for each instruction set, within a source that includes <hwy/foreach_target.h>.
 #include <cmath>
@@ -64,7 +64,7 @@ struct Slant {
     Floats per_column, per_row, tolerance;
 };
 
-/// What some pixels query a map. Depths are counted along ω, from 65535 backwards for -v.
+/// What some pixels look for in a map. Depths are counted along ω, from 65535 backwards for -v.
 struct Question {
     Floats cosine;        ///< |cosθ| of the shading normal
     Mask forward, above;  ///< ω = v; ω is above the surface

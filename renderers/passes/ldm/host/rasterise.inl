@@ -21,7 +21,7 @@ namespace {
 constexpr int first_depth = static_cast<int>(ldm_first_depth), last_depth = static_cast<int>(ldm_last_depth);
 /// Boxes of so many texels a side have edge functions below 2^30, and below 2^24, which float holds exactly.
 constexpr int medium_side = 64, float_side = 8;
-/// Boxes of so many are queried at each of their texels for many triangles at once.
+/// Boxes of so many are tested at each of their texels for many triangles at once.
 constexpr int small_side = 2;
 /// The maps of outermost depths take fragments while these are still in the first-level cache.
 constexpr std::size_t flushed_at = 4096;

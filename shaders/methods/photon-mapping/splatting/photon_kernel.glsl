@@ -24,7 +24,7 @@ struct Kernel {
     float radius;           // s_l s_d
 };
 
-/// Photons in the tile of a place; at least the one that queries, which may be outside the picture.
+/// Photons in the tile of a place; at least the one that is splatted, which may be outside the picture.
 float photons_of_tile(vec3 position_ws) {
     ivec2 tile = ivec2(texel_at(position_ws) / float(tile_size));
     return max(1.0, float(texelFetch(tiles, clamp(tile, ivec2(0), textureSize(tiles, 0) - 1), 0).r));

@@ -93,7 +93,7 @@ void DiscLevel::filter(const RTCFilterFunctionNArguments* arguments) {
     auto& ray = *reinterpret_cast<DiscRay*>(arguments->context);
     const bool taken = ray.level->take(ray, RTCHitN_primID(arguments->hit, 1, 0));
     arguments->valid[0] = taken ? -1 : 0;
-    // Discs of one plane are equally far but for rounding: none may hide another before both were queried.
+    // Discs of one plane are equally far but for rounding: none may hide another before both were tested.
     auto& far = RTCRayN_tfar(arguments->ray, 1, 0);
     if (taken) far = far * room + ray.level->rounding_;
 }
