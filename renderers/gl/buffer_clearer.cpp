@@ -63,7 +63,10 @@ void BufferClearer::make_program() {
     program_ = gl.CreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source);
     GLint linked = 0;
     gl.GetProgramiv(program_, GL_LINK_STATUS, &linked);
-    if (!linked) throw Error("the driver refuses the program that clears buffers; update it");
+    if (linked) return;
+    gl.DeleteProgram(program_);
+    program_ = 0;
+    throw Error("the driver refuses the program that clears buffers; update it");
 }
 
 }  // namespace ir::gl

@@ -63,10 +63,10 @@ std::string needs_lists(const Parameters& parameters) {
 /// Which nodes the maps have: plain ones also where arrays stand for outermost depths.
 passes::ldm::NodeKind nodes_of(const Parameters& parameters) {
     // Without a limit of distance only outermost depths count, which are seldom near.
-    const bool asks_slopes = passes::ldm::may_keep_slopes(parameters.maps.storage) &&
+    const bool queries_slopes = passes::ldm::may_keep_slopes(parameters.maps.storage) &&
                              parameters.transport.max_distance > 0 && parameters.exact == Exact::none &&
                              parameters.maps.self_hit == passes::ldm::SelfHit::tangent_plane;
-    return asks_slopes ? parameters.nodes : passes::ldm::NodeKind::plain;
+    return queries_slopes ? parameters.nodes : passes::ldm::NodeKind::plain;
 }
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {

@@ -152,7 +152,7 @@ std::optional<graph::ObjectRef> surfaces_behind_panes(graph::GraphBuilder& build
     if (!Panes::any_in(*builder.inputs().scene, materials)) return {};
     const auto result = builder.object({.text = {.key = "direct.panes",
                                                  .label = "Surfaces for shadow rays",
-                                                 .doc = "What shadow rays ask of panes of clear glass."}});
+                                                 .doc = "What shadow rays query of panes of clear glass."}});
     builder.pass("surfaces for shadow rays", graph::Queue::cpu)
         .writes(result)
         .execute([=](graph::PassContext& context) {

@@ -1,8 +1,6 @@
 // The list that both builders append fragments to: what is known of a fragment is its texel (counted through
 // the chunk's maps) and its depth in quanta. With LDM_FACES, which needs triangle.glsl first, fragments are not
 // listed: they tell points which way their surface looks. With DIRECT they go into the storage at once.
-#extension GL_KHR_shader_subgroup_arithmetic : enable
-#extension GL_KHR_shader_subgroup_ballot : enable
 #include "passes/ldm/state.glsl"
 
 #ifdef LDM_FACES
@@ -25,16 +23,9 @@ layout(std430) buffer LdmFragments { LdmFragment fragments[]; };
 layout(std430) coherent buffer LdmCounts { uint counts[]; };
 #endif
 
-/// Takes the next `count` places; those beyond the capacity are only counted. All invocations count at one address, so
-/// those of a subgroup count together where there are subgroups.
+/// Takes the next `count` places; those beyond the capacity are only counted.
 uint reserve_fragments(uint count) {
-#if defined(GL_KHR_shader_subgroup_arithmetic) && defined(GL_KHR_shader_subgroup_ballot) && !defined(LDM_DRAWN)
-    uint before = subgroupExclusiveAdd(count), all = subgroupAdd(count), first = 0u;
-    if (subgroupElect()) first = atomicAdd(fragment_count, all);
-    return subgroupBroadcastFirst(first) + before;
-#else
     return atomicAdd(fragment_count, count);
-#endif
 }
 
 #ifdef LDM_SLOPES

@@ -1,6 +1,5 @@
 // Raster builder: every fragment is kept.
 #include "passes/ldm/triangle.glsl"
-#define LDM_DRAWN  // where a subgroup may hold helpers
 #include "passes/ldm/fragments.glsl"
 #ifdef MASKED
 #include "passes/ldm/mask.glsl"

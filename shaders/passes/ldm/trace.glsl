@@ -151,7 +151,7 @@ LdmSlopeTest ldm_slope_test(MapFrame frame, LdmQuestion q, bool forward, LdmRule
 }
 
 /// The answer of nodes with slopes: a hit must lie before x by its depth at the texel's centre, and by its slopes.
-LdmHit ldm_ask_slopes(MapFrame frame, uint map, int resolution, LdmQuestion q, bool forward, float reach,
+LdmHit ldm_query_slopes(MapFrame frame, uint map, int resolution, LdmQuestion q, bool forward, float reach,
                       LdmRule rule) {
     LdmHit hit = ldm_no_hit(false);
 #ifdef LDM_VIEWS
@@ -179,7 +179,7 @@ LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position
     LdmQuestion q = ldm_question_tangent(frame, resolution, position_ws, normal_ws, forward, rule);
     if (q.outside) return ldm_no_hit(true);
 #ifdef LDM_SLOPES
-    return ldm_ask_slopes(frame, map, resolution, q, forward, reach, rule);
+    return ldm_query_slopes(frame, map, resolution, q, forward, reach, rule);
 #else
     return ldm_query(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, isinf(reach));
 #endif

@@ -9,7 +9,7 @@
 layout(location = 0) out vec4 passed;
 #endif
 
-/// As passes::Panes has it (renderers/passes/direct/panes.h).
+/// As passes::Panes has it (renderers/passes/direct/panes.h), but none of what the G-buffer shows: it would shade itself.
 vec3 passed_by_surface(Material material, vec3 direction) {
     if ((material.flags & MATERIAL_UNLIT) != 0u || emission(material) != vec3(0)) return vec3(0);
     vec3 geometric_n = dot(plane_normal_ws, direction) > 0.0 ? -plane_normal_ws : plane_normal_ws;
@@ -17,7 +17,9 @@ vec3 passed_by_surface(Material material, vec3 direction) {
     vec3 colour = base_colour(material).rgb;
     Scatterer scatterer = make_scatterer(shading_normal(material, geometric_n), geometric_n, colour, reflection.x,
                                          reflection.y, material.ior, MATERIALS);
-    Glass glass = make_glass(glass_fraction(material, reflection.x), material.ior, material.thickness, colour, true);
+    float part = glass_fraction(material, reflection.x);
+    if (part <= MOSTLY_GLASS) return vec3(0);
+    Glass glass = make_glass(part, material.ior, material.thickness, colour, true);
     return passed_straight(scatterer, glass, -direction);
 }
 

@@ -48,7 +48,7 @@ struct TileQuestion {
     alignas(64) std::uint16_t point[pixels];  ///< depth beyond which the surface at the point lies before it
     alignas(64) std::int16_t across[pixels], down[pixels];  ///< from the centre to the point, texels << 14
     int reach = 0;                        ///< quanta: farther beyond the key slopes are not queried
-    int first_asked = 0, last_asked = 0;  ///< depths for which some pixel queries slopes
+    int first_queried = 0, last_queried = 0;  ///< depths for which some pixel queries slopes
 };
 constexpr unsigned turned_bit = 0x8000;
 
@@ -76,7 +76,7 @@ class SlopeTest {
     /// point.
     Shorts ahead(Shorts by_depth, std::uint32_t node) const {
         const int depth = map_.depths[node];
-        if (depth < q_.first_asked || depth > q_.last_asked) return by_depth;
+        if (depth < q_.first_queried || depth > q_.last_queried) return by_depth;
         const auto zero = hn::Zero(shorts);
         const auto is_near = hn::And(
             hn::Ne(by_depth, zero),
@@ -192,9 +192,9 @@ class SlopeQuestion {
     void finish() {
         q_.reach = static_cast<int>(std::min(slope_reach * queried_.texel_quanta, 65534.0f));
         const auto reach = static_cast<float>(q_.reach + 2);
-        q_.first_asked =
+        q_.first_queried =
             static_cast<int>(std::clamp(hn::GetLane(hn::MinOfLanes(f, least_)) - reach, 0.0f, 65535.0f));
-        q_.last_asked =
+        q_.last_queried =
             static_cast<int>(std::clamp(hn::GetLane(hn::MaxOfLanes(f, most_)) + reach, 0.0f, 65535.0f));
     }
 
