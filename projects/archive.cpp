@@ -94,7 +94,7 @@ void ArchiveWriter::finish() {
 }
 
 void read_archive(const fs::path& file,
-                  const std::function<void(const std::string&, const CopyContent&)>& read,
+                  const std::function<bool(const std::string&, const CopyContent&)>& read,
                   const CancelToken* cancel) {
     if (!std::ifstream(file))
         throw InputError(file.string(), "", "cannot be opened; check name and permissions");
@@ -131,7 +131,7 @@ void read_archive(const fs::path& file,
         if (!is_plain_file(entry) || !stays_inside(name))
             throw InputError(file.string(), printable(name),
                              "is no plain file inside the archive; a packed project holds nothing else");
-        read(name, copy);
+        if (!read(name, copy)) return;
     }
 }
 

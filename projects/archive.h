@@ -34,11 +34,11 @@ class ArchiveWriter {
 /// Writes the content of a file of an archive into a stream.
 using CopyContent = std::function<void(std::ostream& out)>;
 
-/// Calls `read(name, copy)` for every plain file of a tar archive, also of one that gzip, xz or zstd made
-/// smaller. Throws InputError for what is no such archive, for links and for names that leave the archive's
-/// folder, and Cancelled.
+/// Calls `read(name, copy)`, until it says false, for every plain file of a tar archive, also of one that
+/// gzip, xz or zstd made smaller. Throws InputError for what is no such archive, for links and for names that
+/// leave the archive's folder, and Cancelled.
 void read_archive(const std::filesystem::path& file,
-                  const std::function<void(const std::string& name, const CopyContent& copy)>& read,
+                  const std::function<bool(const std::string& name, const CopyContent& copy)>& read,
                   const CancelToken* cancel = nullptr);
 
 }  // namespace ir::projects

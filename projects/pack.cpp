@@ -142,6 +142,7 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
                 throw InputError(file.string(), printable(name), "is outside the project's folder");
             files.create_directories((parent / path).parent_path());
             write_atomically(files, parent / path, copy);
+            return true;
         };
         read_archive(file, extract, cancel);
         if (!root) throw InputError(file.string(), "", "is empty; ask for another copy");

@@ -213,22 +213,35 @@ class References {
         if (execution.samples() > run.resumed_from) parts.keep(execution);
         print_messages(execution, run.report);
         tell(id, execution, run);
-        if (parts.missing(execution.samples_requested()).empty()) join(id, parts);
+        const auto samples = execution.samples_requested();
+        bool is_whole = false;
+        unless_kept(parts, samples, [&] { is_whole = parts.missing(samples).empty(); });
+        if (is_whole) join(id, parts);
+    }
+
+    /// False where parts went because another task, which was quicker, keeps the whole.
+    template <class Work>
+    static bool unless_kept(const engine::PictureParts& parts, std::uint64_t samples, Work work) {
+        try {
+            work();
+            return true;
+        } catch (const Error&) {
+            if (!parts.is_kept(samples)) throw;
+            return false;
+        }
     }
 
     void join(const std::string& id, const engine::PictureParts& parts) {
         const auto& experiment = *projects::find_item(project_.experiments, id);
         engine::Execution execution(machine(), engine::from_project(project_, experiment, folder_));
         const auto samples = execution.samples_requested();
-        if (const auto missing = parts.missing(samples); !missing.empty())
-            throw Error(listed(missing) + "; run the shards that lack them");
-        KeptRun run;
-        try {
+        const bool is_joined = unless_kept(parts, samples, [&] {
+            if (const auto missing = parts.missing(samples); !missing.empty())
+                throw Error(listed(missing) + "; run the shards that lack them");
             execution.restore(parts.joined(execution));
-        } catch (const Error&) {
-            if (!parts.is_kept(samples)) throw;
-            return;  // another task was quicker
-        }
+        });
+        if (!is_joined) return;
+        KeptRun run;
         run.resumed_from = execution.samples();
         auto options = frame_options(flags_.machine);
         options.wanted.push_back(execution.method().variance);

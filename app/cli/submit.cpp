@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <regex>
+#include <sstream>
 
 #include "app/cli/command.h"
 #include "app/cli/command_line.h"
@@ -30,6 +31,11 @@ struct SubmitFlags {
 
 /// Commands that take --shard-from-env.
 const Words divided{"sweep", "reference", "render", "plot"};
+
+/// Those that go on where they were stopped. Others would begin anew, and never end.
+bool goes_on(const std::string& command) {
+    return command == "sweep" || command == "reference";
+}
 
 bool has_option(const Words& words, const std::string& option) {
     return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
@@ -59,10 +65,32 @@ void check(const std::string& option, const std::string& value, const char* patt
     if (!std::regex_match(value, std::regex(pattern))) throw UsageError(option + " '" + value + "': " + mend);
 }
 
+constexpr int least_minutes = 5;  // the script is warned two minutes before the end
+
+/// MINUTES, MINUTES:SECONDS, HOURS:MINUTES:SECONDS, DAYS-HOURS, DAYS-HOURS:MINUTES[:SECONDS].
+double minutes_of(const std::string& time) {
+    const auto dash = time.find('-');
+    const bool has_days = dash != std::string::npos;
+    std::vector<double> parts;
+    std::stringstream rest(has_days ? time.substr(dash + 1) : time);
+    for (std::string part; std::getline(rest, part, ':');) parts.push_back(std::stod(part));
+    const bool begins_with_hours = has_days || parts.size() == 3;
+    double minutes = has_days ? std::stod(time.substr(0, dash)) * 24 * 60 : 0;
+    double unit = begins_with_hours ? 60 : 1;
+    for (const double part : parts) {
+        minutes += part * unit;
+        unit /= 60;
+    }
+    return minutes;
+}
+
 void check(const SubmitFlags& flags) {
     check("--mem", flags.mem, "[0-9]+[KMGT]?", "give megabytes, or as in 4G");
     check("--time", flags.time, "([0-9]+-)?[0-9]+(:[0-9]+){0,2}",
           "give HOURS:MINUTES:SECONDS, as in 04:00:00");
+    if (minutes_of(flags.time) < least_minutes)
+        throw UsageError("--time '" + flags.time + "': give at least " + std::to_string(least_minutes) +
+                         " minutes; the last two are for keeping what is there");
     check("--name", flags.name, "[A-Za-z0-9_.-]*", "use letters, digits and _.- alone");
     check("--log", flags.log, "[^\n\"\\\\]*", "must be one line without quotes");
     for (const auto& option : flags.options)
@@ -83,6 +111,7 @@ std::string afterwards(const Words& words) {
         if (words[i] == "--out" && i + 1 < words.size()) out = words[i + 1];
         if (words[i].rfind("--out=", 0) == 0) out = words[i].substr(6);
     }
+    if (out.find('\n') != std::string::npos) return {};  // no line of comment
     return "# When all tasks are done: interreflect-cli sweep merge " + engine::shell_word(out) + " --out " +
            engine::shell_word((fs::path(out) / "sweep.json").string()) + "\n";
 }
@@ -108,11 +137,17 @@ std::string script_of(const SubmitFlags& flags) {
     for (const auto& each : flags.options) option(each);
     text += "cd " + engine::shell_word(fs::current_path().string()) + " || exit 1\n";
     text +=
-        R"(# Two minutes before the time is up the program keeps what it has, and the task queues again. What else ends
-# it (scancel, another job that goes first) is passed on; a node that fails queues its tasks again by itself.
-again=
-trap 'again=1; kill -TERM "$program"' USR1
-trap 'kill -TERM "$program"' TERM
+        R"(# Two minutes before the time is up the program is told to end. What else ends it (scancel, another job that
+# goes first) is passed on; a node that fails queues its tasks again by itself.
+program=
+is_late=
+is_told=
+end() {
+  is_told=1
+  [ -z "$program" ] || kill -TERM "$program" 2>/dev/null
+}
+trap 'is_late=1; end' USR1
+trap end TERM
 )";
     auto command = Words{fs::read_symlink("/proc/self/exe").string()};
     command.insert(command.end(), words.begin(), words.end());
@@ -120,17 +155,27 @@ trap 'kill -TERM "$program"' TERM
     if (!has_option(words, "--threads")) text += " --threads \"${SLURM_CPUS_PER_TASK:-0}\"";
     text += R"( &
 program=$!
+[ -z "$is_told" ] || end
 wait "$program"
 status=$?
-while kill -0 "$program" 2>/dev/null; do
+# A signal ends the waiting, not the program. What was waited for already is 127 in some shells.
+while [ "$is_told" ]; do
+  is_told=
   wait "$program"
-  status=$?
+  ended=$?
+  [ "$ended" -eq 127 ] || status=$ended
 done
-if [ "$again" ] && [ "$status" -eq 143 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 1000 ]; then
+)";
+    if (goes_on(words.front()))
+        text +=
+            R"(if [ "$is_late" ] && [ "$status" -eq 143 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 1000 ]; then
   scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
 fi
-exit "$status"
 )";
+    else
+        text += "if [ \"$is_late\" ] && [ \"$status\" -eq 143 ]; then\n  echo '" + words.front() +
+                ": the time was up before the shard was done; submit it with more --time' >&2\nfi\n";
+    text += "exit \"$status\"\n";
     return text;
 }
 
@@ -171,7 +216,8 @@ void add_submit(CLI::App& app, Run& run) {
     command
         ->add_option(
             "--time", flags->time,
-            "Longest time of a task; two minutes before it is up, its work is kept and it queues again")
+            "Longest time of a task; two minutes before it is up, sweep and reference keep their work and queue "
+            "again, others end")
         ->capture_default_str();
     command->add_option("--name", flags->name, "Name of the job (default: interreflect-COMMAND)");
     command->add_option("--log", flags->log, "File for what tasks print (default: NAME-JOB_TASK.log)");

@@ -1,5 +1,4 @@
 #include "app/engine/execution.h"
-#include "app/engine/camera_pose.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/text.h"
+#include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
 
 namespace ir::engine {
@@ -71,8 +72,14 @@ void keep_study(const projects::Project& project, const projects::ErrorPlot& plo
 std::optional<KeptStudy> load_study(const std::filesystem::path& folder, const std::string& plot) {
     const auto file = study_file(folder, plot);
     auto& files = real_file_system();
-    if (!files.exists(file)) return {};
-    const Json json = projects::parse_json(files.read(file, max_bytes), file.string());
+    std::string text;
+    try {
+        text = files.read(file, max_bytes);
+    } catch (const Error&) {
+        if (files.exists(file)) throw;
+        return {};  // or no more: a part that was joined meanwhile
+    }
+    const Json json = projects::parse_json(text, file.string());
     projects::ObjectReader reader(json, file.string(), "");
     KeptStudy kept;
     reader.integer("schema", study_schema, 1, study_schema);

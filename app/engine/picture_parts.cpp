@@ -105,6 +105,7 @@ StoredState PictureParts::joined(const Execution& whole) const {
 }
 
 void PictureParts::remove() const {
+    const projects::ResultsGuard guard(folder_);  // others may be about to write there
     remove_parts(picture_parts_folder(folder_), key_, count_, state_extension);
 }
 

@@ -6,8 +6,10 @@
 #include "app/engine/kept_study.h"
 #include "app/engine/moving.h"
 #include "app/engine/study_plan.h"
+#include "projects/keep.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
+#include "renderers/core/hash.h"
 
 namespace ir::engine {
 namespace {
@@ -29,9 +31,9 @@ std::string part_name_of(const std::string& plot, int index, int count) {
 StudyParts::StudyParts(const projects::Project& project, const projects::ErrorPlot& plot, fs::path folder,
                        int count)
     : project_(project), plot_(plot), folder_(std::move(folder)), count_(count) {
-    const auto same = [&](const projects::ErrorPlot& each) { return each.id == plot.id; };
-    const auto place = std::find_if(project.plots.begin(), project.plots.end(), same) - project.plots.begin();
-    first_ = static_cast<int>(place % count);
+    // By its name, as a plot's place among others may change while it is divided.
+    first_ = static_cast<int>(std::stoul(hash_bytes(plot.id).substr(0, 8), nullptr, 16) %
+                              static_cast<unsigned long>(count));
 }
 
 Shard StudyParts::runs_of(const Shard& shard) const {
@@ -71,11 +73,14 @@ std::optional<ErrorStudy> StudyParts::joined(Machine& machine) const {
     for (std::size_t run = 0; run < runs.size(); ++run) {
         const auto from = (run + static_cast<std::size_t>(first_)) % parts.size();
         for (std::size_t i = 0; i < runs[run].points.size(); ++i) {
-            if (taken[from] >= parts[from].points.size())
+            const auto& points = parts[from].points;
+            const auto next = taken[from]++;
+            if (next >= points.size() || points[next].experiment != runs[run].experiment ||
+                points[next].value != runs[run].points[i].value)
                 throw Error(
                     study_file(folder_, part_name_of(plot_.id, static_cast<int>(from) + 1, count_)).string() +
-                    ": has too few points; run its shard again");
-            study.points.push_back(parts[from].points[taken[from]++]);
+                    ": has other points than the plot; run its shard again");
+            study.points.push_back(points[next]);
         }
     }
     for (const auto& part : parts) {
@@ -92,6 +97,7 @@ std::optional<ErrorStudy> StudyParts::joined(Machine& machine) const {
 }
 
 void StudyParts::remove() const {
+    const projects::ResultsGuard guard(folder_);  // others may be about to write there
     remove_parts(study_parts_folder(folder_), plot_.id, count_, study_extension);
 }
 

@@ -18,8 +18,8 @@ class StudyParts {
     StudyParts(const projects::Project& project, const projects::ErrorPlot& plot,
                std::filesystem::path folder, int count);
 
-    /// Which runs of this plot the shard has. Plots begin with others, so that shards are equally busy where
-    /// a project has many plots of few points.
+    /// Which runs of this plot the shard has. Plots begin with others, by a hash of their id, so that shards
+    /// are about equally busy where a project has many plots of few points.
     Shard runs_of(const Shard& shard) const;
     /// Writes what run_error_study() gave for runs_of(). Throws Error.
     void keep(const ErrorStudy& study, const Shard& shard) const;

@@ -104,6 +104,23 @@ TEST_F(PlotCommand, ShardsJoinToTheNumbersOfOneMachine) {
     EXPECT_EQ(study(kept)["points"].size(), 6u);
 }
 
+/// A project goes on being edited while its plots are divided.
+TEST_F(PlotCommand, ShardsJoinWhateverPlotsStandBeforeTheirs) {
+    EXPECT_EQ(plot("directions --shard 1/2").status, 0);
+    auto other = json["plots"][0];
+    other["id"] = "other";
+    json["plots"].insert(json["plots"].begin(), other);
+    store();
+    const auto last = plot("directions --shard 2/2");
+    EXPECT_EQ(last.status, 0) << last.err;
+    const auto kept = Json::parse(read(project_ / "results/plots/directions.json"));
+    const auto& points = kept["study"]["points"];
+    const auto& values = json["plots"][1]["values"];
+    ASSERT_EQ(points.size(), 4u);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_EQ(points[i]["value"], values[i % values.size()]) << i;
+}
+
 TEST_F(PlotCommand, WhatCannotBeKeptIsToldBeforeAnythingIsRendered) {
     std::ofstream(project_ / "results") << "in the way";
     const auto refused = run("plot " + path());

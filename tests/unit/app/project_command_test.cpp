@@ -284,6 +284,17 @@ TEST_F(ProjectCommand, HasAThumbnailOfThePictureThatItKeptLast) {
     EXPECT_EQ(run("thumbnail " + packed + " " + packed).status, 2) << "it would be overwritten";
 }
 
+TEST_F(ProjectCommand, AThumbnailUnpacksNoEndlessList) {
+    const auto packed = (root_ / "large.tar").string();
+    fs::create_directories(root_ / "large.interreflect/results");
+    std::ofstream(root_ / "large.interreflect/results/index.json") << std::string(17 << 20, ' ');
+    ASSERT_EQ(std::system(("tar -cf " + packed + " -C " + root_.string() + " large.interreflect").c_str()),
+              0);
+    const auto outcome = run("thumbnail " + packed + " " + (root_ / "small.png").string());
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("more than 16 MiB"), std::string::npos) << outcome.err;
+}
+
 TEST_F(ProjectCommand, WritesNothingOverItsOwnFiles) {
     const auto document = project / "project.json";
     const auto before = read(document);

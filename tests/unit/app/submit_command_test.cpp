@@ -91,6 +91,27 @@ TEST_F(SubmitCommand, BeforeItsTimeIsUpATaskKeepsWhatItHasAndQueuesAgain) {
     EXPECT_FALSE(fs::is_empty(parts));
 }
 
+/// It would begin anew each time.
+TEST_F(SubmitCommand, ATaskThatCannotGoOnAsksForMoreTime) {
+    for (const std::string sh : {"sh", "bash"}) {
+        const auto out = file("by " + sh);
+        const auto job =
+            script("--tasks 1 render " + project() + " --quiet --size 4000x4000 --out '" + out + "'");
+        const auto status =
+            shell(task(1, 1,
+                       sh + " " + job + " 2>" + file("err") + " & job=$!; while ! [ -d '" + out +
+                           "' ]; do kill -0 $job || exit 99; sleep 0.05; done; kill -USR1 $job; wait $job"));
+        EXPECT_EQ(status, 143) << sh << ": " << read(file("err"));
+        EXPECT_FALSE(fs::exists(file("requeued"))) << sh;
+        EXPECT_NE(read(file("err")).find("more --time"), std::string::npos) << read(file("err"));
+    }
+}
+
+TEST_F(SubmitCommand, AFolderWithALineBreakAddsNoCommand) {
+    const auto text = output("submit --tasks 1 sweep " + project() + " s --out '" + file("a\nfalse") + "'");
+    EXPECT_EQ(text.find("# When all tasks"), std::string::npos) << text;
+}
+
 TEST_F(SubmitCommand, RefusesInOneLine) {
     const auto sweep = " sweep " + project() + " s --out " + file("out");
     expect_refused("submit --tasks 2", 2, "sweep, reference, render, plot");
@@ -102,6 +123,10 @@ TEST_F(SubmitCommand, RefusesInOneLine) {
     expect_refused("submit --tasks 2 sweep " + project(), 2, "is required");
     expect_refused("submit --tasks 2" + sweep + " --colour red", 2, "--colour");
     expect_refused("submit --tasks 2 --time soon" + sweep, 2, "--time 'soon'");
+    for (const char* time : {"4", "4:59", "00:04:59", "0-0:4"})
+        expect_refused("submit --tasks 2 --time " + std::string(time) + sweep, 2, "at least 5 minutes");
+    for (const char* time : {"5", "00:05:00", "0-1"})
+        EXPECT_FALSE(output("submit --tasks 2 --time " + std::string(time) + sweep).empty());
     expect_refused("submit --tasks 2 --mem lots" + sweep, 2, "--mem 'lots'");
     expect_refused("submit --tasks 2 --name 'a b'" + sweep, 2, "--name 'a b'");
 }
