@@ -64,8 +64,8 @@ std::string needs_lists(const Parameters& parameters) {
 passes::ldm::NodeKind nodes_of(const Parameters& parameters) {
     // Without a limit of distance only outermost depths count, which are seldom near.
     const bool queries_slopes = passes::ldm::may_keep_slopes(parameters.maps.storage) &&
-                             parameters.transport.max_distance > 0 && parameters.exact == Exact::none &&
-                             parameters.maps.self_hit == passes::ldm::SelfHit::tangent_plane;
+                                parameters.transport.max_distance > 0 && parameters.exact == Exact::none &&
+                                parameters.maps.self_hit == passes::ldm::SelfHit::tangent_plane;
     return queries_slopes ? parameters.nodes : passes::ldm::NodeKind::plain;
 }
 

@@ -48,7 +48,8 @@ TEST_F(ShellCommand, EachShellHearsOfEveryCommand) {
 
 TEST_F(ShellCommand, LightsAreExplainedWhateverElseIsMissing) {
     const auto help = output("render --light help");
-    for (const auto* part : {"point:position=", "rect:position=", "[inner]", "or flux", "W/sr", "--env", "Quote"})
+    for (const auto* part :
+         {"point:position=", "rect:position=", "[inner]", "or flux", "W/sr", "--env", "Quote"})
         EXPECT_NE(help.find(part), std::string::npos) << part << "\n" << help;
 }
 
