@@ -19,7 +19,9 @@ void add_nodes(ParameterTable<Parameters>& table) {
                       "the point by its depth at the texel's centre, and by its slopes at the point's own "
                       "place. Of the slope tolerance 0.3 are enough then."}},
          .on_change = OnChange::reallocate,
-         .active_when = {"storage", {std::string("arrays"), std::string("packed-arrays")}}});
+         .active_when = {"storage", {std::string("arrays"), std::string("packed-arrays")}},
+         .since_version = 2,
+         .value_in_older_projects = std::string("plain")});
 }
 
 void add_exact(ParameterTable<Parameters>& table) {

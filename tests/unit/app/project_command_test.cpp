@@ -94,6 +94,16 @@ TEST_F(ProjectCommand, ChecksWhatIsThereAndWhatIsNot) {
     EXPECT_NE(check(0).find("is not the file that was recorded"), std::string::npos);
 }
 
+/// Nodes have had slopes since version 2: an experiment of version 1 keeps the picture that it had.
+TEST_F(ProjectCommand, AnOlderAmbientOcclusionKeepsItsPlainNodes) {
+    json = {{"schema", projects::schema_version},
+            {"scenes", {{{"id", "box"}, {"parts", {{{"source", "builtin:cornell@1"}}}}}}}};
+    json["experiments"] = {
+        {{"id", "a"}, {"scene", "box"}, {"method", "ldm-ao"}, {"method_version", 1}, {"size", {16, 12}}}};
+    store();
+    EXPECT_NE(check(0).find("nodes was not in the file; plain as before version 2"), std::string::npos);
+}
+
 /// What is left out has its default: nothing is said of that.
 TEST_F(ProjectCommand, AProjectWrittenByHandIsNotTalkedAbout) {
     for (const char* method : {"view-normals", "ldm-ao", "reference"}) {
