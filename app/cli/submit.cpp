@@ -65,7 +65,7 @@ void check(const std::string& option, const std::string& value, const char* patt
     if (!std::regex_match(value, std::regex(pattern))) throw UsageError(option + " '" + value + "': " + mend);
 }
 
-constexpr int least_minutes = 5;  // the script is warned two minutes before the end
+constexpr int min_minutes = 5;  // the script is warned two minutes before the end
 
 /// MINUTES, MINUTES:SECONDS, HOURS:MINUTES:SECONDS, DAYS-HOURS, DAYS-HOURS:MINUTES[:SECONDS].
 double minutes_of(const std::string& time) {
@@ -88,8 +88,8 @@ void check(const SubmitFlags& flags) {
     check("--mem", flags.mem, "[0-9]+[KMGT]?", "give megabytes, or as in 4G");
     check("--time", flags.time, "([0-9]+-)?[0-9]+(:[0-9]+){0,2}",
           "give HOURS:MINUTES:SECONDS, as in 04:00:00");
-    if (minutes_of(flags.time) < least_minutes)
-        throw UsageError("--time '" + flags.time + "': give at least " + std::to_string(least_minutes) +
+    if (minutes_of(flags.time) < min_minutes)
+        throw UsageError("--time '" + flags.time + "': give at least " + std::to_string(min_minutes) +
                          " minutes; the last two are for keeping what is there");
     check("--name", flags.name, "[A-Za-z0-9_.-]*", "use letters, digits and _.- alone");
     check("--log", flags.log, "[^\n\"\\\\]*", "must be one line without quotes");
