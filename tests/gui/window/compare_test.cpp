@@ -143,14 +143,14 @@ TEST_F(CompareWindowTest, ZoomIsOneForAllViewsUntilUnlinked) {
 
 TEST_F(CompareWindowTest, ALinkedCameraMovesBothExperimentsAsOneStep) {
     trigger("mode-wipe");
-    const auto position = window.session().open_project().undo_stack().position();
+    const auto position = steps();
     trigger("orbit");
     auto& view = compare().main_view();
     QTest::mousePress(&view, Qt::LeftButton, {}, {50, 50});
     for (int x = 55; x < 90; x += 5) QTest::mouseMove(&view, {x, 60});
     QTest::mouseRelease(&view, Qt::LeftButton, {}, {90, 60});
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window.session().open_project().undo_stack().position(), position + 1);
+    EXPECT_EQ(steps(), position + 1);
     const auto& experiments = window.session().document().experiments;
     EXPECT_FALSE(experiments[0].camera.empty());
     EXPECT_EQ(experiments[0].camera, experiments[1].camera);

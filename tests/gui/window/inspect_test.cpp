@@ -172,10 +172,10 @@ TEST_F(InspectWindowTest, ABufferOfAnotherSpaceLeavesTheCameraBehind) {
 }
 
 TEST_F(InspectWindowTest, AnExplanationIsNoEdit) {
-    const auto position = window.session().open_project().undo_stack().position();
+    const auto position = steps();
     window.inspector().explain({1, 2});
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window.session().open_project().undo_stack().position(), position);
+    EXPECT_EQ(steps(), position);
 }
 
 TEST_F(InspectWindowTest, DisplayIsRememberedByBuffer) {

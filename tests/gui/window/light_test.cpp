@@ -1,18 +1,13 @@
-#include <QListWidget>
 #include <QMenu>
 #include <QTemporaryDir>
-#include <random>
 
-#include "app/engine/camera_pose.h"
 #include "app/gui/light_offer.h"
 #include "app/gui/light_places.h"
 #include "projects/document_json.h"
 #include "renderers/core/transport.h"
 #include "renderers/image/exr.h"
-#include "renderers/scene/view.h"
 #include "tests/gui/window/window_fixture.h"
 #include "widgets/document/makers.h"
-#include "widgets/document/ordered_list.h"
 
 namespace ir::gui {
 namespace {
@@ -24,31 +19,6 @@ CameraPose room_camera() {
     pose.eye = {0, 1, 6};
     pose.target = {0, 1, 0};
     return pose;
-}
-
-TEST(Sight, IsThatOfTheRenderers) {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> number(-3, 3);
-    for (int i = 0; i < 60; ++i) {
-        CameraPose pose;
-        pose.eye = {number(random), number(random), number(random)};
-        pose.target = {number(random), number(random), number(random)};
-        if (i % 3 == 0) pose.target = pose.eye + glm::dvec3(0, i % 2 == 0 ? 2 : -2, 0);  // along up
-        pose.orthographic = i % 4 == 0;
-        pose.fov_y_degrees = 20 + i;
-        const auto view = scene::make_view(engine::camera_of(pose), 300, 200, {{-9, -9, -9}, {9, 9, 9}});
-        const glm::dvec2 place(0.5 + number(random) / 6, 0.5 + number(random) / 6);
-        const auto theirs = scene::pixel_ray(view, glm::vec2(place) * glm::vec2(300, 200));
-        const auto ours = widgets::sight_through(pose, 1.5, place);
-        EXPECT_NEAR(glm::dot(ours.direction, glm::normalize(glm::dvec3(theirs.direction_ws))), 1, 1e-5);
-        const auto point = ours.origin + 2.5 * ours.direction;
-        const auto between = point - glm::dvec3(theirs.origin_ws);
-        EXPECT_NEAR(glm::length(glm::cross(between, ours.direction)), 0, 1e-3) << "the same line";
-        const auto back = widgets::place_of(pose, 1.5, point);
-        ASSERT_TRUE(back);
-        EXPECT_NEAR(glm::length(*back - place), 0, 1e-9);
-        EXPECT_FALSE(widgets::place_of(pose, 1.5, ours.origin - 2.0 * ours.direction)) << "behind the eye";
-    }
 }
 
 TEST(LightPlaces, TheSurfaceIsWhiteAtTheExposure) {
@@ -148,8 +118,6 @@ TEST(LightOffer, KnowsWhatASetTakesAway) {
 
 class LightTest : public WindowTest {
   protected:
-    const projects::LightSet& set() { return window.session().document().lights.at(0); }
-    std::size_t steps() { return window.session().open_project().undo_stack().position(); }
     /// With the mouse over the middle of the picture.
     void place(const char* action) {
         point_at(window.view().rect().center());
@@ -174,21 +142,21 @@ TEST_F(LightTest, OneStandsBeforeTheSurfaceUnderTheCursorAndShinesAtOnce) {
     ASSERT_EQ(renderer.surfaces.size(), 1u);
     EXPECT_NEAR(renderer.surfaces[0].direction.z, -1, 0.02) << "through the middle of the picture";
     EXPECT_EQ(steps(), before + 1);
-    ASSERT_EQ(set().lights.size(), 1u);
-    const auto& light = set().lights[0];
+    ASSERT_EQ(first_lights().lights.size(), 1u);
+    const auto& light = first_lights().lights[0];
     EXPECT_EQ(light.position.x, 0.5);
     EXPECT_GT(light.position.y, -1);
     EXPECT_LT(light.position.y, -0.5);
-    EXPECT_TRUE(set().use_scene_lights) << "the scene's go on shining";
+    EXPECT_TRUE(first_lights().use_scene_lights) << "the scene's go on shining";
     EXPECT_EQ(renderer.requests.back().experiment.lights.size(), 1u);
     EXPECT_FALSE(renderer.requests.back().experiment.replace_lights);
-    EXPECT_EQ(selected(), "light:" + set().id + ":0");
+    EXPECT_EQ(selected(), "light:" + first_lights().id + ":0");
     EXPECT_TRUE(window.findChild<QWidget*>("light-type")->isVisible());
     place("light-here");
     EXPECT_EQ(steps(), before + 2);
     ASSERT_EQ(window.session().document().lights.size(), 1u) << "the set is the experiment's by now";
-    EXPECT_EQ(set().lights.size(), 2u);
-    EXPECT_EQ(selected(), "light:" + set().id + ":1");
+    EXPECT_EQ(first_lights().lights.size(), 2u);
+    EXPECT_EQ(selected(), "light:" + first_lights().id + ":1");
     EXPECT_NE(window.action("undo")->text().indexOf("Add a point light"), -1);
     window.action("undo")->trigger();
     window.action("undo")->trigger();
@@ -198,7 +166,7 @@ TEST_F(LightTest, OneStandsBeforeTheSurfaceUnderTheCursorAndShinesAtOnce) {
     EXPECT_TRUE(renderer.requests.back().experiment.lights.empty());
     window.action("redo")->trigger();
     ASSERT_TRUE(settle());
-    EXPECT_EQ(set().lights.size(), 1u);
+    EXPECT_EQ(first_lights().lights.size(), 1u);
 }
 
 /// A picture is exported with the recipe that its request had.
@@ -210,29 +178,30 @@ TEST_F(LightTest, RecipesHoldLightsAndEnvironment) {
     };
     place("light-here");
     ASSERT_EQ(recipe().lights.size(), 1u);
-    EXPECT_EQ(recipe().lights[0].id, set().id);
-    EXPECT_EQ(recipe().lights[0].lights, set().lights);
+    EXPECT_EQ(recipe().lights[0].id, first_lights().id);
+    EXPECT_EQ(recipe().lights[0].lights, first_lights().lights);
     EXPECT_TRUE(recipe().lights[0].use_scene_lights);
-    EXPECT_EQ(recipe().experiments.at(0).lights, set().id);
+    EXPECT_EQ(recipe().experiments.at(0).lights, first_lights().id);
 
     const QTemporaryDir folder;
     const auto map = folder.filePath("map.exr").toStdString();
     write_exr(map, {{"", {"R", "G", "B"}, Image(4, 2, 3, 0.5f)}}, {});
-    window.session().edit(widgets::makers::set_environment_map(set().id, map));
+    window.session().edit(widgets::makers::set_environment_map(first_lights().id, map));
     ASSERT_TRUE(settle());
     ASSERT_TRUE(renderer.requests.back().experiment.environment);
     ASSERT_TRUE(renderer.requests.back().experiment.environment->map);
     EXPECT_EQ(renderer.requests.back().experiment.environment->map->pixels, Image(4, 2, 3, 0.5f).pixels);
     EXPECT_EQ(recipe().lights.at(0).environment.kind, projects::Environment::Kind::map);
     EXPECT_EQ(recipe().lights[0].environment.source, map);
-    EXPECT_EQ(recipe().lights[0].lights, set().lights);
+    EXPECT_EQ(recipe().lights[0].lights, first_lights().lights);
 }
 
 TEST_F(LightTest, ExperimentsThatAreComparedStayComparable) {
     open_scene();
     add_second_experiment(0.5);
     place("light-here");
-    for (const auto& each : window.session().document().experiments) EXPECT_EQ(each.lights, set().id);
+    for (const auto& each : window.session().document().experiments)
+        EXPECT_EQ(each.lights, first_lights().id);
 }
 
 TEST_F(LightTest, TheMenuOfAPictureIsAboutThePixelThatWasClicked) {
@@ -271,16 +240,16 @@ TEST_F(LightTest, TheMenuOfAPictureIsAboutThePixelThatWasClicked) {
 TEST_F(LightTest, LightsComeFromTheCamera) {
     open_scene();
     place("light-camera");
-    ASSERT_EQ(set().lights.size(), 1u);
-    EXPECT_EQ(set().lights[0].type, LightSpec::Type::spot);
-    EXPECT_EQ(set().lights[0].position, window.session().camera().pose()->eye);
-    EXPECT_EQ(set().lights[0].target, renderer.surface->position);
+    ASSERT_EQ(first_lights().lights.size(), 1u);
+    EXPECT_EQ(first_lights().lights[0].type, LightSpec::Type::spot);
+    EXPECT_EQ(first_lights().lights[0].position, window.session().camera().pose()->eye);
+    EXPECT_EQ(first_lights().lights[0].target, renderer.surface->position);
     renderer.surface.reset();
     place("headlight");
-    ASSERT_EQ(set().lights.size(), 2u);
-    EXPECT_EQ(set().lights[1].type, LightSpec::Type::point);
-    EXPECT_EQ(set().lights[1].position, window.session().camera().pose()->eye);
-    EXPECT_GT(set().lights[1].amount, 0) << "without a surface it lights the camera's target";
+    ASSERT_EQ(first_lights().lights.size(), 2u);
+    EXPECT_EQ(first_lights().lights[1].type, LightSpec::Type::point);
+    EXPECT_EQ(first_lights().lights[1].position, window.session().camera().pose()->eye);
+    EXPECT_GT(first_lights().lights[1].amount, 0) << "without a surface it lights the camera's target";
 }
 
 TEST_F(LightTest, WhatCannotBeSaysWhy) {
@@ -334,195 +303,13 @@ TEST_F(LightTest, ALightIsKeptBesideTheScenes) {
     QTemporaryDir folder;
     const auto place = std::filesystem::path(folder.path().toStdString()) / "p.interreflect";
     window.session().open_project().save_as(place);
-    const auto kept = set();
+    const auto kept = first_lights();
     window.session().files().close();
     ASSERT_TRUE(window.open_path(QString::fromStdString(place.string())));
     ASSERT_TRUE(settle());
-    EXPECT_EQ(set().lights, kept.lights);
-    EXPECT_TRUE(set().use_scene_lights);
+    EXPECT_EQ(first_lights().lights, kept.lights);
+    EXPECT_TRUE(first_lights().use_scene_lights);
     EXPECT_EQ(renderer.requests.back().experiment.lights.size(), 1u);
-}
-
-/// With a light that is chosen; the picture is seen from (0, 0, 5).
-class LightHandlesTest : public LightTest {
-  protected:
-    void add(const char* spec) {
-        open_scene();
-        const auto id = window.session().experiment()->id;
-        window.session().edit([&](const projects::Project& project) {
-            return widgets::makers::light_experiment(id, projects::parse_light(spec))(project);
-        });
-        ASSERT_TRUE(settle());
-        choose(0);
-    }
-    void choose(int index) {
-        window.document().select({widgets::ItemKind::light, QString::fromStdString(set().id), index});
-        ASSERT_TRUE(settle());
-    }
-    bool has_handles() { return window.view().state().light.has_value(); }
-    QPoint place(widgets::LightHandle handle) {
-        const auto& state = window.view().state();
-        const qreal ratio = window.view().devicePixelRatioF();
-        const double length = widgets::handle_length(state, ratio);
-        return (*widgets::seen_at(state, widgets::end_of(*state.light, handle, length)) / ratio).toPoint();
-    }
-    void press(QPoint at) {
-        QTest::mouseMove(&window.view(), at);
-        QTest::mousePress(&window.view(), Qt::LeftButton, {}, at);
-    }
-    void move(QPoint from, QPoint by) {
-        for (int i = 1; i <= 5; ++i) QTest::mouseMove(&window.view(), from + by * i / 5);
-    }
-    const LightSpec& light(std::size_t index = 0) { return set().lights.at(index); }
-};
-
-TEST_F(LightHandlesTest, ADragIsShownAtOnceAndIsOneStep) {
-    add("point:position=0.1,0.2,0.3;flux=10");
-    ASSERT_TRUE(has_handles());
-    const auto before = steps();
-    const auto from = place(widgets::LightHandle::x);
-    const auto requests = renderer.requests.size();
-    press(from);
-    move(from, {60, 0});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return renderer.requests.size() > requests; }));
-    EXPECT_GT(renderer.requests.back().experiment.lights[0].position.x, 0.2) << "while the hand is on it";
-    move(from + QPoint(60, 0), {30, 0});
-    QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, from + QPoint(90, 0));
-    ASSERT_TRUE(settle());
-    EXPECT_GT(light().position.x, 0.3);
-    EXPECT_EQ(light().position.y, 0.2);
-    EXPECT_EQ(light().position.z, 0.3);
-    EXPECT_EQ(steps(), before + 1);
-    EXPECT_TRUE(window.action("undo")->text().contains("light 1 position"));
-    press(place(widgets::LightHandle::centre));
-    move(place(widgets::LightHandle::centre), {0, -40});
-    QTest::mouseRelease(&window.view(), Qt::LeftButton, Qt::ShiftModifier);
-    EXPECT_EQ(steps(), before + 2) << "each drag is a step";
-    EXPECT_FALSE(window.inspector().explained().has_value()) << "no click on a pixel";
-    trigger("undo");
-    trigger("undo");
-    EXPECT_EQ(light().position, glm::dvec3(0.1, 0.2, 0.3));
-    EXPECT_EQ(window.view().state().light->position, glm::dvec3(0.1, 0.2, 0.3));
-    trigger("redo");
-    EXPECT_GT(light().position.x, 0.3);
-}
-
-TEST_F(LightHandlesTest, EscapeLeavesNoStep) {
-    add("spot:position=0,0.5,0;target=0.1,-0.7,0.4;intensity=10;outer=30");
-    const auto before = steps();
-    const auto specs = set();
-    const auto from = place(widgets::LightHandle::direction);
-    press(from);
-    move(from, {40, -20});
-    EXPECT_NE(set(), specs);
-    EXPECT_NEAR(glm::length(*light().target - light().position),
-                glm::length(*specs.lights[0].target - specs.lights[0].position), 1e-3)
-        << "the target turns about the light";
-    QTest::keyClick(&window.view(), Qt::Key_Escape);
-    EXPECT_EQ(set(), specs) << "to the last bit";
-    EXPECT_EQ(steps(), before);
-    EXPECT_EQ(renderer.cancels, 0) << "the key was the drag's";
-    QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, from);
-    EXPECT_EQ(steps(), before);
-}
-
-TEST_F(LightHandlesTest, ASpotThatLooksAtAPointKeepsIt) {
-    add("spot:position=0,0.5,0;target=0,-0.7,0;intensity=10;outer=30");
-    const auto from = place(widgets::LightHandle::centre);
-    press(from);
-    move(from, {50, 10});
-    QTest::mouseRelease(&window.view(), Qt::LeftButton);
-    EXPECT_GT(light().position.x, 0.1);
-    EXPECT_EQ(light().target, glm::dvec3(0, -0.7, 0));
-    EXPECT_NEAR(glm::length(window.view().state().light->direction - light().travel()), 0, 1e-12);
-}
-
-TEST_F(LightHandlesTest, ArrowsNudgeTheLightInOneStepForAsLongAsTheyAreHeld) {
-    add("point:position=0,0,0;flux=10");
-    window.view().setFocus();
-    const auto before = steps();
-    QTest::keyPress(&window.view(), Qt::Key_Right);
-    QTest::keyPress(&window.view(), Qt::Key_Right);
-    QTest::keyRelease(&window.view(), Qt::Key_Right);
-    EXPECT_GT(light().position.x, 0.05);
-    EXPECT_EQ(steps(), before + 1);
-    QTest::keyClick(&window.view(), Qt::Key_Up);
-    EXPECT_EQ(steps(), before + 2);
-}
-
-TEST_F(LightHandlesTest, TheyAreThereForTheChosenLightAlone) {
-    add("point:position=0,0,0;flux=10");
-    const auto id = window.session().experiment()->id;
-    window.session().edit([&](const projects::Project& project) {
-        return widgets::makers::light_experiment(
-            id, projects::parse_light("directional:direction=0,-1,0;irradiance=2"))(project);
-    });
-    choose(1);
-    ASSERT_TRUE(has_handles());
-    EXPECT_EQ(window.view().state().light->shape, widgets::PlacedLight::Shape::sun);
-    // In the set's form, too.
-    window.document().editor().findChild<widgets::OrderedList*>("lights")->list()->setCurrentRow(0);
-    EXPECT_EQ(window.view().state().light->shape, widgets::PlacedLight::Shape::point);
-    window.action("light-handles")->trigger();
-    EXPECT_FALSE(has_handles());
-    window.action("light-handles")->trigger();
-    EXPECT_TRUE(has_handles());
-    window.document().select({widgets::ItemKind::experiment, QString::fromStdString(id)});
-    EXPECT_FALSE(has_handles());
-    choose(0);
-    ASSERT_TRUE(has_handles());
-    window.session().edit([&](const projects::Project& project) {
-        return projects::edits::set_lights_of(project, id, projects::scene_lights);
-    });
-    ASSERT_TRUE(settle());
-    EXPECT_FALSE(has_handles()) << "it does not light this experiment";
-}
-
-TEST_F(LightHandlesTest, OfALightThatAMotionMovesThereAreNone) {
-    add("point:position=0,0,0;flux=10");
-    projects::Motion motion{"m", "M", "", {}};
-    motion.kind = projects::Motion::Kind::light;
-    motion.lights = set().id;
-    motion.keys.resize(2);
-    motion.keys[1].time = 1;
-    const auto set_motion = [&] {
-        window.session().edit(
-            [&](const projects::Project& project) { return projects::edits::add(project, motion); });
-        settle();
-    };
-    set_motion();
-    EXPECT_TRUE(has_handles()) << "it only changes its strength";
-    trigger("undo");
-    motion.keys[0].position = motion.keys[1].position = glm::dvec3(1, 0, 0);
-    set_motion();
-    EXPECT_FALSE(has_handles());
-}
-
-TEST_F(LightHandlesTest, ModesOfOneCameraHaveThemAndDifferencesDoNot) {
-    add("point:position=0,0,0;flux=10");
-    add_second_experiment(0.5);
-    choose(0);
-    auto state = window.views().active_state();
-    state.b = {window.session().document().experiments.back().id, ""};
-    const auto handles = [&](widgets::ViewMode mode) {
-        state.mode = mode;
-        window.views().set_active_state(state);
-        settle();
-        int count = 0;
-        auto& board = window.workspace().active_pane().compare().panes();
-        for (int i = 0; i < board.pane_count(); ++i) count += board.pane(i).state().light ? 1 : 0;
-        return count;
-    };
-    using Mode = widgets::ViewMode;
-    EXPECT_EQ(handles(Mode::side_by_side), 2);
-    EXPECT_EQ(handles(Mode::wipe), 1);
-    EXPECT_EQ(handles(Mode::flip), 1);
-    EXPECT_EQ(handles(Mode::difference), 0);
-    EXPECT_EQ(handles(Mode::stages), 0);
-    EXPECT_EQ(handles(Mode::single), 1);
-    state.a.output = "slices";
-    state.a.layer = widgets::ViewSource::all;
-    EXPECT_EQ(handles(Mode::single), 0) << "many places of the scene at one pixel";
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "app/engine/camera_pose.h"
 #include "app/gui/pixel_places.h"
+#include "renderers/scene/view.h"
 #include "tests/gui/window/window_fixture.h"
 
 namespace ir::gui {
@@ -24,6 +28,31 @@ TEST(PixelPlaces, ThereAndBackIsTheSamePixel) {
                     ASSERT_EQ(pixel_of_level(main, size, pixel_of_main(main, size, {x, y})), QPoint(x, y))
                         << main.width() << " level " << level;
         }
+}
+
+TEST(Sight, IsThatOfTheRenderers) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> number(-3, 3);
+    for (int i = 0; i < 60; ++i) {
+        CameraPose pose;
+        pose.eye = {number(random), number(random), number(random)};
+        pose.target = {number(random), number(random), number(random)};
+        if (i % 3 == 0) pose.target = pose.eye + glm::dvec3(0, i % 2 == 0 ? 2 : -2, 0);  // along up
+        pose.orthographic = i % 4 == 0;
+        pose.fov_y_degrees = 20 + i;
+        const auto view = scene::make_view(engine::camera_of(pose), 300, 200, {{-9, -9, -9}, {9, 9, 9}});
+        const glm::dvec2 place(0.5 + number(random) / 6, 0.5 + number(random) / 6);
+        const auto theirs = scene::pixel_ray(view, glm::vec2(place) * glm::vec2(300, 200));
+        const auto ours = widgets::sight_through(pose, 1.5, place);
+        EXPECT_NEAR(glm::dot(ours.direction, glm::normalize(glm::dvec3(theirs.direction_ws))), 1, 1e-5);
+        const auto point = ours.origin + 2.5 * ours.direction;
+        const auto between = point - glm::dvec3(theirs.origin_ws);
+        EXPECT_NEAR(glm::length(glm::cross(between, ours.direction)), 0, 1e-3) << "the same line";
+        const auto back = widgets::place_of(pose, 1.5, point);
+        ASSERT_TRUE(back);
+        EXPECT_NEAR(glm::length(*back - place), 0, 1e-9);
+        EXPECT_FALSE(widgets::place_of(pose, 1.5, ours.origin - 2.0 * ours.direction)) << "behind the eye";
+    }
 }
 
 class PixelPlacesWindowTest : public WindowTest {

@@ -84,12 +84,12 @@ TEST_F(ResultsWindowTest, APictureIsKeptInASavedProjectAlone) {
     EXPECT_TRUE(action->toolTip().contains("save the project")) << action->toolTip().toStdString();
     save();
     ASSERT_TRUE(action->isEnabled()) << action->toolTip().toStdString();
-    const auto position = window.session().open_project().undo_stack().position();
+    const auto position = steps();
     keep();
     ASSERT_EQ(renderer.keeps.size(), 1u);
     EXPECT_EQ(renderer.keeps[0].experiment, experiment());
     EXPECT_EQ(window.session().experiment()->last_kept_key, model().rows()[0].key.toStdString());
-    EXPECT_EQ(window.session().open_project().undo_stack().position(), position);
+    EXPECT_EQ(steps(), position);
     EXPECT_FALSE(window.session().open_project().is_dirty()) << "the index of the results says it";
     EXPECT_TRUE(wait_for_state(ResultRow::State::current));
     EXPECT_GT(model().rows()[0].bytes, 100);
@@ -221,10 +221,10 @@ TEST_F(ResultsWindowTest, WhatChangedIsListed) {
 
 TEST_F(ResultsWindowTest, MatchAddsTheReferenceAsBInOneStep) {
     const auto judged = experiment();
-    const auto position = window.session().open_project().undo_stack().position();
+    const auto position = steps();
     trigger("match");
     ASSERT_EQ(window.session().document().experiments.size(), 2u);
-    EXPECT_EQ(window.session().open_project().undo_stack().position(), position + 1);
+    EXPECT_EQ(steps(), position + 1);
     const auto reference = window.session().experiment(judged)->reference;
     EXPECT_EQ(window.session().experiment(reference)->method, "truth");
     EXPECT_EQ(views().active_state().a.owner, judged);
@@ -234,7 +234,7 @@ TEST_F(ResultsWindowTest, MatchAddsTheReferenceAsBInOneStep) {
     EXPECT_EQ(renderer.requests.back().tag, reference);
     trigger("mode-wipe");
     trigger("match");  // is there already: shown, and no other step
-    EXPECT_EQ(window.session().open_project().undo_stack().position(), position + 1);
+    EXPECT_EQ(steps(), position + 1);
     EXPECT_EQ(views().active_state().mode, ViewMode::wipe);
     views().show_owner(reference);
     ASSERT_TRUE(settle());

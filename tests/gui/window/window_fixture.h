@@ -100,6 +100,9 @@ class WindowTest : public testing::Test {
         window.session().select_experiment(first);
         ASSERT_TRUE(settle());
     }
+    /// What undo would take back, in steps.
+    std::size_t steps() { return window.session().open_project().undo_stack().position(); }
+    const projects::LightSet& first_lights() { return window.session().document().lights.at(0); }
     float pixel() { return window.view().image().at(0, 0); }
     std::string label(const char* name) { return window.findChild<QLabel*>(name)->text().toStdString(); }
 

@@ -52,18 +52,18 @@ TEST_F(WindowTest, ATypedParameterIsANewPictureAndOneUndoStep) {
 TEST_F(WindowTest, ADraggedSliderIsOneUndoStep) {
     open_scene();
     auto* slider = window.findChild<QWidget*>("editor:level")->findChild<QSlider*>();
-    const auto before = window.session().open_project().undo_stack().position();
+    const auto before = steps();
     slider->setSliderDown(true);
     for (int value : {300, 500, 800}) slider->setValue(value);
     slider->setSliderDown(false);
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window.session().open_project().undo_stack().position(), before + 1);
+    EXPECT_EQ(steps(), before + 1);
     EXPECT_FLOAT_EQ(pixel(), 0.8f);
 }
 
 TEST_F(WindowTest, AnOrbitIsOneEditOfTheCamera) {
     open_scene();
-    const auto before = window.session().open_project().undo_stack().position();
+    const auto before = steps();
     for (int turn = 0; turn < 2; ++turn) {
         window.action("orbit")->trigger();
         auto& view = window.view();
@@ -72,7 +72,7 @@ TEST_F(WindowTest, AnOrbitIsOneEditOfTheCamera) {
         QTest::mouseRelease(&view, Qt::LeftButton, {}, {90, 60});
         ASSERT_TRUE(settle());
     }
-    EXPECT_EQ(window.session().open_project().undo_stack().position(), before + 2);
+    EXPECT_EQ(steps(), before + 2);
     ASSERT_EQ(window.session().document().cameras.size(), 1u);
     const auto& camera = window.session().document().cameras.front();
     EXPECT_EQ(window.session().experiment()->camera, camera.id);
@@ -87,12 +87,12 @@ TEST_F(WindowTest, OffersALightWhereTheSceneHasNone) {
     renderer.scene_sources.clear();
     open_scene();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window.banners().text("light").isEmpty(); }, 5000));
-    const auto before = window.session().open_project().undo_stack().position();
+    const auto before = steps();
     auto* banner = window.banners().findChild<QWidget*>("banner:light");
     ASSERT_NE(banner, nullptr);
     QTest::mouseClick(banner->findChild<QPushButton*>(), Qt::LeftButton);
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window.session().open_project().undo_stack().position(), before + 1);
+    EXPECT_EQ(steps(), before + 1);
     const auto& document = window.session().document();
     ASSERT_EQ(document.lights.size(), 1u);
     EXPECT_EQ(window.session().experiment()->lights, document.lights[0].id) << "applied at once";

@@ -361,6 +361,8 @@ TEST_F(LightToolTest, NoLineCrossesTheMiddle) {
     for (int row = -2; row <= 2; ++row)
         for (int column = -2; column <= 2; ++column) colours.insert(seen.pixel(middle + QPoint(column, row)));
     EXPECT_EQ(colours.size(), 1u);
+    view.set_light({});
+    EXPECT_EQ(colours.count(view.grab().toImage().pixel(middle)), 0u) << "it is the centre's dot";
 }
 
 TEST_F(LightToolTest, ASunStandsWhereTheCameraLooksAndOnlyTurns) {
