@@ -8,6 +8,7 @@
 #include "renderers/core/half_float.h"
 #include "renderers/core/parallel_for.h"
 #include "renderers/methods/ambient-occlusion-volumes/volumes.h"
+#include "renderers/passes/bounce/host/host_receivers.h"
 #include "renderers/passes/raytracing/ray_offset.h"
 #include "renderers/passes/surface/triangle_plane.h"
 #include "shaders/methods/ambient-occlusion-volumes/triangle.glsl.h"
@@ -41,11 +42,12 @@ struct Volume {
             bisectors[i] = glm::normalize(edge_normals[before] + edge_normals[i] + edges[before] - edges[i]);
         }
     }
-    /// A point of a tile lies at most √2 `reach` from a corner in the triangle's plane, and `reach` above it.
+    /// A point of the volume lies at most √2 `reach` from a corner in the triangle's plane, and `reach` above
+    /// it.
     Box box(float reach) const {
         Box result;
         for (const auto& corner : corners) result.add(corner);
-        const glm::vec3 margin(1.74f * reach);
+        const glm::vec3 margin(1.74f * reach);  // √3, and rounding
         return {result.low - margin, result.high + margin};
     }
 };
@@ -62,14 +64,6 @@ struct Points {
         return {x[k], y[k], z[k]};
     }
 };
-
-/// As in passes/bounce/receiver.glsl.
-glm::vec3 shading_normal(glm::vec3 stored, glm::vec3 geometric_normal) {
-    const float size = glm::length(stored);
-    if (size < 0.5f) return geometric_normal;
-    const auto n = stored / size;
-    return glm::dot(n, geometric_normal) > 1 - 1e-6f ? geometric_normal : n;
-}
 
 float edge_term(glm::vec3 p, glm::vec3 q, glm::vec3 n) {
     const auto moment = glm::cross(p, q - p);
@@ -133,7 +127,8 @@ class Adder {
                 const auto k = static_cast<std::size_t>(points.count++);
                 const auto origin = passes::offset_origin(positions_[pixel], normal);
                 points.x[k] = origin.x, points.y[k] = origin.y, points.z[k] = origin.z;
-                points.normal[k] = shading_normal(glm::vec3(unpack_halves(normals_[pixel])), normal);
+                points.normal[k] =
+                    passes::bounce::shading_normal(glm::vec3(unpack_halves(normals_[pixel])), normal);
                 points.pixel[k] = pixel;
                 points.box.add(origin);
             }

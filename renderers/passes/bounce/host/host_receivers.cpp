@@ -6,17 +6,13 @@
 #include "renderers/passes/scattering/microfacets.h"
 
 namespace ir::passes::bounce {
-namespace {
 
-/// As receiver.glsl's shading_normal.
 glm::vec3 shading_normal(glm::vec3 stored, glm::vec3 geometric_normal) {
     const float size = glm::length(stored);
     if (size < 0.5f) return geometric_normal;
     const auto n = stored / size;
     return glm::dot(n, geometric_normal) > 1 - 1e-6f ? geometric_normal : n;
 }
-
-}  // namespace
 
 HostReceivers::HostReceivers(const graph::PassContext& context, const Receivers& receivers)
     : scene_(*context.inputs().scene),

@@ -28,6 +28,9 @@ struct HostScatterer {
     HostLobes lobes;
 };
 
+/// As shading_normal() of receiver.glsl.
+glm::vec3 shading_normal(glm::vec3 stored, glm::vec3 geometric_normal);
+
 /// receiver.glsl on the host, one pixel at a time, for passes of the cpu queue. Keeps references.
 class HostReceivers {
   public:

@@ -47,7 +47,7 @@ struct TileQuestion {
     // Of sloped lists, with the highest bit of depths turned over, so that they compare as signed numbers:
     alignas(64) std::uint16_t point[pixels];  ///< depth beyond which the surface at the point lies before it
     alignas(64) std::int16_t across[pixels], down[pixels];  ///< from the centre to the point, texels << 14
-    int reach = 0;                        ///< quanta: farther beyond the key slopes are not queried
+    int reach = 0;                            ///< quanta: farther beyond the key slopes are not queried
     int first_queried = 0, last_queried = 0;  ///< depths for which some pixel queries slopes
 };
 constexpr unsigned turned_bit = 0x8000;
@@ -171,7 +171,7 @@ void store_key(TileQuestion& q, int first, Ints key, Mask mirrored) {
     store_halves(bits, q.mirror + first);
 }
 
-/// What is asked of slopes, for a vector of pixels.
+/// Fills in what slopes are queried with, a vector of a tile's pixels at a time.
 class SlopeQuestion {
   public:
     SlopeQuestion(TileQuestion& q, const QueriedMap& queried, const SelfHitRule& rule)
@@ -251,9 +251,8 @@ bool query_tile(TileState& state, const PixelTiles& tiles, std::size_t tile, con
 }
 
 /// Normal offset: from the nearest entries before and behind the plane to the first one beyond the nearer of
-/// them, along ω. What is found counts from there: `plane` becomes the own entry's depth. Returns the pixels
-/// that have an own entry.
-std::uint64_t go_on_from_own(TileState& state, const StreamedMap& map) {
+/// them, along ω. What is found counts from there: `plane` becomes the own entry's depth.
+void go_on_from_own(TileState& state, const StreamedMap& map) {
     find_nearest<true, false>(map, state.q);
     std::uint64_t found = 0;
     for (int i = 0; i < pixels; i += lanes) {
@@ -279,7 +278,20 @@ std::uint64_t go_on_from_own(TileState& state, const StreamedMap& map) {
     state.open |= state.q.queries & ~found;
     state.q.queries = found;
     find_nearest<false, false>(map, state.q);
-    return found;
+}
+
+/// Finds what a tile's pixels look for. False: no pixel has an answer in this band of rows.
+bool find_in_lists(TileState& state, const PixelTiles& tiles, std::size_t tile, const QueriedMap& queried,
+                   const SelfHitRule& rule) {
+    if (query_tile(state, tiles, tile, queried, rule)) {
+        if (queried.map.holds == Holds::sloped_lists)
+            find_nearest<false, true>(queried.map, state.q);
+        else if (rule.tangent_plane)
+            find_nearest<false, false>(queried.map, state.q);
+        else
+            go_on_from_own(state, queried.map);
+    }
+    return (state.q.queries | state.open) != 0;
 }
 
 /// Visibility of what was found.
@@ -305,14 +317,8 @@ void add_answers(const TileState& state, const QueriedMap& queried, const Visibi
 void query_lists(const PixelTiles& tiles, std::size_t tile, const QueriedMap& queried,
                  const SelfHitRule& rule, const Visibility& visibility, float scale, TileState& state,
                  std::uint32_t* sums) {
-    const bool queries = query_tile(state, tiles, tile, queried, rule);
-    if (queries && queried.map.holds == Holds::sloped_lists)
-        find_nearest<false, true>(queried.map, state.q);
-    else if (queries && rule.tangent_plane)
-        find_nearest<false, false>(queried.map, state.q);
-    else if (queries)
-        go_on_from_own(state, queried.map);
-    if (queries || state.open != 0) add_answers(state, queried, visibility, scale, sums);
+    if (find_in_lists(state, tiles, tile, queried, rule))
+        add_answers(state, queried, visibility, scale, sums);
 }
 
 }  // namespace

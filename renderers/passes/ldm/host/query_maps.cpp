@@ -57,11 +57,7 @@ void seen_distances(const PixelTiles& tiles, std::size_t first, std::size_t end,
             std::fill_n(distances, pixels, -1.0f);
             continue;
         }
-        const bool queries = query_tile(state, tiles, tile, queried, rule);
-        if (queries && rule.tangent_plane)
-            find_nearest<false, false>(map, state.q);
-        else if (queries)
-            go_on_from_own(state, map);
+        find_in_lists(state, tiles, tile, queried, rule);
         const auto found = tiles.valid[tile] & state.q.queries, open = tiles.valid[tile] & state.open;
         for (int i = 0; i < pixels; i += lanes) {
             const auto beyond = load_halves(state.q.beyond + i), key = load_halves(state.q.key + i);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "renderers/methods/ldm-indirect/looks.h"
 #include "renderers/methods/ldm-indirect/splatting/host/kernels.h"
 #include "renderers/passes/ldm/host/pixel_tiles.h"
 
@@ -63,7 +64,7 @@ struct TileLooks {
     std::span<const std::uint8_t> looks;
     BoxLooks of_groups, of_members;  ///< of pixels that show a surface
     const std::uint8_t* of(std::size_t tile, std::size_t map) const {
-        return looks.data() + (tile * maps + map) * PixelTiles::pixels;
+        return looks.data() + look_place(tile, maps, map);
     }
 };
 /// Finds those of groups and members.
