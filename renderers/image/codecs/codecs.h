@@ -27,7 +27,7 @@ struct DecodedTexels {
     std::string error;               ///< empty where all went well
 };
 
-/// What the module image_codecs does with OpenImageIO.
+/// What the module image_codecs does, with OpenImageIO and libwebp.
 struct ImageCodecs {
     /// Refuses more than `max_pixels`.
     DecodedImage (*read)(const std::string& file, std::int64_t max_pixels);

@@ -26,17 +26,18 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                          "or one << 16 | codes of its slopes.",
                   .semantic = Semantic::depth},
          .name = "LdmDepths",
-         .fields = {{"pair", FieldType::u32}},
+         .fields = {{"word", FieldType::u32}},
          .elements = layout.batch_maps * layout.map_texels() * expected_layers / nodes_per_word,
          .growable = true,
          .fingerprint = layout.fingerprint});
     sorted.unsorted =
         builder.buffer({.text = {.key = "ldm.unsorted",
                                  .label = "Depths of a chunk",
-                                 .doc = "Depths of the chunk that was built last, texel by texel.",
+                                 .doc = "Nodes of the chunk that was built last, texel by texel: "
+                                        "a depth, or one << 16 | codes of its slopes.",
                                  .semantic = Semantic::depth},
                         .name = "LdmUnsorted",
-                        .fields = {{"depth", FieldType::u32}},
+                        .fields = {{"node", FieldType::u32}},
                         .elements = layout.chunk_maps * layout.map_texels() * expected_layers,
                         .growable = true,
                         .fingerprint = layout.fingerprint});

@@ -35,8 +35,8 @@ LightCone light_cone(const scene::World& world, const ShadowViewData& view);
 /// Reflective shadow maps: what each light sees, one layer per shadow view. Empty texels are 0, and so are
 /// those outside a spot's cone. [Smal19 §5.1]
 struct Rsm {
-    graph::ImageRef albedo_roughness;  ///< "rsm.albedo_roughness" rgba8, or rgba16f where that was requested
-                                       ///< for: linear base colour, roughness
+    graph::ImageRef albedo_roughness;  ///< "rsm.albedo_roughness" rgba8, or rgba16f with exact_albedo: linear
+                                       ///< base colour, roughness
     graph::ImageRef normal_metalness;  ///< "rsm.normal_metalness" rgba16f: shading normal on the light's
                                        ///< side; w: 1 + metalness, negative where nothing is scattered
     graph::ImageRef geometric_normal;  ///< "rsm.geometric_normal" rgba32f: of the triangle's plane, on the

@@ -55,8 +55,9 @@ class HostLayer {
         return {view_->origin_ws + lateral, view_->forward_ws};
     }
 
-    bool is_in_cone(glm::vec3 direction, float length) const {
-        return glm::dot(direction, cone_.cone_axis_ws) >= cone_.cone_cosine * length;
+    /// As cone.glsl.
+    bool is_outside_cone(glm::vec3 direction, float length) const {
+        return glm::dot(direction, cone_.cone_axis_ws) < cone_.cone_cosine * length;
     }
 
     void fill(int first_x, int first_y) const {
@@ -71,7 +72,7 @@ class HostLayer {
             packet.dx[i] = direction.x / length, packet.dy[i] = direction.y / length;
             packet.dz[i] = direction.z / length;
             packet.near[i] = view_->near * length, packet.far[i] = view_->far * length;
-            packet.active[i] = is_in_cone(direction, length) ? -1 : 0;
+            packet.active[i] = is_outside_cone(direction, length) ? 0 : -1;
             is_lit = is_lit || packet.active[i];
         }
         if (is_lit) bvh_.closest_hits16(packet, true, hits);

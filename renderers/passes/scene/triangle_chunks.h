@@ -17,7 +17,7 @@ class TriangleChunks {
     TriangleChunks() = default;
     explicit TriangleChunks(const scene::World& world);
 
-    /// Those of `range` that may be in the view, in their order; depths are not queried.
+    /// Those of `range` that may be in the view, in their order; depths do not count.
     std::vector<TriangleRun> seen(const glm::mat4& clip_from_world, TriangleRun range) const;
 
   private:

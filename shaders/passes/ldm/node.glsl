@@ -10,7 +10,7 @@
 // C++: ir::passes::ldm::*
 const float LDM_SLOPE_STEPS = 127.0, LDM_MAX_SLOPE_CODE = 126.0;
 
-/// Most quanta per texel that slopes are queried with: the host holds twice as many in 16 bits.
+/// Largest slope that queries reckon with, in quanta per texel: the host holds twice as many in 16 bits.
 // C++: ir::passes::ldm::max_slope_quanta
 const float LDM_MAX_SLOPE = 16383.0;
 

@@ -94,7 +94,7 @@ float glass_fraction(Material material, float metallic) {
     return (material.flags & MATERIAL_UNLIT) != 0u ? 0.0 : transmission(material) * (1.0 - metallic);
 }
 
-/// Whether the surface's alpha mask has a hole here. To be queried last, so that all texture look-ups have all
+/// Whether the surface's alpha mask has a hole here. To be called last, so that all texture look-ups have all
 /// neighbours, except after take_footprints().
 bool has_hole_here() {
     vec2 mask_uv = uv_of_slot(materials[material_index].base_colour_slot, uv01.xy, uv01.zw);

@@ -18,7 +18,7 @@ struct Primary {
     vec3 normal_ws;       // geometric, on the light's side
     float solid_angle;    // sr of the pixel; m² for a directional light; 0 of a source with an extent
     vec3 shading_ws;      // shading normal
-    float missed;         // of rays that met nothing and that the photon stands for, beside it: part of `emitted`
+    float missed;         // part of `emitted` that rays that met nothing carry beside it: right in the mean
     vec3 emitted;         // W
     float unused0;
     vec3 reflectance;     // ρ
