@@ -259,10 +259,10 @@ TEST_F(LdmAo, OutermostDepthsAnswerHitsAtAnyDistanceAlone) {
     EXPECT_FALSE(says("storage=outermost"));
     render(camera("nave"), 48, 36, outermost, {}, 0, "ldm.self_hits");
     EXPECT_TRUE(says("storage=outermost: views of self-hits"));
-    const Settings queries_more[] = {with(outermost, "max_distance", 2.0),
-                                     with(outermost, "self_hit", std::string("normal-offset")),
-                                     with(outermost, "exact", std::string("near"))};
-    for (const auto& more : queries_more) {
+    const Settings needs_more[] = {with(outermost, "max_distance", 2.0),
+                                   with(outermost, "self_hit", std::string("normal-offset")),
+                                   with(outermost, "exact", std::string("near"))};
+    for (const auto& more : needs_more) {
         const auto instead = render(camera("nave"), 48, 36, more);
         EXPECT_TRUE(says("arrays are used"));
         EXPECT_EQ(instead.pixels,

@@ -134,6 +134,8 @@ def main():
     parser.add_argument("--only", action="append", help="name of a row; repeat for more")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
+    if unknown := set(options.only or []) - {row.name for row in ROWS}:
+        parser.error("no such row: " + ", ".join(sorted(unknown)))
     chosen = [row for row in ROWS if not options.only or row.name in options.only]
     left_out = [row.name for row in chosen if not path_of(row.scene)]
     if left_out:
