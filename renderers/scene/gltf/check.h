@@ -11,6 +11,11 @@
 /// check copies what it understood to `checked`; extras and unknown extensions stay behind.
 namespace ir::scene::gltf {
 
+/// Names of extensions that stand in more than one file.
+inline constexpr const char* gpu_instancing = "EXT_mesh_gpu_instancing";
+inline constexpr const char* meshopt_compression = "EXT_meshopt_compression";
+inline constexpr const char* draco_compression = "KHR_draco_mesh_compression";
+
 /// Warnings in the order in which they came, each text once.
 class Warnings {
   public:

@@ -15,7 +15,10 @@ struct Treatment {
 };
 
 constexpr std::array read_extensions{
+    Treatment{gpu_instancing, "many instances of a mesh"},
+    Treatment{meshopt_compression, "compressed vertices, indices and animations"},
     Treatment{"EXT_texture_webp", "textures in WebP"},
+    Treatment{draco_compression, "compressed meshes"},
     Treatment{"KHR_lights_punctual", "point, spot and directional lights"},
     Treatment{"KHR_materials_emissive_strength", "scales the emission"},
     Treatment{"KHR_materials_ior", "index of refraction"},
@@ -27,11 +30,8 @@ constexpr std::array read_extensions{
 
 /// What is lost where a file does without them, too.
 constexpr std::array ignored_extensions{
-    Treatment{"EXT_mesh_gpu_instancing", "only one instance is drawn"},
-    Treatment{"EXT_meshopt_compression", "the uncompressed data is read"},
     Treatment{"EXT_texture_avif", "the PNG or JPEG beside it is read, where there is one"},
     Treatment{"KHR_animation_pointer", "only nodes are animated"},
-    Treatment{"KHR_draco_mesh_compression", "the uncompressed data is read"},
     Treatment{"KHR_materials_anisotropy", "highlights are round"},
     Treatment{"KHR_materials_clearcoat", "surfaces have no coat"},
     Treatment{"KHR_materials_dispersion", "glass refracts all colours alike"},

@@ -80,6 +80,15 @@ void check_nodes(Checking& checking) {
     const auto* extensions =
         CheckedObject(checking.file, "", checking.source).extension("KHR_lights_punctual");
     const auto lights = extensions && extensions->contains("lights") ? (*extensions)["lights"].size() : 0;
+    const auto check_instances = [&](CheckedObject& node, const Json& source) {
+        CheckedObject extension(checking.file, node.place(std::string("extensions.") + gpu_instancing),
+                                source);
+        CheckedObject attributes(checking.file, extension.place("attributes"),
+                                 extension.required_object("attributes"));
+        for (const char* name : {"TRANSLATION", "ROTATION", "SCALE"})
+            attributes.index(name, checking.count("accessors"), "accessors");
+        node.result["extensions"][gpu_instancing] = attributes.result;
+    };
     checking.for_each("nodes", [&](CheckedObject& node) {
         node.text("name");
         node.index("camera", checking.count("cameras"), "cameras");
@@ -96,6 +105,7 @@ void check_nodes(Checking& checking) {
             extension.required(extension.index("light", lights, "lights"), "light");
             node.result["extensions"]["KHR_lights_punctual"] = extension.result;
         }
+        if (const auto* source = node.extension(gpu_instancing)) check_instances(node, *source);
     });
     check_tree(checking, children);
     checking.for_each("scenes", [&](CheckedObject& scene) {

@@ -2,6 +2,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/hash.h"
+#include "renderers/scene/gltf/compression.h"
 
 namespace ir::scene::gltf {
 namespace {
@@ -50,6 +51,12 @@ Bytes load_uri(Document& document, Hasher& hasher, const std::string& place, con
     return bytes;
 }
 
+/// A buffer that a program without EXT_meshopt_compression would need, and that the file does without.
+bool stands_for_compressed(const CheckedObject& buffer) {
+    const auto* extension = buffer.extension(meshopt_compression);
+    return extension && extension->value("fallback", Json()) == Json(true);
+}
+
 void load_buffers(Document& document, Checking& checking, Container& container, Hasher& hasher) {
     for (std::size_t i = 0; i < checking.count("buffers"); ++i) {
         CheckedObject buffer(document.file, element("buffers", i), checking.source["buffers"][i]);
@@ -61,7 +68,8 @@ void load_buffers(Document& document, Checking& checking, Container& container, 
         } else if (i == 0 && container.has_binary) {
             data.bytes = std::move(container.binary);
         } else {
-            document.warnings.add(buffer.place() + " has no data; it reads as zeros");
+            if (!stands_for_compressed(buffer))
+                document.warnings.add(buffer.place() + " has no data; it reads as zeros");
             continue;
         }
         data.present = true;
@@ -105,12 +113,14 @@ void check_all(Checking& checking) {
     check_animations(checking);
 }
 
-/// tinygltf demands a buffer view of index accessors, though glTF does not; so they are given here.
+/// tinygltf demands a buffer view of index accessors, though glTF does not; so they are given here. Those
+/// that were decoded have one.
 void restore_indices(Document& document, const Json& source) {
     for (std::size_t m = 0; m < document.model.meshes.size(); ++m) {
         auto& primitives = document.model.meshes[m].primitives;
         for (std::size_t p = 0; p < primitives.size(); ++p)
-            primitives[p].indices = source["meshes"][m]["primitives"][p].value("indices", -1);
+            if (primitives[p].indices < 0)
+                primitives[p].indices = source["meshes"][m]["primitives"][p].value("indices", -1);
     }
 }
 
@@ -141,9 +151,11 @@ Document read_document(const std::string& file) {
     document.extensions = check_extensions(checking);
     load_buffers(document, checking, container, hasher);
     check_buffer_views(checking);
+    decode_meshopt(document, checking);
     check_accessors(checking);
     load_images(document, checking, hasher);
     check_all(checking);
+    decode_draco(document, checking);
     document.accessor_problems = std::move(checking.accessor_problems);
     parse_model(document, checking);
     document.content_hash = hasher.hexadecimal();

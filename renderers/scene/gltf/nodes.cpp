@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
+#include <optional>
 
 #include "renderers/core/error.h"
+#include "renderers/scene/gltf/accessor.h"
+#include "renderers/scene/gltf/expansion_budget.h"
 
 namespace ir::scene::gltf {
 namespace {
@@ -31,6 +34,47 @@ Node node_of(Document& document, const tinygltf::Node& source, int parent) {
     node.scale = vec3_of(source.scale, glm::vec3(1));
     if (!source.matrix.empty()) node.matrix = glm::mat4(glm::make_mat4(source.matrix.data()));
     return node;
+}
+
+/// A value of each instance of a node; all are the same where the file has none.
+template <class Vector>
+std::vector<Vector> values_of_instances(const Document& document, const tinygltf::Value& attributes,
+                                        const std::string& place, const char* name) {
+    if (!attributes.Has(name)) return {};
+    const Accessor accessor(document, attributes.Get(name).GetNumberAsInt(), place + "." + name);
+    if (accessor.components() != Vector::length()) accessor.fail("has the wrong type; export the file again");
+    return read_vectors<Vector>(accessor, nullptr);
+}
+
+/// Adds the instances of a node, which has none of its own [EXT_mesh_gpu_instancing], as children.
+void add_instances(Document& document, Scene& scene, ExpansionBudget& budget, int index, int parent,
+                   const std::vector<int>& meshes) {
+    const auto place = element("nodes", index) + ".extensions." + gpu_instancing;
+    const auto& attributes = document.model.nodes[index].extensions.at(gpu_instancing);
+    std::optional<std::size_t> count;
+    for (const auto& name : attributes.Keys()) {
+        const Accessor accessor(document, attributes.Get(name).GetNumberAsInt(), place + "." + name);
+        if (count && accessor.count() != *count)
+            accessor.fail("has another number of instances than the others; export the file again");
+        count = accessor.count();
+    }
+    budget.spend(count.value_or(0) * sizeof(Node), place);
+    const auto translations = values_of_instances<glm::vec3>(document, attributes, place, "TRANSLATION");
+    const auto rotations = values_of_instances<glm::vec4>(document, attributes, place, "ROTATION");
+    const auto scales = values_of_instances<glm::vec3>(document, attributes, place, "SCALE");
+    for (std::size_t i = 0; i < count.value_or(0); ++i) {
+        Node node;
+        node.name = scene.nodes[parent].name + " " + std::to_string(i + 1);
+        node.parent = parent;
+        node.meshes = meshes;
+        if (!translations.empty()) node.translation = translations[i];
+        if (!scales.empty()) node.scale = scales[i];
+        if (!rotations.empty()) {
+            const glm::dvec4 q(rotations[i]);
+            node.rotation = rotation_of(document, {q.x, q.y, q.z, q.w});
+        }
+        scene.nodes.push_back(std::move(node));
+    }
 }
 
 std::vector<int> roots(Document& document) {
@@ -62,6 +106,7 @@ std::vector<int> roots(Document& document) {
 }  // namespace
 
 std::vector<int> load_nodes(Document& document, Scene& scene, const std::vector<std::vector<int>>& meshes) {
+    ExpansionBudget budget(document);
     std::vector<int> result(document.model.nodes.size(), -1);
     std::vector<std::pair<int, int>> queue;  // glTF node, scene parent
     for (const int root : roots(document)) queue.emplace_back(root, -1);
@@ -70,10 +115,12 @@ std::vector<int> load_nodes(Document& document, Scene& scene, const std::vector<
         const auto& source = document.model.nodes[index];
         result[index] = static_cast<int>(scene.nodes.size());
         auto node = node_of(document, source, parent);
-        if (source.mesh >= 0) node.meshes = meshes[source.mesh];
+        const bool has_instances = source.mesh >= 0 && source.extensions.contains(gpu_instancing);
+        if (source.mesh >= 0 && !has_instances) node.meshes = meshes[source.mesh];
         if (source.mesh >= 0 && source.skin >= 0)
             document.warnings.add("skins are ignored; meshes keep the rest pose of their vertices");
         scene.nodes.push_back(std::move(node));
+        if (has_instances) add_instances(document, scene, budget, index, result[index], meshes[source.mesh]);
         for (const int child : source.children) queue.emplace_back(child, result[index]);
     }
     return result;

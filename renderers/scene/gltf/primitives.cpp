@@ -6,37 +6,24 @@
 
 #include "renderers/core/error.h"
 #include "renderers/scene/gltf/accessor.h"
+#include "renderers/scene/gltf/expansion_budget.h"
 
 namespace ir::scene::gltf {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Bytes of geometry that a file may become: far above any honest ratio, it stops files that name the same
-/// data (or nothing at all) over and over.
-class GeometryBudget {
-  public:
-    explicit GeometryBudget(const Document& document)
-        : file_(document.file), left_((std::size_t{256} << 20) + 64 * document.total_bytes) {}
-    void spend(std::size_t vertices, std::size_t indices, const std::string& place) {
-        constexpr std::size_t vertex_bytes = 12 + 12 + 16 + 8 + 8 + 16;
-        const auto bytes = vertices * vertex_bytes + indices * sizeof(std::uint32_t);
-        if (bytes > left_)
-            throw InputError(file_, place, "the file expands to far more geometry than it holds; split it");
-        left_ -= bytes;
-    }
-
-  private:
-    const std::string& file_;
-    std::size_t left_;
-};
+std::size_t bytes_of(std::size_t vertices, std::size_t indices) {
+    constexpr std::size_t vertex_bytes = 12 + 12 + 16 + 8 + 8 + 16;
+    return vertices * vertex_bytes + indices * sizeof(std::uint32_t);
+}
 
 /// The primitive's corners in drawing order.
 Indices corners(const Document& document, const tinygltf::Primitive& primitive, std::size_t vertices,
-                GeometryBudget& budget, const std::string& place) {
+                ExpansionBudget& budget, const std::string& place) {
     Indices result;
     if (primitive.indices < 0) {
-        budget.spend(vertices, 3 * vertices, place);
+        budget.spend(bytes_of(vertices, 3 * vertices), place);
         result.resize(vertices);
         std::iota(result.begin(), result.end(), 0u);
         return result;
@@ -44,7 +31,7 @@ Indices corners(const Document& document, const tinygltf::Primitive& primitive, 
     const Accessor accessor(document, primitive.indices, place + ".indices");
     if (!accessor.is_unsigned() || accessor.components() != 1)
         accessor.fail("indices must be unsigned scalars; export the file again");
-    budget.spend(accessor.count(), 3 * accessor.count(), place);
+    budget.spend(bytes_of(accessor.count(), 3 * accessor.count()), place);
     result.resize(accessor.count());
     for (std::size_t i = 0; i < result.size(); ++i) {
         result[i] = accessor.whole(i);
@@ -195,7 +182,7 @@ void complete_frames(Document& document, Mesh& mesh, int uv_set) {
     }
 }
 
-Mesh load_primitive(Document& document, const tinygltf::Primitive& primitive, GeometryBudget& budget,
+Mesh load_primitive(Document& document, const tinygltf::Primitive& primitive, ExpansionBudget& budget,
                     const std::string& name, const std::string& place, int normal_uv_set) {
     const PrimitiveReader reader(document, primitive, place);
     const auto vertices = reader.attribute("POSITION").count();
@@ -232,7 +219,7 @@ bool is_drawn(Document& document, const tinygltf::Primitive& primitive, const st
 }  // namespace
 
 std::vector<std::vector<int>> load_meshes(Document& document, Scene& scene, int default_material) {
-    GeometryBudget budget(document);
+    ExpansionBudget budget(document);
     std::vector<std::vector<int>> result;
     for (std::size_t m = 0; m < document.model.meshes.size(); ++m) {
         const auto& source = document.model.meshes[m];

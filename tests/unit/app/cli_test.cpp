@@ -84,9 +84,9 @@ TEST_F(Cli, LostOutputIsNoSuccess) {
 TEST_F(Cli, RefusesBadFilesWithStatusThree) {
     expect_refused("scene " + file("missing.glb"), 3, "missing.glb");
     std::ofstream(file("broken.gltf")) << "{\"asset\": {\"version\": \"2.0\"}, \"extensionsRequired\": "
-                                          "[\"KHR_draco_mesh_compression\"], \"extensionsUsed\": "
-                                          "[\"KHR_draco_mesh_compression\"]}";
-    expect_refused("scene " + file("broken.gltf"), 3, "KHR_draco_mesh_compression");
+                                          "[\"KHR_texture_basisu\"], \"extensionsUsed\": "
+                                          "[\"KHR_texture_basisu\"]}";
+    expect_refused("scene " + file("broken.gltf"), 3, "KHR_texture_basisu");
     expect_refused("compare " + file("missing.exr") + " " + file("missing.exr"), 3, "missing.exr");
     expect_refused("project " + file("missing.interreflect"), 3, "missing.interreflect");
 }

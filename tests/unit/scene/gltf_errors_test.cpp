@@ -59,9 +59,8 @@ TEST(GltfErrors, OldVersion) {
 
 TEST(GltfErrors, RequiredExtension) {
     auto builder = triangle();
-    builder.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-    expect_refusal(builder.embedded_text(), "extensionsRequired",
-                   "KHR_draco_mesh_compression is not supported");
+    builder.json["extensionsRequired"] = {"KHR_texture_basisu"};
+    expect_refusal(builder.embedded_text(), "extensionsRequired", "KHR_texture_basisu is not supported");
 }
 
 TEST(GltfErrors, MissingBuffer) {
