@@ -13,6 +13,7 @@
 #include "renderers/methods/deep-screen-space/splatting/steps.h"
 #include "renderers/passes/direct/compose.h"
 #include "renderers/passes/direct/lit.h"
+#include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
@@ -57,7 +58,7 @@ MethodDescription description() {
         "about it, and with visibility keeps, for each sample of a pixel, the nearest along its direction. "
         "Ambient occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the "
         "picture does not show count. Errors come from the surfels' size, from the number of directions, and "
-        "from far surfels that stand for many.";
+        "from far surfels that stand for many. To surfels glass is opaque.";
     d.version = 6;
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
@@ -130,8 +131,10 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         parameters.reprojection, builder.text_of_output(ao ? "accessibility" : "indirect.radiance"));
     if (ao)
         passes::lit(builder, gbuffer, direct, picture, parameters.ambient);
-    else
+    else {
         passes::compose_light(builder, gbuffer, direct, picture, parameters.transport);
+        passes::note_opaque_glass(builder, gbuffer, "surfels");
+    }
     note_reach(builder, parameters);
 }
 

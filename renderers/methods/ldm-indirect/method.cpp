@@ -24,7 +24,7 @@ MethodDescription description() {
         "Splits photons of all sources into all directions of the layered depth maps, traces them "
         "through the maps, and splats them with the footprints of their differentials. One diffuse bounce; "
         "nothing is precomputed. Errors come from the number of directions, from the maps' texels and from "
-        "the footprints' size.";
+        "the footprints' size. To maps glass is opaque.";
     d.version = 5;
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
     d.missing_light = missing_light();

@@ -95,4 +95,10 @@ void see_through_glass(graph::GraphBuilder& builder, const GBuffer& gbuffer, gra
         .compute({{"passes/gbuffer/through_glass.comp"}}, radiance);
 }
 
+void note_opaque_glass(graph::GraphBuilder& builder, const GBuffer& gbuffer, const std::string& carriers) {
+    if (!gbuffer.glass) return;
+    builder.note("glass is opaque to " + carriers +
+                 ": indirect light through it is missing, and what it reflects; the reference has both");
+}
+
 }  // namespace ir::passes

@@ -102,6 +102,11 @@ class GlassBefore : public testing::Test {
         if (settings.count("max_distance")) settings["max_distance"] = 0.5;
         return settings;
     }
+    static std::ptrdiff_t notes(const Picture& picture, const std::string& text) {
+        return std::ranges::count_if(picture.messages, [&](const Message& message) {
+            return message.text.find(text) != std::string::npos;
+        });
+    }
     static const graph::Method& method(const std::string& id) {
         for (const auto* m : methods::all_methods())
             if (m->description.id == id) return *m;
@@ -174,13 +179,21 @@ TEST_F(GlassBefore, IsNotWhiteAndSaysWhatIsLeftOut) {
     const int x = width / 2 + 2, y = height / 2;
     ASSERT_GT(seen.glass->at(x, y, 3), 0);
     EXPECT_GT(seen.main.at(x, y, 0), 3 * seen.main.at(x, y, 1)) << "the red wall";
-    const auto notes = [](const Picture& picture) {
-        return std::count_if(picture.messages.begin(), picture.messages.end(), [](const Message& message) {
-            return message.text.find("glass is drawn as what lies behind it") != std::string::npos;
-        });
+    const auto* drawn = "glass is drawn as what lies behind it";
+    EXPECT_EQ(notes(seen, drawn), 1);
+    EXPECT_EQ(notes(render(method("ssdo"), {{"paths", std::string("direct")}}, Pane::none), drawn), 0);
+}
+
+TEST_F(GlassBefore, MethodsSayWhereItStopsTheirIndirectLight) {
+    const auto count = [&](const char* id, const char* paths, Pane pane) {
+        const auto settings = with(quick_settings(method(id).description), {{"paths", std::string(paths)}});
+        return notes(render(method(id), settings, pane), "glass is opaque to");
     };
-    EXPECT_EQ(notes(seen), 1);
-    EXPECT_EQ(notes(render(method("ssdo"), {{"paths", std::string("direct")}}, Pane::none)), 0);
+    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin), 1);
+    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::none), 0);
+    EXPECT_EQ(count("ldm-indirect", "indirect", Pane::thin), 1);
+    EXPECT_EQ(count("ldm-indirect", "direct", Pane::thin), 0);
+    EXPECT_EQ(count("photon-mapping", "indirect", Pane::thin), 0) << "photons go through it";
 }
 
 TEST_F(GlassBefore, IsASurfaceWithLambertMaterials) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "app/engine/execution.h"
@@ -39,23 +40,38 @@ Experiment lit_by(LightKind kind) {
     return e;
 }
 
-/// Light of valid pixels, without what emits there.
-double scattered_light(Experiment e, const MethodDescription& method, const Settings& settings) {
+/// Mean of red over the picture, and the standard error that samples leave.
+struct Light {
+    double value = 0, error = 0;
+};
+
+/// Of valid pixels of an output (empty: the main result), without what emits there.
+Light scattered_light(Experiment e, const MethodDescription& method, const Settings& settings,
+                      const std::string& output = "") {
     e.method = method.id;
     e.settings = settings;
     Execution execution(machine(), e);
+    const auto& graph = execution.graph();
+    const char* noise = method.is_reference ? "reference.variance" : "direct.extended.variance";
     graph::FrameOptions options;
-    options.wanted = {"valid", "gbuffer.emission"};
+    options.wanted = {"valid", "gbuffer.emission", noise, output};
     execution.run_frame(options);
-    const auto picture = main_result(execution);
-    const auto valid = execution.graph().read_image("valid").value(),
-               emission = execution.graph().read_image("gbuffer.emission").value();
-    const bool is_full = execution.settings().at("paths") == Value{std::string("full")};
-    double sum = 0;
+    const auto picture = output.empty() ? main_result(execution) : graph.read_image(output).value();
+    const auto valid = graph.read_image("valid").value(),
+               emission = graph.read_image("gbuffer.emission").value();
+    const auto variance = graph.read_image(noise);
+    const auto paths = execution.settings().find("paths");
+    const bool has_emission = output == lit_output_key || (paths != execution.settings().end() &&
+                                                           paths->second == Value{std::string("full")});
+    double sum = 0, squares = 0;
     for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x)
-            if (valid.at(x, y) > 0) sum += picture.at(x, y) - (is_full ? emission.at(x, y) : 0.0f);
-    return sum / (picture.width * picture.height);
+        for (int x = 0; x < picture.width; ++x) {
+            if (valid.at(x, y) == 0) continue;
+            sum += picture.at(x, y) - (has_emission ? emission.at(x, y) : 0.0f);
+            if (variance) squares += variance->at(x, y);
+        }
+    const double pixels = picture.width * picture.height;
+    return {sum / pixels, std::sqrt(squares) / pixels};
 }
 
 std::vector<std::string> paths_of(const MethodDescription& method) {
@@ -65,9 +81,12 @@ std::vector<std::string> paths_of(const MethodDescription& method) {
     return result;
 }
 
-/// Whether there is any light does not depend on numbers of samples.
-Settings quick(const MethodDescription& method, const std::string& paths, const Settings& more = {}) {
-    return test::with(test::with(test::quick_settings(method), more), {{"paths", paths}});
+/// Whether there is any light does not depend on numbers of samples, but how well it is known does.
+Settings quick(const MethodDescription& method, const Settings& more = {}) {
+    auto settings = test::quick_settings(method);
+    if (settings.count("light_samples")) settings["light_samples"] = std::int64_t{64};
+    if (method.is_reference) settings["samples"] = std::int64_t{128};
+    return test::with(settings, more);
 }
 
 std::vector<Settings> distinct(const std::vector<Settings>& all) {
@@ -80,11 +99,11 @@ std::vector<Settings> distinct(const std::vector<Settings>& all) {
 /// Of these paths: the defaults, and what changes which light the method has.
 std::vector<Settings> variants_of(const MethodDescription& method, const std::string& paths) {
     auto result = test::light_variants(method);
-    for (auto& settings : result) settings = quick(method, paths, settings);
+    for (auto& settings : result) settings = test::with(quick(method, settings), {{"paths", paths}});
     return distinct(result);
 }
 
-/// Where a method's direct light is not the reference's, and why.
+/// Where a method's direct light is not the reference's but for noise, and why.
 struct Deviation {
     const char* method;
     const char* setting;
@@ -95,53 +114,90 @@ struct Deviation {
 const Deviation deviations[] = {
     // Nothing beyond a step of 1 m keeps the environment out of the box.
     {"ssdo", "environment_by", "occlusion", LightKind::environment, 2, 4},
+    // Maps of 32 directions, each with one light for all of its region.
+    {"ldm-indirect", "environment_by", "maps", LightKind::environment, 0.97, 1.04},
 };
 
-/// Light of the method over the reference's: where it lies.
-std::pair<double, double> bounds_of(const MethodDescription& method, const Settings& settings,
-                                    LightKind kind) {
+const Deviation* deviation_of(const MethodDescription& method, const Settings& settings, LightKind kind) {
     for (const auto& each : deviations)
         if (method.id == each.method && kind == each.kind &&
             settings.at(each.setting) == Value{std::string(each.value)})
-            return {each.low, each.high};
-    return {0.9, 1.1};
+            return &each;
+    return nullptr;
 }
 
 /// The reference's direct light with the same transport, found once for each.
-double true_light(const MethodDescription& method, const Settings& settings, LightKind kind) {
-    static std::map<std::pair<LightKind, Settings>, double> found;
-    Settings matched{{"samples", std::int64_t{64}}};
+Light true_light(const MethodDescription& method, const Settings& settings, LightKind kind) {
+    static std::map<std::pair<LightKind, Settings>, Light> found;
+    Settings matched{{"samples", std::int64_t{256}}};
     for (const auto& p : method.parameters)
-        if (is_transport_key(p.key) && p.key != "max_distance") matched[p.key] = settings.at(p.key);
+        if (is_transport_key(p.key) && p.key != "max_distance" && p.key != "falloff")
+            matched[p.key] = settings.at(p.key);
+    matched["paths"] = std::string("direct");
     auto& light = found[{kind, matched}];
-    if (light == 0) light = scattered_light(lit_by(kind), *registry().reference(), matched);
+    if (light.value == 0) light = scattered_light(lit_by(kind), *registry().reference(), matched);
     return light;
+}
+
+void expect_equal_but_for_noise(const Light& found, const MethodDescription& method, const Settings& settings,
+                                LightKind kind) {
+    const auto truth = true_light(method, settings, kind);
+    const double ratio = found.value / truth.value;
+    if (const auto* known = deviation_of(method, settings, kind)) {
+        EXPECT_TRUE(known->low < ratio && ratio < known->high)
+            << method.id << ", " << text_of(kind) << ": " << ratio << " of the reference's direct light";
+        return;
+    }
+    const double noise = std::hypot(found.error, truth.error) / truth.value;
+    EXPECT_LT(noise, 0.006) << method.id << ", " << text_of(kind);
+    EXPECT_NEAR(ratio, 1, 4 * noise + 2e-3) << method.id << ", " << text_of(kind);
 }
 
 void expect_described_light(const MethodDescription& method, const Settings& settings, LightKind kind) {
     const auto use = light_use(method, settings);
     const bool expected = use.has(LightPart::direct, kind) || use.has(LightPart::indirect, kind);
-    const double found = scattered_light(lit_by(kind), method, settings);
-    EXPECT_EQ(found > 1e-4, expected) << method.id << " paths=" << to_string(settings.at("paths")) << ", "
-                                      << text_of(kind) << ": " << found;
-    if (settings.at("paths") != Value{std::string("direct")} || !use.has(LightPart::direct, kind)) return;
-    const auto [low, high] = bounds_of(method, settings, kind);
-    const double ratio = found / true_light(method, settings, kind);
-    EXPECT_TRUE(low < ratio && ratio < high)
-        << method.id << ", " << text_of(kind) << ": " << ratio << " of the reference's direct light";
+    const auto found = scattered_light(lit_by(kind), method, settings);
+    EXPECT_EQ(found.value > 1e-4, expected) << method.id << " paths=" << to_string(settings.at("paths"))
+                                            << ", " << text_of(kind) << ": " << found.value;
+    if (settings.at("paths") == Value{std::string("direct")} && use.has(LightPart::direct, kind))
+        expect_equal_but_for_noise(found, method, settings, kind);
 }
+
+constexpr LightKind all_kinds[] = {LightKind::punctual, LightKind::lamp, LightKind::surface,
+                                   LightKind::environment};
 
 TEST(MethodLight, IsWhatTheDescriptionSays) {
     int judged = 0;
     for (const auto* method : registry().methods())
         for (const auto& paths : paths_of(*method))
             for (const auto& settings : variants_of(*method, paths))
-                for (const auto kind :
-                     {LightKind::punctual, LightKind::lamp, LightKind::surface, LightKind::environment}) {
+                for (const auto kind : all_kinds) {
                     expect_described_light(*method, settings, kind);
                     ++judged;
                 }
     EXPECT_GE(judged, 60);
+}
+
+/// Methods of ambient occlusion have it in the output "lit", beside light from everywhere, which is off here.
+TEST(MethodLight, OfLitIsTheReferencesDirectLight) {
+    int judged = 0;
+    for (const auto* method : registry().methods()) {
+        if (std::ranges::find(method->outputs, lit_output_key, &OutputDescription::key) ==
+            method->outputs.end())
+            continue;
+        const auto settings = quick(*method, {{"ambient", 0.0}});
+        const auto use = light_use_of_lit(*method, settings);
+        for (const auto kind : all_kinds) {
+            const auto found = scattered_light(lit_by(kind), *method, settings, lit_output_key);
+            const bool is_lit = use.has(LightPart::direct, kind);
+            EXPECT_EQ(found.value > 1e-4, is_lit)
+                << method->id << ", " << text_of(kind) << ": " << found.value;
+            if (!is_lit) continue;
+            expect_equal_but_for_noise(found, *method, settings, kind);
+            ++judged;
+        }
+    }
+    EXPECT_EQ(judged, 12) << "three kinds of sources for each of four methods";
 }
 
 /// A rectangle in front of the back wall that shines at the camera.
@@ -154,7 +210,7 @@ TEST(MethodLight, LampsAreSeenWhereTheDescriptionSays) {
         if (paths_of(*method).empty()) continue;
         e.method = method->id;
         for (const char* emitters : {"all", "none"}) {
-            e.settings = quick(*method, "full");
+            e.settings = quick(*method, {{"paths", std::string("full")}});
             if (e.settings.count("emitters")) e.settings["emitters"] = emitters;
             Execution execution(machine(), e);
             execution.run_frame({});

@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
         Room{.name = "cornell", .scene = "builtin:cornell"},
         Room{.name = "rectangle", .scene = "builtin:cornell?emission=0&light=0", .lights = {{lamp}}},
         Room{.name = "sky", .scene = "builtin:cornell?emission=0&light=0", .environment = glm::vec3(1)},
-        Room{.name = "still_life", .scene = "builtin:still-life", .maps = {0.9, 1.05}},
+        Room{.name = "still_life", .scene = "builtin:still-life", .maps = {0.94, 1.05}},
         Room{.name = "furnace", .scene = "builtin:furnace", .environment = glm::vec3(1)},
         Room{.name = "panels",
              .scene = "builtin:conference?emission=30",

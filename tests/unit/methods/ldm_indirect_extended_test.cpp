@@ -81,6 +81,21 @@ TEST_F(PhotonsOfLampsTest, SourcesEmitTheirFluxAndNoneIsLost) {
     EXPECT_NEAR(outer / (2 * pi * 64), 1, 0.05);
 }
 
+// Half of the panel is black, and of the room only the floor is left: of eight rays of a photon some start
+// where nothing shines, and often none of the others is of use.
+TEST_F(PhotonsOfLampsTest, BlackTexelsEmitNoEnergy) {
+    auto scene = with_panel();
+    scene.nodes.erase(scene.nodes.begin() + 1, scene.nodes.end() - 1);
+    scene.materials.back().emission_texture.texture = static_cast<int>(scene.textures.size());
+    auto& texture = scene.textures.emplace_back();
+    texture.width = 2, texture.height = 1;
+    texture.rgba = {0, 0, 0, 255, 255, 255, 255, 255};
+    texture.sampler.mag = texture.sampler.min = scene::Filter::nearest;
+    trace(Shot(scene, inside(), 48, 48), quick());
+    expect_balanced("half of a panel");
+    EXPECT_NEAR(emitted() / (pi * 0.36 * 3), 1, 0.05);
+}
+
 // The lamp lies in the plane of the ceiling.
 TEST_F(PhotonsOfLampsTest, LightArrivesByTheFormFactor) {
     auto lamp = lamp_of(scene::LightType::rectangle, {1, 1});

@@ -81,6 +81,7 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
         .writes("indirect_image", indirect)
         .compute(source, radiance, Compose{reflection.constants(builder.inputs()), parts.seen.background});
     passes::see_through_glass(builder, gbuffer, radiance);
+    if (paths != Paths::direct) passes::note_opaque_glass(builder, gbuffer, "layered depth maps");
 }
 
 }  // namespace ir::methods::ldm_indirect

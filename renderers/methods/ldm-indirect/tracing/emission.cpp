@@ -20,7 +20,7 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
     primaries.extended = extended_photons(builder.inputs(), parameters);
     if (images.views_drawn == 0 && primaries.extended.count() == 0 &&
         parameters.transport.paths != Transport::Paths::direct)
-        builder.note("nothing shines: there are no photons");
+        builder.note("nothing shines: there are no photons; add a light or an environment");
     primaries.from_images = static_cast<std::uint64_t>(images.layers) *
                             static_cast<std::uint64_t>(images.resolution) *
                             static_cast<std::uint64_t>(images.resolution);

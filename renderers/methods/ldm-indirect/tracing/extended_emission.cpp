@@ -99,13 +99,15 @@ class ExtendedEmission {
         Primary primary = nothing(source);
         if (!chosen.light) return primary;
         primary.light = light_of(*chosen.light);
-        primary.emitted = chosen.light->flux / static_cast<float>(all);
+        const auto whole = chosen.light->flux / static_cast<float>(all);
+        const float shining = static_cast<float>(emitted) / static_cast<float>(rays_of_photon);
+        primary.emitted = shining * whole;
         primary.direction_ws = chosen.light->direction_ws;
         if (useful == 0) return primary;
         // It stands for its part of the rays, and for those that were left out because they are of less use.
         const float part = static_cast<float>(useful) / (static_cast<float>(rays_of_photon) * chosen.use);
-        primary.emitted *= part;
-        primary.missed = static_cast<float>(emitted) / (static_cast<float>(rays_of_photon) * part) - 1;
+        primary.emitted = part * whole;
+        primary.missed = shining / part - 1;
         primary.path_length = chosen.hit.distance;
         arrive(primary, surfaces_.at(chosen.hit, chosen.light->direction_ws));
         if (primary.fate != primary_splits) return primary;

@@ -44,7 +44,8 @@ SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scen
     const bool has_maps = parameters.first_hit == FirstHit::rsm;
     const auto sources = find_sources(builder.inputs(), parameters, texels(parameters.rsm_resolution));
     auto points = declare_points(builder, sources, parameters);
-    if (points.count == 0) builder.note("nothing shines: there are no photons");
+    if (points.count == 0)
+        builder.note("nothing shines: there are no photons; add a light or an environment");
 
     std::optional<MappedEmission> mapped;
     std::optional<TracedEmission> traced;
