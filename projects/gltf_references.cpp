@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "projects/json.h"
+#include "projects/scene_files.h"
 #include "renderers/core/percent_decoded.h"
 
 namespace ir::projects {
@@ -73,10 +74,8 @@ std::string json_text(const fs::path& file) {
 }
 
 bool is_gltf(const fs::path& file) {
-    auto extension = file.extension().string();
-    for (auto& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     std::error_code ignored;
-    return (extension == ".gltf" || extension == ".glb") && fs::is_regular_file(file, ignored);
+    return is_gltf_name(file) && fs::is_regular_file(file, ignored);
 }
 
 /// Keeps two lists of the document, and nothing of its buffers and images.

@@ -84,6 +84,17 @@ bool is_builtin(const std::string& source) {
     return source.rfind(builtin_prefix, 0) == 0;
 }
 
+bool is_gltf_name(const fs::path& file) {
+    auto extension = file.extension().string();
+    for (auto& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension == ".gltf" || extension == ".glb";
+}
+
+bool names_scene(const std::string& given) {
+    std::error_code ignored;
+    return is_builtin(given) || (is_gltf_name(given) && !fs::is_directory(given, ignored));
+}
+
 fs::path resolve(const std::string& source, const fs::path& project_folder) {
     const fs::path path(source);
     if (path.is_absolute()) return path.lexically_normal();

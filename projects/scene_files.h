@@ -34,6 +34,10 @@ struct FileStatus {
 };
 
 bool is_builtin(const std::string& source);
+/// By its suffix, in small or capital letters.
+bool is_gltf_name(const std::filesystem::path& file);
+/// Whether somebody who gives this means a scene: builtin:NAME, or a glTF file by its name.
+bool names_scene(const std::string& given);
 /// Absolute path of a source that is a file. Relative ones start at the project folder, or at the current one
 /// while the project was never saved and its folder is empty.
 std::filesystem::path resolve(const std::string& source, const std::filesystem::path& project_folder);

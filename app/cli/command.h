@@ -8,6 +8,7 @@
 
 #include "app/engine/machine_settings.h"
 #include "projects/fields.h"
+#include "projects/scene_files.h"
 
 namespace ir::cli {
 
@@ -49,6 +50,15 @@ inline void add_quiet_flag(CLI::App& command, bool& quiet) {
 }
 inline void add_json_flag(CLI::App& command, bool& json) {
     command.add_flag("--json", json, "Print one JSON object");
+}
+/// Of an argument that is a project: says how a scene is given.
+inline CLI::Validator no_scene() {
+    return {[](std::string& text) {
+                if (!projects::names_scene(text)) return std::string();
+                return text + " is a scene and no project; give it by --scene: render --scene " + text +
+                       " --method METHOD";
+            },
+            ""};
 }
 inline constexpr const char* method_doc = "Id, as `list` prints it";
 

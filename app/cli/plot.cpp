@@ -40,7 +40,7 @@ void add_plot_merge(CLI::App& plot, Run& run) {
     flags->job.merge = true;
     auto* command = plot.add_subcommand(
         "merge", "Join the points that all shards have left in a project's results/plots/parts");
-    command->add_option("PROJECT", flags->job.project, "Project folder")->required();
+    command->add_option("PROJECT", flags->job.project, "Project folder")->required()->check(no_scene());
     add_output_flags(*command, *flags);
     command->callback([flags, command, &run] { set_run(flags, *command, run); });
 }
@@ -55,7 +55,7 @@ void add_plot(CLI::App& app, Run& run) {
         "Carry out plots of a project: error against time, frames or a parameter (also: bench error); `plot "
         "merge` joins shards");
     // Required below, or the required place would take "merge".
-    const auto* place = command->add_option("PROJECT", job.project, "Project folder");
+    const auto* place = command->add_option("PROJECT", job.project, "Project folder")->check(no_scene());
     add_output_flags(*command, *flags);
     command->add_option("--repeats", job.repeats, "Runs of which the median time counts (default 1)")
         ->check(CLI::Range(1, max_repeats));

@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
+#include "app/cli/render_project.h"
 #include "app/cli/results.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
@@ -36,7 +37,8 @@ struct ProjectFlags {
     MachineFlags machine;
     std::string project, pack, unpack;
     std::vector<std::string> changes;
-    bool check = false, upgrade = false, verify = false, prune = false, results = false, json = false;
+    bool check = false, upgrade = false, verify = false, prune = false, results = false, json = false,
+         quiet = false;
 };
 
 const char* word(Severity severity) {
@@ -103,7 +105,7 @@ void compare_pictures(Json& row, const Image& now, const std::filesystem::path& 
 
 /// Renders a kept result's experiment again and reports how far the pictures are apart and what changed.
 void verify(Json& row, engine::Machine& machine, const projects::LoadedProject& loaded,
-            const projects::Experiment& experiment, const projects::ResultIndex& index) {
+            const projects::Experiment& experiment, const projects::ResultIndex& index, ProgressLine& line) {
     const auto* kept = index.find(experiment.last_kept_key);
     if (!kept)
         throw InputError((loaded.folder / "results/index.json").string(), "",
@@ -117,7 +119,8 @@ void verify(Json& row, engine::Machine& machine, const projects::LoadedProject& 
     engine::Execution execution(machine, engine::from_project(loaded.project, experiment, loaded.folder));
     graph::FrameOptions options;
     options.cancel = &engine::interruption();
-    const auto report = engine::run_frames(execution, options);
+    options.progress = line.callback();
+    const auto report = under_progress(line, {}, [&] { return engine::run_frames(execution, options); });
     if (report.backend != kept->provenance.backend || report.device != kept->provenance.driver)
         row["changed"].push_back("device: " + kept->provenance.driver + " → " + report.device);
     if (!kept->provenance.processor.empty() && report.processor != kept->provenance.processor)
@@ -147,17 +150,23 @@ int verify_all(const ProjectFlags& flags, projects::LoadedProject loaded) {
     Json json{{"project", loaded.folder.string()}, {"results", Json::array()}};
     int status = done;
     std::optional<engine::Machine> machine;
+    double frames = 0;
+    for (const auto& experiment : loaded.project.experiments)
+        if (!experiment.last_kept_key.empty()) frames += frames_of(experiment);
+    ProgressLine line(!flags.quiet, frames);
     for (const auto& experiment : loaded.project.experiments) {
         if (experiment.last_kept_key.empty()) continue;
         if (!machine) machine.emplace(machine_options(flags.machine));
         Json row{
             {"experiment", experiment.id}, {"key", experiment.last_kept_key}, {"changed", Json::array()}};
+        line.begin(experiment.id, frames_of(experiment));
         try {
-            verify(row, *machine, loaded, experiment, index);
+            verify(row, *machine, loaded, experiment, index, line);
         } catch (const Error& error) {
             row["error"] = projects::printable(error.what(), 4096);
             status = std::max(status, status_of(error));
         }
+        line.clear();
         if (!flags.json) print_row(row);
         json["results"].push_back(std::move(row));
     }
@@ -262,7 +271,8 @@ void add_project(CLI::App& app, Run& run) {
     command
         ->add_option("PROJECT", flags->project,
                      "Project folder or its project.json; for --unpack the packed file")
-        ->required();
+        ->required()
+        ->check(no_scene());
     auto* actions = command->add_option_group("action");
     actions->add_flag("--check", flags->check, "Look for missing or changed files, unknown keys and methods");
     actions->add_flag("--upgrade", flags->upgrade, "Rewrite with the newest schema");
@@ -280,6 +290,7 @@ void add_project(CLI::App& app, Run& run) {
                         "Unpack into a new folder NAME.interreflect inside this folder");
     actions->require_option(0, 1);
     add_json_flag(*command, flags->json);
+    add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
     command->callback([flags, &run] { run = [flags] { return run_project(*flags); }; });
 }

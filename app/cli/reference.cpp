@@ -322,7 +322,9 @@ void add_reference_merge(CLI::App& reference, Run& run) {
     auto flags = std::make_shared<ReferenceFlags>();
     auto* command = reference.add_subcommand(
         "merge", "Join the parts that all shards have left in a project's results/parts");
-    command->add_option("PROJECT", flags->project, "Project folder or its project.json")->required();
+    command->add_option("PROJECT", flags->project, "Project folder or its project.json")
+        ->required()
+        ->check(no_scene());
     add_project_flags(*command, *flags);
     command->callback([flags, &run] { run = [flags] { return References(*flags).merge(); }; });
 }
@@ -336,7 +338,8 @@ void add_reference(CLI::App& app, Run& run) {
         "Match a project's experiments with their ground truth, compute it and keep it; `reference merge` "
         "joins shards");
     // Required below, or the required place would take "merge".
-    const auto* place = command->add_option("PROJECT", flags->project, "Project folder or its project.json");
+    const auto* place = command->add_option("PROJECT", flags->project, "Project folder or its project.json")
+                            ->check(no_scene());
     add_project_flags(*command, *flags);
     add_checkpoint_flag(*command, flags->checkpoint);
     add_shard_flags(*command, flags->shard, "tile of each picture");

@@ -124,8 +124,9 @@ void add_render(CLI::App& app, Run& run) {
     auto flags = std::make_shared<RenderFlags>();
     auto* command =
         app.add_subcommand("render", "Render a project's experiments, or one scene by one method");
-    command->add_option("PROJECT", flags->project,
-                        "Project folder; or leave out and give --scene and --method");
+    command
+        ->add_option("PROJECT", flags->project, "Project folder; or leave out and give --scene and --method")
+        ->check(no_scene());
     command->add_option("--experiment", flags->experiments, "Id of an experiment to render (default: all)");
     command->add_option("--scene", flags->scene, "A .gltf or .glb file, or builtin:NAME");
     command->add_option("--method", flags->method, method_doc);

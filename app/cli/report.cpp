@@ -210,6 +210,7 @@ void add_report(CLI::App& app, Run& run) {
         "report", "One HTML file of a project, a sweep or two pictures, to be sent and opened in a browser");
     command
         ->add_option("P", flags->what, "Project folder or packed file, the folder of a sweep, or a picture")
+        ->check(no_scene())
         ->required();
     command->add_option("REFERENCE", flags->reference, "With a picture: what it is compared with");
     command->add_option("--out", flags->out, "The file")->capture_default_str();

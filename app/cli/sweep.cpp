@@ -305,7 +305,7 @@ void add_sweep(CLI::App& app, Run& run) {
         "sweep", "Render all variations of a project's sweep; `sweep merge` joins its shards");
     // Required below, or a required place would take "merge".
     const std::vector<CLI::Option*> places{
-        command->add_option("PROJECT", flags->project, "Project folder"),
+        command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene()),
         command->add_option("NAME", flags->name, "Id or name of the sweep")};
     command
         ->add_option("--out", flags->out,

@@ -42,7 +42,9 @@ void add_thumbnail(CLI::App& app, Run& run) {
     };
     auto flags = std::make_shared<Flags>();
     auto* command = app.add_subcommand("thumbnail", "A small PNG of the picture that a project kept last");
-    command->add_option("PROJECT", flags->project, "Project folder, or a packed project")->required();
+    command->add_option("PROJECT", flags->project, "Project folder, or a packed project")
+        ->required()
+        ->check(no_scene());
     command->add_option("FILE", flags->file, "PNG file")->required();
     command->add_option("--size", flags->size, "Pixels of the longer side at most")
         ->check(CLI::Range(1, 4096))

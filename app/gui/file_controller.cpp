@@ -11,6 +11,7 @@
 #include "app/gui/card_picture.h"
 #include "app/gui/dialog_folder.h"
 #include "app/gui/exports.h"
+#include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
 
@@ -26,11 +27,11 @@ bool ends_with(const QString& path, std::initializer_list<const char*> suffixes)
 }
 
 bool is_scene_file(const QString& path) {
-    return ends_with(path, {".gltf", ".glb"});
+    return projects::is_gltf_name(path.toStdString());
 }
 
 bool is_builtin(const QString& path) {
-    return path.startsWith(QStringLiteral("builtin:"));
+    return projects::is_builtin(path.toStdString());
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct StoredObject {
     std::shared_ptr<void> object;
     std::uint64_t bytes = 0;
     std::string fingerprint;
+    bool is_spare = false;
 };
 
 /// As long as this stays equal, a frame is divided into as many batches as the one before, and items take as

@@ -99,8 +99,9 @@ class FrameMemory {
     std::uint64_t capacity_of(const BufferDesc& desc) const;
     MemoryPlan plan() const;
     bool fits(const MemoryPlan& memory) const;
-    /// What the budget leaves over for spare objects; the largest number without a budget.
-    std::uint64_t spare_bytes() const;
+    /// What the budget leaves over for a spare object beside the others that are there; the largest number
+    /// without a budget.
+    std::uint64_t spare_bytes(const std::string& key) const;
     /// Frees objects that this frame makes anew, and spare ones that take more than is left over.
     void free_objects();
     void allocate();
@@ -110,6 +111,9 @@ class FrameMemory {
     bool grow(const std::vector<std::uint64_t>& counts);
 
   private:
+    /// For all spare objects together.
+    std::uint64_t left_over() const;
+
     Frame& frame_;
 };
 

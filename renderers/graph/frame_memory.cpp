@@ -58,29 +58,35 @@ bool FrameMemory::fits(const MemoryPlan& memory) const {
            (frame_.options->memory_budget == 0 || memory.bytes <= frame_.options->memory_budget);
 }
 
-std::uint64_t FrameMemory::spare_bytes() const {
+std::uint64_t FrameMemory::left_over() const {
     const auto budget = frame_.options->memory_budget;
     if (budget == 0) return std::numeric_limits<std::uint64_t>::max();
     return budget - std::min(budget, plan().bytes);
 }
 
+std::uint64_t FrameMemory::spare_bytes(const std::string& key) const {
+    auto left = left_over();
+    for (const auto& [other, stored] : frame_.cache.objects)
+        if (stored.is_spare && other != key) left -= std::min(left, stored.bytes);
+    return left;
+}
+
 void FrameMemory::free_objects() {
     auto& objects = frame_.cache.objects;
-    const auto erase_unless = [&](auto stays) {
-        std::erase_if(objects, [&](const auto& entry) {
-            for (std::size_t i = 0; i < frame_.builder->objects().size(); ++i)
-                if (const auto& desc = frame_.builder->objects()[i];
-                    desc.text.key == entry.first && frame_.plan.object_live[i])
-                    return !stays(desc, entry.second);
-            return true;
-        });
+    const auto is_for_this_frame = [&](const auto& entry) {
+        for (std::size_t i = 0; i < frame_.builder->objects().size(); ++i)
+            if (const auto& desc = frame_.builder->objects()[i]; desc.text.key == entry.first)
+                return frame_.plan.object_live[i] && !desc.fingerprint.empty() &&
+                       entry.second.fingerprint == desc.fingerprint;
+        return false;
     };
-    erase_unless([](const ObjectDesc& desc, const StoredObject& stored) {
-        return !desc.fingerprint.empty() && stored.fingerprint == desc.fingerprint;
-    });
-    const auto left = spare_bytes();
-    erase_unless([&](const ObjectDesc& desc, const StoredObject& stored) {
-        return !desc.is_spare || stored.bytes <= left;
+    std::erase_if(objects, [&](const auto& entry) { return !is_for_this_frame(entry); });
+    auto left = left_over();
+    std::erase_if(objects, [&](const auto& entry) {
+        if (!entry.second.is_spare) return false;
+        if (entry.second.bytes > left) return true;
+        left -= entry.second.bytes;
+        return false;
     });
 }
 

@@ -87,8 +87,9 @@ void adopt_shared(Frame& frame) {
             continue;
         const auto* entry = frame.cache.shared->find(desc.text.key, desc.fingerprint);
         auto object = entry ? entry->object.lock() : nullptr;
-        if (!object || (desc.is_spare && entry->bytes > FrameMemory(frame).spare_bytes())) continue;
-        own[desc.text.key] = {std::move(object), entry->bytes, desc.fingerprint};
+        if (!object || (desc.is_spare && entry->bytes > FrameMemory(frame).spare_bytes(desc.text.key)))
+            continue;
+        own[desc.text.key] = {std::move(object), entry->bytes, desc.fingerprint, desc.is_spare};
         learn_counts(frame, *entry);
     }
 }

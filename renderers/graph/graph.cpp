@@ -81,8 +81,8 @@ void Frame::begin() {
         cache.batches = 1;
         cache.items_per_ms.clear();
     }
-    // Spare objects may become larger.
-    if (cache.work_key.budget != key.budget) cache.objects.clear();
+    if (cache.work_key.budget != key.budget)  // they may become larger
+        std::erase_if(cache.objects, [](const auto& entry) { return entry.second.is_spare; });
     cache.work_key = std::move(key);
     cache.committed.clear();
     cache.pool.begin_frame();

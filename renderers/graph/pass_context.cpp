@@ -212,9 +212,10 @@ std::shared_ptr<void> PassContext::stored(ObjectRef ref) const {
 
 void PassContext::store(ObjectRef ref, std::shared_ptr<void> object, std::uint64_t bytes) const {
     auto& s = frame_;
-    const auto& key = s.builder->objects().at(ref.index).text.key;
+    const auto& desc = s.builder->objects().at(ref.index);
+    const auto& key = desc.text.key;
     require_write(pass_, declared(pass_, Kind::object, ref.index, false, key), key);
-    s.cache.objects[key] = {std::move(object), bytes, {}};
+    s.cache.objects[key] = {std::move(object), bytes, {}, desc.is_spare};
 }
 
 gl::ImageShape PassContext::shape(ImageRef ref) const {
@@ -238,7 +239,7 @@ std::uint64_t PassContext::capacity(ObjectRef ref) const {
     const auto& desc = frame_.builder->objects().at(ref.index);
     require_write(pass_, declared(pass_, Kind::object, ref.index, false, desc.text.key), desc.text.key);
     if (!desc.is_spare) throw std::logic_error("object '" + desc.text.key + "' is not spare");
-    return FrameMemory(frame_).spare_bytes();
+    return FrameMemory(frame_).spare_bytes(desc.text.key);
 }
 
 bool PassContext::has_previous() const {

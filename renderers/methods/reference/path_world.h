@@ -34,9 +34,7 @@ struct PathWorld {
     PathWorld(const passes::Bvh& bvh, const passes::SurfaceLookup& surfaces, const PathLights& lights,
               SharpMaterials materials);
 
-    const scene::Material& material(int index) const {
-        return surfaces.scene().materials[static_cast<std::size_t>(index)];
-    }
+    const scene::Material& material(int index) const { return surfaces.material(index); }
     int material_of(const passes::Hit& hit) const {
         return static_cast<int>(surfaces.world().triangle_materials[hit.triangle]);
     }

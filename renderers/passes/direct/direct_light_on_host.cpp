@@ -13,6 +13,8 @@
 #include "renderers/passes/raytracing/ray_offset.h"
 #include "renderers/passes/scattering/bsdf.h"
 #include "renderers/passes/scattering/microfacets.h"
+#include "renderers/passes/surface/host_surfaces.h"
+#include "renderers/passes/surface/host_texture.h"
 
 namespace ir::passes {
 namespace {
@@ -146,18 +148,22 @@ class DirectLightOnHost {
     std::vector<scene::Light> lights_;
 };
 
-/// What rays meet, where there may be panes. Made anew in each frame: it points into scene and world.
+/// What rays meet, where there may be panes.
 std::optional<graph::ObjectRef> surfaces_behind_panes(graph::GraphBuilder& builder,
                                                       Transport::Materials materials) {
-    if (!Panes::any_in(*builder.inputs().scene, materials)) return {};
+    if (!Panes::any_in(builder.inputs().scene->materials, materials)) return {};
+    const auto textures = host_textures(builder);
     const auto result = builder.object({.text = {.key = "direct.panes",
                                                  .label = "Surfaces for shadow rays",
-                                                 .doc = "What shadow rays query of panes of clear glass."}});
+                                                 .doc = "What shadow rays query of panes of clear glass."},
+                                        .fingerprint = builder.inputs().geometry_fingerprint});
     builder.pass("surfaces for shadow rays", graph::Queue::cpu)
+        .reads(textures)
         .writes(result)
         .execute([=](graph::PassContext& context) {
-            const auto made = std::make_shared<SurfaceLookup>(*context.inputs().scene,
-                                                              *context.inputs().world, false, true);
+            const auto made =
+                std::make_shared<SurfaceLookup>(*context.inputs().scene, *context.inputs().world, false,
+                                                context.object<std::vector<HostTexture>>(textures));
             context.store(result, made, made->bytes());
         });
     return result;

@@ -14,6 +14,8 @@
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/scene/stands_still.h"
+#include "renderers/passes/surface/host_surfaces.h"
+#include "renderers/passes/surface/host_texture.h"
 
 namespace ir::passes {
 namespace {
@@ -323,17 +325,27 @@ graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedL
     const std::string key = "direct.sources";
     for (std::size_t i = 0; i < builder.objects().size(); ++i)
         if (builder.objects()[i].text.key == key) return {static_cast<int>(i)};
+    auto fingerprint = builder.inputs().world_fingerprint;
+    if (!fingerprint.empty())
+        fingerprint += std::string(options.environment ? " environment" : "") +
+                       (options.emissive_meshes ? " emissive meshes" : "");
+    const auto textures = host_textures(builder);
     const auto result =
         builder.object({.text = {.key = key,
                                  .label = "Sources with an extent",
                                  .doc = "Lights, emissive triangles and the environment, with "
-                                        "probabilities for choosing."}});
+                                        "probabilities for choosing."},
+                        .fingerprint = fingerprint});
     const LightSampler::Options sampled{
         .punctual = false, .environment = options.environment, .emissive_meshes = options.emissive_meshes};
-    builder.pass("light sources", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
-        const auto made = std::make_shared<ExtendedEmitters>(context.inputs(), sampled);
-        context.store(result, made, made->surfaces.bytes());
-    });
+    builder.pass("light sources", graph::Queue::cpu)
+        .reads(textures)
+        .writes(result)
+        .execute([=](graph::PassContext& context) {
+            const auto made = std::make_shared<ExtendedEmitters>(
+                context.inputs(), sampled, context.object<std::vector<HostTexture>>(textures));
+            context.store(result, made, made->surfaces.bytes());
+        });
     return result;
 }
 

@@ -30,16 +30,18 @@ struct ExtendedSources {
 };
 ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options);
 
-/// What rays ask of them, made anew in each frame: it points into scene and world.
+/// What rays ask of them. It does not need scene and world once it is made.
 struct ExtendedEmitters {
-    ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options)
-        : surfaces(*inputs.scene, *inputs.world, false, Panes::any_in(*inputs.scene)),
+    ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options,
+                     SurfaceLookup::Textures textures)
+        : surfaces(*inputs.scene, *inputs.world, false, std::move(textures),
+                   Panes::any_in(inputs.scene->materials)),
           lights(surfaces, options) {}
     SurfaceLookup surfaces;
     LightSampler lights;
 };
-/// Declares the object "direct.sources", an ExtendedEmitters, with the pass "light sources" (cpu). Who asks
-/// again in a frame gets the same: all options of a frame name the same sources.
+/// Declares the object "direct.sources", an ExtendedEmitters, with the pass "light sources" (cpu); kept while
+/// the world stays. Who asks again in a frame gets the same: all options of a frame name the same sources.
 graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedLightOptions& options);
 
 /// For methods with direct light; each is 0 where there is no such source.

@@ -108,7 +108,7 @@ void LightEstimate::sample(const Surface& surface, glm::vec3 wo, std::span<const
                            std::span<glm::vec3> radiances) const {
     std::ranges::fill(radiances, glm::vec3(0));
     if (surface.is_unlit) return;
-    Receiver receiver(surface, material(surface.material), options_.materials, wo);
+    Receiver receiver(surface, surfaces_.material(surface.material), options_.materials, wo);
     for (std::size_t begin = 0; begin < samplers.size(); begin += lane_count) {
         const auto count = std::min(lane_count, samplers.size() - begin);
         const auto some = samplers.subspan(begin, count);
@@ -124,7 +124,7 @@ void LightEstimate::sample(const Surface& surface, glm::vec3 wo, std::span<const
 
 glm::vec3 LightEstimate::reflectance(const Surface& surface) const {
     if (surface.is_unlit) return glm::vec3(0);
-    return Bsdf(surface, material(surface.material), options_.materials).albedo();
+    return Bsdf(surface, surfaces_.material(surface.material), options_.materials).albedo();
 }
 
 void LightEstimate::towards_sources(Receiver& receiver, std::span<const PathSampler> samplers,

@@ -47,9 +47,6 @@ class LightEstimate {
   private:
     struct Receiver;
     struct Pending;
-    const scene::Material& material(int index) const {
-        return surfaces_.scene().materials[static_cast<std::size_t>(index)];
-    }
     void towards_sources(Receiver& receiver, std::span<const PathSampler> samplers, const Lanes& choices,
                          std::span<glm::vec3> radiances) const;
     void by_directions(Receiver& receiver, std::span<const PathSampler> samplers, const Lanes& lobes,

@@ -8,14 +8,14 @@
 namespace ir::passes {
 
 Panes::Panes(const Bvh& bvh, const SurfaceLookup& surfaces, Transport::Materials model)
-    : bvh_(bvh), surfaces_(surfaces), model_(model), any_(any_in(surfaces.scene(), model)) {}
+    : bvh_(bvh), surfaces_(surfaces), model_(model), any_(any_in(surfaces.materials(), model)) {}
 
 bool Panes::may_be(const scene::Material& material) {
     return material.transmission > 0 && material.thickness <= 0;
 }
 
-bool Panes::any_in(const scene::Scene& scene, Transport::Materials model) {
-    return model != Transport::Materials::lambert && std::ranges::any_of(scene.materials, may_be);
+bool Panes::any_in(std::span<const scene::Material> materials, Transport::Materials model) {
+    return model != Transport::Materials::lambert && std::ranges::any_of(materials, may_be);
 }
 
 glm::vec3 Panes::Sight::passed(float distance) const {
@@ -43,8 +43,7 @@ Panes::Sight Panes::look(glm::vec3 origin, glm::vec3 direction, float far) const
 
 glm::vec3 Panes::passed(const Surface& surface, glm::vec3 direction) const {
     if (surface.emission != glm::vec3(0)) return glm::vec3(0);  // the source itself
-    const auto& material = surfaces_.scene().materials[static_cast<std::size_t>(surface.material)];
-    return Bsdf(surface, material, model_).passed_straight(-direction);
+    return Bsdf(surface, surfaces_.material(surface.material), model_).passed_straight(-direction);
 }
 
 }  // namespace ir::passes

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <span>
 
 #include "renderers/core/transport.h"
 #include "renderers/passes/raytracing/bvh.h"
@@ -20,7 +21,8 @@ class Panes {
     bool any() const { return any_; }
     /// Textures only lower what makes a material one.
     static bool may_be(const scene::Material& material);
-    static bool any_in(const scene::Scene& scene, Transport::Materials model = Transport::Materials::gltf);
+    static bool any_in(std::span<const scene::Material> materials,
+                       Transport::Materials model = Transport::Materials::gltf);
 
     /// A ray as far as it goes. The pane behind max_panes ends it.
     class Sight {

@@ -238,7 +238,7 @@ ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int res
                        Transport::Materials model) {
     int layers = 0;
     for (const auto& light : builder.inputs().world->lights) layers += shadow_layers(light);
-    const bool has_panes = Panes::any_in(*builder.inputs().scene, model);
+    const bool has_panes = Panes::any_in(builder.inputs().scene->materials, model);
     const auto& world = builder.inputs().world_fingerprint;
     const auto fingerprint =
         world.empty() ? "" : world + " at " + std::to_string(resolution) + (has_panes ? " behind panes" : "");

@@ -14,11 +14,15 @@ std::shared_ptr<std::vector<HostTexture>> with_all_levels(const scene::Scene& sc
     return made;
 }
 
-graph::ObjectRef declare_host_textures(graph::GraphBuilder& builder) {
-    const auto result = builder.object({.text = {.key = "scene.host_textures",
-                                                 .label = "Textures with all levels",
-                                                 .doc = "What rays look up on the host."},
-                                        .fingerprint = builder.inputs().scene->content_hash});
+}  // namespace
+
+graph::ObjectRef host_textures(graph::GraphBuilder& builder) {
+    const std::string key = "scene.host_textures";
+    for (std::size_t i = 0; i < builder.objects().size(); ++i)
+        if (builder.objects()[i].text.key == key) return {static_cast<int>(i)};
+    const auto result = builder.object(
+        {.text = {.key = key, .label = "Textures with all levels", .doc = "What rays look up on the host."},
+         .fingerprint = builder.inputs().scene->content_hash});
     builder.pass("textures for rays", graph::Queue::cpu)
         .writes(result)
         .execute([=](graph::PassContext& context) {
@@ -30,8 +34,6 @@ graph::ObjectRef declare_host_textures(graph::GraphBuilder& builder) {
     return result;
 }
 
-}  // namespace
-
 graph::ObjectRef host_surfaces(graph::GraphBuilder& builder, bool normal_maps) {
     graph::ObjectDesc desc{.text = {.key = "scene.host_surfaces",
                                     .label = "Surfaces",
@@ -39,7 +41,7 @@ graph::ObjectRef host_surfaces(graph::GraphBuilder& builder, bool normal_maps) {
                            .fingerprint = builder.inputs().geometry_fingerprint};
     for (std::size_t i = 0; i < builder.objects().size(); ++i)
         if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
-    const auto textures = declare_host_textures(builder);
+    const auto textures = host_textures(builder);
     if (!normal_maps && !desc.fingerprint.empty()) desc.fingerprint += " without normal maps";
     const auto result = builder.object(desc);
     builder.pass("surfaces for rays", graph::Queue::cpu)

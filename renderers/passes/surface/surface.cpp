@@ -117,6 +117,7 @@ struct SurfaceLookup::Impl {
     Impl(const scene::Scene& s, const scene::World& w, bool normal_maps, bool reflectance, Textures given)
         : scene(s),
           world(w),
+          described_materials(s.materials),
           textures(std::move(given)),
           indices(w.indices),
           triangle_materials(w.triangle_materials) {
@@ -231,6 +232,7 @@ struct SurfaceLookup::Impl {
 
     const scene::Scene& scene;
     const scene::World& world;
+    std::vector<scene::Material> described_materials;
     Textures textures;
     std::vector<std::uint32_t> indices, triangle_materials;
     std::vector<LookedUpMaterial> materials;
@@ -242,8 +244,8 @@ SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const scene::World& worl
     : impl_(std::make_unique<Impl>(scene, world, normal_maps, reflectance, Impl::finest(scene))) {}
 
 SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps,
-                             Textures textures)
-    : impl_(std::make_unique<Impl>(scene, world, normal_maps, true, std::move(textures))) {}
+                             Textures textures, bool reflectance)
+    : impl_(std::make_unique<Impl>(scene, world, normal_maps, reflectance, std::move(textures))) {}
 
 SurfaceLookup::~SurfaceLookup() = default;
 
@@ -253,6 +255,10 @@ const scene::Scene& SurfaceLookup::scene() const {
 
 const scene::World& SurfaceLookup::world() const {
     return impl_->world;
+}
+
+std::span<const scene::Material> SurfaceLookup::materials() const {
+    return impl_->described_materials;
 }
 
 std::uint64_t SurfaceLookup::bytes() const {

@@ -38,10 +38,11 @@ class SurfaceLookup {
     /// that do not use them: texels that are not in the cache cost as much as a ray.
     SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps,
                   bool reflectance = true);
-    /// With mip maps: textures with all levels, as many as the scene's. at() then needs neither scene nor
-    /// world any longer.
+    /// With mip maps: textures with all levels, as many as the scene's. Only scene() and world() then need
+    /// these any longer.
     using Textures = std::shared_ptr<const std::vector<HostTexture>>;
-    SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps, Textures textures);
+    SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps, Textures textures,
+                  bool reflectance = true);
     ~SurfaceLookup();
     SurfaceLookup(const SurfaceLookup&) = delete;
 
@@ -49,6 +50,8 @@ class SurfaceLookup {
     const scene::Scene& scene() const;
     const scene::World& world() const;
     std::uint64_t bytes() const;  ///< of what it holds itself, a copy of the triangles
+    std::span<const scene::Material> materials() const;
+    const scene::Material& material(int index) const { return materials()[static_cast<std::size_t>(index)]; }
 
     /// What a ray with this (unit) direction of travel hits.
     Surface at(const Hit& hit, glm::vec3 direction_ws) const;

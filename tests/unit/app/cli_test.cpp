@@ -229,7 +229,7 @@ TEST_F(Cli, OneUnknownMethodKeepsNoOtherExperimentFromRendering) {
 TEST_F(Cli, KeepsAndVerifiesResults) {
     const auto project = test::small_sample("crevice-leaks", file("")).string();
     ASSERT_EQ(run("render " + project + " --experiment thick --keep --quiet --out " + file("out")).status, 0);
-    const auto verified = nlohmann::json::parse(run("project " + project + " --verify --json").out);
+    const auto verified = nlohmann::json::parse(run("project " + project + " --verify --json --quiet").out);
     ASSERT_TRUE(verified.is_object());
     const auto& rows = verified["results"];
     ASSERT_EQ(rows.size(), 1u);
@@ -266,6 +266,19 @@ TEST_F(Cli, HasTheLimitsOfTheDocument) {
                                         {"--fov-y", number(fov.max + 0.001)},
                                         {"--size", whole(size.max + 1) + "x1"}})
         expect_refused(command + option + " " + value + " --out a.exr", 2, option);
+}
+
+TEST_F(Cli, SaysHowASceneIsGivenWhereAProjectIsExpected) {
+    const auto scene = file("room.GLB"), out = file("out");
+    for (const auto& given : {scene, std::string("builtin:atrium")}) {
+        for (const std::string start :
+             {"render ", "reference ", "plot ", "plot merge ", "sweep ", "project ", "report "})
+            expect_refused(start + given, 2, given + " is a scene and no project; give it by --scene");
+        expect_refused("render " + given + " --method ldm-ao --out " + out, 2, "render --scene " + given);
+        expect_refused("thumbnail " + given + " " + out, 2, given + " is a scene");
+    }
+    fs::create_directories(folder_ / "room.glb");
+    expect_refused("project " + file("room.glb"), 3, "holds no project.json");
 }
 
 TEST_F(Cli, RefusesWhatIsNoNumber) {

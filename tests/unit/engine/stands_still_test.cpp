@@ -131,6 +131,21 @@ TEST_F(StandsStill, SurfelsAndWhatRaysMeetDependOnNoLight) {
     }
 }
 
+TEST_F(StandsStill, SourcesWithAnExtentStayUntilLightsChange) {
+    Machine host{{.backend = "egl", .device = {}, .processor = Processor::host}};
+    auto experiment = experiment_of(registry().at("ssdo"));  // the Cornell box has a lamp that is a mesh
+    Execution execution(host, experiment);
+    EXPECT_TRUE(builds(execution.run_frame({}), "light sources"));
+    experiment.camera = aside(execution.camera());
+    execution.update(experiment);
+    EXPECT_FALSE(builds(execution.run_frame({}), "light sources"));
+    expect_as_anew(host, execution, experiment, "camera");
+    move_lights(experiment, execution);
+    execution.update(experiment);
+    EXPECT_TRUE(builds(execution.run_frame({}), "light sources"));
+    expect_as_anew(host, execution, experiment, "lights");
+}
+
 TEST_F(StandsStill, SurfelsStayWhileTheReceiversSamplesChange) {
     auto experiment = experiment_of(registry().at("deep-screen-space"));
     experiment.settings["level0"] = std::string("discs");

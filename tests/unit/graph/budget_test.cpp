@@ -228,12 +228,19 @@ TEST_F(GraphTest, WhatIsKeptOnTheHostCounts) {
     options.memory_budget = 5200;
     EXPECT_EQ(run(keeps(5000, &made)).counters.at("batches"), 2);
     EXPECT_EQ(run(keeps(5000, &made)).counters.at("batches"), 2);
-    EXPECT_EQ(made, 2) << "once for each budget";
+    EXPECT_EQ(made, 1) << "another budget drops none";
     options.memory_budget = 5000;
     for (int again = 0; again < 2; ++again) {
         const auto text = message_of<BudgetError>([&] { run(keeps(5000, &made)); });
         EXPECT_TRUE(contains(text, "needs 5.1 kB") && contains(text, "'tree' (5 kB)")) << text;
     }
+}
+
+TEST_F(GraphTest, WhatIsLargerThanTheBudgetIsMadeOnce) {
+    int made = 0;
+    options.memory_budget = 4000;
+    for (int again = 0; again < 2; ++again) EXPECT_THROW(run(keeps(5000, &made)), BudgetError);
+    EXPECT_EQ(made, 1) << "not once for each number of batches";
 }
 
 TEST_F(GraphTest, WhatStoodForAnotherFrameDoesNotCount) {
@@ -280,6 +287,35 @@ TEST_F(GraphTest, SpareObjectsTakeWhatTheBudgetLeavesOver) {
     EXPECT_THROW(bytes(1501), BudgetError);
     options.memory_budget = 0;
     EXPECT_EQ(bytes(100), 10'000u);
+}
+
+TEST_F(GraphTest, SpareObjectsShareWhatIsLeftOver) {
+    std::uint64_t numbers = 100;
+    int made = 0;
+    const Declare two = [&](GraphBuilder& builder) {
+        const auto needed = builder.buffer(buffer_of("needed", numbers));
+        std::vector<ObjectRef> kept;
+        for (const std::string key : {"first", "second"}) {
+            const auto maps =
+                builder.object({.text = {.key = key, .label = ""}, .fingerprint = "same", .is_spare = true});
+            builder.pass("keep " + key, Queue::cpu).writes(maps).execute([&made, maps](PassContext& p) {
+                ++made;
+                p.store(maps, std::make_shared<int>(), std::min<std::uint64_t>(4000, p.capacity(maps)));
+            });
+            kept.push_back(maps);
+        }
+        builder.pass("query", Queue::cpu).reads(kept[0], kept[1]).writes(needed).execute([](PassContext&) {});
+    };
+    const auto bytes = [&](const FrameReport& report) {
+        return std::pair(resource_of(report, "first").bytes, resource_of(report, "second").bytes);
+    };
+    options.memory_budget = 6000;
+    EXPECT_EQ(bytes(run(two)), std::pair(std::uint64_t{4000}, std::uint64_t{1600}));
+    EXPECT_EQ(bytes(run(two)), std::pair(std::uint64_t{4000}, std::uint64_t{1600}));
+    EXPECT_EQ(made, 2);
+    numbers = 500;  // 400 bytes are missing
+    EXPECT_EQ(bytes(run(two)), std::pair(std::uint64_t{4000}, std::uint64_t{0}));
+    EXPECT_EQ(made, 3) << "the one that no longer fits";
 }
 
 }  // namespace

@@ -312,7 +312,7 @@ TEST_F(LdmHost, SinglePointsAreAnsweredAsTiles) {
             std::size_t different = 0, hits = 0;
             for (std::size_t i = 0; i < sums.size(); ++i) {
                 hits += sums[i] == 0;
-                const auto part = [&](const std::vector<float>(&v)[3]) {
+                const auto part = [&](const PixelTiles::Values(&v)[3]) {
                     return glm::vec3(v[0][i], v[1][i], v[2][i]);
                 };
                 const float facing = glm::dot(part(tiles.geometric_normal), glm::vec3(frame.direction));

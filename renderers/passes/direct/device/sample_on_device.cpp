@@ -103,7 +103,7 @@ class DeviceSampling {
   public:
     DeviceSampling(const graph::FrameInputs& inputs, const ExtendedLightOptions& options)
         : parts_(inputs.view, options.parameters.light_samples), options_(options) {
-        has_panes_ = Panes::any_in(*inputs.scene, options.materials);
+        has_panes_ = Panes::any_in(inputs.scene->materials, options.materials);
     }
 
     const SampleParts& parts() const { return parts_; }

@@ -4,23 +4,17 @@
 
 namespace ir::passes::ldm {
 
-std::span<const StreamedMap> KeptMaps::get(const HostScene& scene, const Maps& maps, std::int64_t first,
-                                           std::int64_t end, int row, BuildScratch& scratch,
-                                           std::uint64_t& built) {
-    const auto start = static_cast<std::size_t>(row / rows_) * count_;
-    const int rows = std::min(rows_, maps.layout.resolution - row);
-    for (auto map = static_cast<std::size_t>(first); map < static_cast<std::size_t>(end); ++map)
-        std::call_once(built_[start + map], [&] {
-            const auto before = scratch.fragments_made;
-            build_map(scene.meshlets, scene.masks, maps.frames[map], row, rows, bands_[start + map], scratch);
-            fragments_[start + map] = scratch.fragments_made - before;
-            scratch.fragments_made = before;
-            built += row == 0;
-        });
-    for (auto map = first; map < end; ++map)
-        scratch.fragments_made += fragments_[start + static_cast<std::size_t>(map)];
-    return std::span(bands_).subspan(start + static_cast<std::size_t>(first),
-                                     static_cast<std::size_t>(end - first));
+void KeptMaps::build(const HostScene& scene, const Maps& maps, std::int64_t map, int row,
+                     BuildScratch& scratch, std::uint64_t& built) {
+    const auto at = place(map, row);
+    const auto before = scratch.fragments_made;
+    std::call_once(built_[at], [&] {
+        build_map(scene.meshlets, scene.masks, maps.frames[static_cast<std::size_t>(map)], row,
+                  std::min(rows_, maps.layout.resolution - row), bands_[at], scratch);
+        fragments_[at] = scratch.fragments_made - before;
+        built += row == 0;
+    });
+    scratch.fragments_made = before + fragments_[at];
 }
 
 graph::ObjectRef declare_kept(graph::GraphBuilder& builder, const std::shared_ptr<const Maps>& maps) {

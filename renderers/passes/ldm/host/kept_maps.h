@@ -11,8 +11,7 @@
 namespace ir::passes::ldm {
 
 /// Maps of outermost depths that stand from frame to frame while the world and the maps' frames do: the first
-/// ones of all, as many as there is room for. They are built when they are first queried, which graphs that
-/// share them may do at once.
+/// ones of all, as many as there is room for. Graphs that share them may build them at once.
 class KeptMaps {
   public:
     /// However much the memory budget leaves over.
@@ -27,26 +26,33 @@ class KeptMaps {
     KeptMaps(const Layout& layout, std::uint64_t room)
         : rows_(StreamedMap::band_rows(layout.resolution)),
           count_(static_cast<std::size_t>(count(layout, room))),
-          bands_(bands(layout.resolution) * count_, StreamedMap(layout.resolution, Holds::outermost)),
+          bands_(bands_of(layout.resolution) * count_, StreamedMap(layout.resolution, Holds::outermost)),
           fragments_(bands_.size()),
           built_(std::make_unique<std::once_flag[]>(bands_.size())) {}
 
     std::int64_t count() const { return static_cast<std::int64_t>(count_); }
     std::uint64_t bytes() const { return count_ == 0 ? 0 : count_ * map_bytes(bands_.front().resolution); }
 
-    /// The band from `row` on of maps first … end - 1, whose fragments are counted in `scratch` as if they
-    /// were made now. `built` counts those that were not there yet.
-    std::span<const StreamedMap> get(const HostScene& scene, const Maps& maps, std::int64_t first,
-                                     std::int64_t end, int row, BuildScratch& scratch, std::uint64_t& built);
+    /// Builds the band from `row` on of a map where that was not done before. Its fragments are counted in
+    /// `scratch` as if they were made now; `built` counts maps.
+    void build(const HostScene& scene, const Maps& maps, std::int64_t map, int row, BuildScratch& scratch,
+               std::uint64_t& built);
+    /// The bands from `row` on of maps first … end - 1.
+    std::span<const StreamedMap> bands(std::int64_t first, std::int64_t end, int row) const {
+        return std::span(bands_).subspan(place(first, row), static_cast<std::size_t>(end - first));
+    }
 
   private:
-    static std::size_t bands(int resolution) {
+    std::size_t place(std::int64_t map, int row) const {
+        return static_cast<std::size_t>(row / rows_) * count_ + static_cast<std::size_t>(map);
+    }
+    static std::size_t bands_of(int resolution) {
         const int rows = StreamedMap::band_rows(resolution);
         return static_cast<std::size_t>((resolution + rows - 1) / rows);
     }
     static std::uint64_t map_bytes(int resolution) {
         const int rows = StreamedMap::band_rows(resolution);
-        auto bytes = bands(resolution) * sizeof(StreamedMap);
+        auto bytes = bands_of(resolution) * sizeof(StreamedMap);
         for (int row = 0; row < resolution; row += rows)
             bytes += StreamedMap::outermost_bytes(resolution, std::min(rows, resolution - row));
         return bytes;

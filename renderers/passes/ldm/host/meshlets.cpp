@@ -80,6 +80,7 @@ std::span<const Placed> group_of(const std::vector<Placed>& placed, std::size_t 
 }
 
 void fill(Meshlet& meshlet, const scene::World& world, std::span<const Placed> triangles) {
+    meshlet = {};
     meshlet.triangles = static_cast<int>(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const auto corners = corners_of(world, triangles[t].triangle);
@@ -154,7 +155,7 @@ Meshlets make_meshlets(const scene::World& world, int threads) {
                                         static_cast<std::uint32_t>(world.triangles()));
         const auto order = by_area(world, opaque, result.occluders);
         result.opaque = order.size();
-        result.meshlets.resize(order.size() + groups_of(masked), Meshlet{});
+        result.meshlets.resize(order.size() + groups_of(masked));
         result.masked_triangles.resize(groups_of(masked));
         tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {
             fill(result.meshlets[i], world, group_of(opaque, order[i]));

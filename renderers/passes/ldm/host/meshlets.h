@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderers/core/uninitialised.h"
 #include "renderers/scene/world.h"
 
 namespace ir::passes::ldm {
@@ -17,7 +18,7 @@ struct Meshlet {
         float corner[3][3][pack_size];  ///< corner, axis, triangle
     };
     alignas(64) Pack packs[max_triangles / pack_size];
-    int triangles = 0;  ///< beyond the last one all are 0
+    int triangles;  ///< beyond the last one all are 0
 
     float& at(int triangle, int corner, int axis) {
         return packs[triangle / pack_size].corner[corner][axis][triangle % pack_size];
@@ -27,7 +28,7 @@ struct Meshlet {
 /// A world in meshlets. Those without alpha masks stand first; of these the ones with most area, each part in
 /// the order of a space-filling curve.
 struct Meshlets {
-    std::vector<Meshlet> meshlets;
+    std::vector<Meshlet, Uninitialised<Meshlet>> meshlets;
     /// Where parts end: what the first ones hide need not be rasterised; behind the opaque ones masks begin.
     std::size_t occluders = 0, opaque = 0;
     /// Of each masked meshlet: its triangles' numbers among the masked ones, as AlphaMasks counts.

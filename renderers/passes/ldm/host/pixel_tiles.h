@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "renderers/core/uninitialised.h"
+
 namespace ir::passes::ldm {
 
 /// What the maps are queried for: the visible surfaces in tiles of 8x8 pixels, whose values stand together.
@@ -12,9 +14,10 @@ struct PixelTiles {
     static constexpr int side = 8, pixels = side * side;
     int width = 0, height = 0, columns = 0;
     std::vector<std::uint64_t> valid;  ///< by tile: bit 8·y + x is set where the pixel shows a surface
+    using Values = std::vector<float, Uninitialised<float>>;
     /// By axis, 64 values a tile: world-space position (m), unit geometric normal, unit shading normal. 0
     /// where there is no surface.
-    std::vector<float> position[3], geometric_normal[3], normal[3];
+    Values position[3], geometric_normal[3], normal[3];
     /// Boxes of what a tile's pixels hold: centre and half extent by axis, padded to a whole number of
     /// vectors.
     struct Boxes {
@@ -34,6 +37,10 @@ struct PixelTiles {
     std::size_t place(int x, int y) const {
         const auto tile = static_cast<std::size_t>(y / side) * columns + x / side;
         return tile * pixels + static_cast<std::size_t>(y % side * side + x % side);
+    }
+    /// Column and row of a tile's first pixel.
+    glm::ivec2 corner(std::size_t tile) const {
+        return {static_cast<int>(tile % columns) * side, static_cast<int>(tile / columns) * side};
     }
     std::uint64_t bytes() const { return count() * (pixels * 9 * sizeof(float) + 20 * sizeof(float) + 8); }
 };

@@ -111,15 +111,25 @@ void self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const
     }
 }
 
+/// One vector of normals.
+Ints cosines_of(const Vector3& normal, std::span<const MapFrame> frames, float scale) {
+    auto sum = hn::Zero(n);
+    for (const auto& frame : frames)
+        sum = hn::Add(sum, part_of_sum(hn::Set(f, 1), hn::Abs(dot(normal, frame.direction)), scale));
+    return sum;
+}
+
 void cosine_sums(const PixelTiles& tiles, std::size_t first, std::size_t end,
                  std::span<const MapFrame> frames, float scale, std::uint32_t* sums) {
-    for (auto place = first * pixels; place < end * pixels; place += lanes) {
-        const auto normal = load(tiles.normal, place);
+    for (auto tile = first; tile < end; ++tile, sums += pixels) {
+        const bool is_even = tiles.valid[tile] == ~std::uint64_t{0} && tiles.normal_boxes.is_point(tile);
         auto sum = hn::Zero(n);
-        if (tiles.valid[place / pixels] != 0)
-            for (const auto& frame : frames)
-                sum = hn::Add(sum, part_of_sum(hn::Set(f, 1), hn::Abs(dot(normal, frame.direction)), scale));
-        hn::StoreU(sum, n, reinterpret_cast<std::int32_t*>(sums) + place);
+        for (int i = 0; i < pixels; i += lanes) {
+            if (tiles.valid[tile] != 0 && (i == 0 || !is_even))
+                sum = cosines_of(load(tiles.normal, tile * pixels + static_cast<std::size_t>(i)), frames,
+                                 scale);
+            hn::StoreU(sum, n, reinterpret_cast<std::int32_t*>(sums) + i);
+        }
     }
 }
 

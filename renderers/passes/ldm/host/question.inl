@@ -38,7 +38,8 @@ Floats project(const Vector3& a, const glm::vec4& b) {
                       hn::MulAdd(a.y, hn::Set(f, b.y), hn::MulAdd(a.x, hn::Set(f, b.x), hn::Set(f, b.w))));
 }
 
-Vector3 load(const std::vector<float> (&axes)[3], std::size_t place) {
+template <class Values>
+Vector3 load(const Values (&axes)[3], std::size_t place) {
     return {hn::LoadU(f, axes[0].data() + place), hn::LoadU(f, axes[1].data() + place),
             hn::LoadU(f, axes[2].data() + place)};
 }

@@ -405,6 +405,9 @@ class Rasteriser {
 
     /// One triangle, row by row of its box, many texels at a time; values at the box's first centre.
     void rasterise_medium(const MediumTriangle& t) {
+#if HWY_TARGET != HWY_SCALAR
+        if (keeps_outermost_ && t.width <= lanes / 2) return rasterise_narrow(t);
+#endif
         const auto column = hn::Iota(n, 0);
         Ints line[3], right[3];
         for (int k = 0; k < 3; ++k) {
@@ -446,6 +449,48 @@ class Rasteriser {
             line_depth = hn::Add(line_depth, depth_down);
         }
     }
+
+#if HWY_TARGET != HWY_SCALAR
+    /// The same of a triangle as wide as half a vector at most, two rows at a time.
+    void rasterise_narrow(const MediumTriangle& t) {
+        constexpr int half = lanes / 2;
+        const auto is_lower = hn::FirstN(n, half);
+        const auto lane = hn::Iota(n, 0), column = hn::And(lane, hn::Set(n, half - 1));
+        Ints inside[3], down[3];
+        for (int k = 0; k < 3; ++k) {
+            const auto row = hn::Set(n, t.per_row[k]);
+            inside[k] = hn::Sub(hn::Add(hn::Set(n, t.inside[k]), hn::IfThenZeroElse(is_lower, row)),
+                                hn::Mul(column, hn::Set(n, t.per_column[k])));
+            down[k] = hn::Add(row, row);
+        }
+        const auto depth_down = hn::Set(f, t.depth_per_row);
+        auto depth =
+            hn::MulAdd(hn::ConvertTo(f, column), hn::Set(f, t.depth_per_column), hn::Set(f, t.depth));
+        depth = hn::IfThenElse(hn::RebindMask(f, is_lower), depth, hn::Add(depth, depth_down));
+        int texel = t.texel;
+        for (int y = 0; y < t.height; y += 2, texel += 2 * map_.resolution) {
+            const auto hit = hn::Gt(hn::Or(inside[0], hn::Or(inside[1], inside[2])), hn::Set(n, -1));
+            const auto both = hn::IfThenElseZero(hit, both_depths(hn::NearestInt(depth)));
+            if (y + 1 < t.height)
+                raise_two(texel, both);
+            else
+                raise(texel, hn::IfThenElseZero(is_lower, both));
+            scratch_.fragments_made += hn::CountTrue(n, hit);
+            for (int k = 0; k < 3; ++k) inside[k] = hn::Add(inside[k], down[k]);
+            depth = hn::Add(hn::Add(depth, depth_down), depth_down);
+        }
+    }
+    /// Those of the lower half from `texel` on, those of the upper half in the row below.
+    void raise_two(int texel, Ints both) {
+        constexpr hn::Half<IntTag> half;
+        auto* to = reinterpret_cast<std::int32_t*>(map_.outermost.data()) + texel;
+        auto* below = to + map_.resolution;
+        const auto now = hn::Combine(n, hn::LoadU(half, below), hn::LoadU(half, to));
+        const auto raised = max_of_halves(now, both);
+        hn::StoreU(hn::LowerHalf(half, raised), half, to);
+        hn::StoreU(hn::UpperHalf(half, raised), half, below);
+    }
+#endif
 
     struct Corners {
         double x[3], y[3], z[3];

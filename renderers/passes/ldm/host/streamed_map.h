@@ -140,7 +140,7 @@ void see_along(const PixelTiles& tiles, std::size_t first, std::size_t end, cons
 void count_self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const SelfHitRule& rule,
                      SelfHitCounts& counts);
 
-/// Σ cosθ over all directions (unit length) of tiles first … end - 1.
+/// Σ cosθ over all directions (unit length) of tiles first … end - 1, 64 a tile.
 void sum_cosines(const PixelTiles& tiles, std::size_t first, std::size_t end,
                  std::span<const MapFrame> frames, float scale, std::span<std::uint32_t> sums);
 

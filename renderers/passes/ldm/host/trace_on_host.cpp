@@ -59,12 +59,28 @@ struct Surfaces {
     graph::ImageRef position, normal, geometric_normal;
 };
 
+/// So many tiles are one item of work: a whole number of vectors.
+constexpr std::size_t tiles_at_once = 64;
+
+/// Calls `run(first, end)` for ranges of tiles on all threads of the arena.
+template <class Run>
+void over_tiles(tbb::task_arena& arena, std::size_t count, Run run) {
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, (count + tiles_at_once - 1) / tiles_at_once, [&](std::size_t i) {
+            run(i * tiles_at_once, std::min((i + 1) * tiles_at_once, count));
+        });
+    });
+}
+
 /// Builds and queries all maps of a frame, slice by slice.
 class Stream {
   public:
     /// Queries maps for all pixels, once for each group of maps that a thread has built.
     using Query = std::function<void(const PixelTiles&, Worker&, std::span<const StreamedMap>)>;
     using Prepare = std::function<void(const PixelTiles&, Worker&)>;
+    /// Queries maps that are kept for tiles first … end - 1. Their sums are the first worker's.
+    using QueryTiles = std::function<void(const PixelTiles&, std::size_t first, std::size_t end,
+                                          std::span<const StreamedMap>, Worker&)>;
 
     Stream(graph::ObjectRef scene, graph::ObjectRef kept, std::shared_ptr<const Maps> maps, Surfaces surfaces,
            Holds holds, int threads)
@@ -81,7 +97,6 @@ class Stream {
     std::int64_t first_slice() const { return static_cast<std::int64_t>(workers_.size()) * together_; }
     const PixelTiles& tiles() const { return tiles_; }
     std::vector<Worker>& workers() { return workers_; }
-    std::vector<std::uint32_t>& cosines() { return cosines_; }  ///< by pixel
     tbb::task_arena& arena() { return arena_; }
 
     void begin(const graph::PassContext& context, const Prepare& prepare) {
@@ -102,26 +117,13 @@ class Stream {
     }
 
     /// Maps begin … end - 1.
-    void run(const graph::PassContext& context, std::int64_t begin, std::int64_t end, const Query& query) {
+    void run(const graph::PassContext& context, std::int64_t begin, std::int64_t end, const Query& query,
+             const QueryTiles& query_tiles) {
         const auto scene = context.object<HostScene>(scene_);
         const auto kept = is_kept() ? context.object<KeptMaps>(kept_) : nullptr;
-        const auto count = static_cast<std::int64_t>(workers_.size());
-        // Groups of one size, as many for each thread, so that none waits for long.
-        const auto rounds = (end - begin + count * together_ - 1) / (count * together_);
-        const auto group = (end - begin + rounds * count - 1) / (rounds * count);
-        std::atomic<std::int64_t> next{begin};
-        arena_.execute([&] {
-            tbb::parallel_for(
-                std::size_t{0}, workers_.size(),
-                [&](std::size_t i) {
-                    while (!context.cancel().is_cancelled()) {
-                        const auto first = next.fetch_add(group);
-                        if (first >= end) return;
-                        work(*scene, kept.get(), workers_[i], first, std::min(first + group, end), query);
-                    }
-                },
-                tbb::simple_partitioner());
-        });
+        const auto kept_end = std::clamp(kept ? kept->count() : 0, begin, end);
+        if (begin < kept_end) run_kept(context, *scene, *kept, begin, kept_end, query_tiles);
+        if (kept_end < end) run_streamed(context, *scene, kept_end, end, query);
         context.cancel().check();
     }
 
@@ -142,37 +144,80 @@ class Stream {
   private:
     bool is_kept() const { return kept_.index >= 0; }
 
-    void work(const HostScene& scene, KeptMaps* kept, Worker& worker, std::int64_t first, std::int64_t end,
-              const Query& query) {
-        const auto kept_end = std::min<std::int64_t>(end, kept ? kept->count() : 0);
+    static double ms_between(Clock::time_point start, Clock::time_point end) {
+        return std::chrono::duration<double, std::milli>(end - start).count();
+    }
+
+    /// Calls `work(worker, first, end)` for groups of so many maps in all threads.
+    template <class Work>
+    void by_workers(const graph::PassContext& context, std::int64_t begin, std::int64_t end,
+                    std::int64_t group, Work work) {
+        std::atomic<std::int64_t> next{begin};
+        arena_.execute([&] {
+            tbb::parallel_for(
+                std::size_t{0}, workers_.size(),
+                [&](std::size_t i) {
+                    while (!context.cancel().is_cancelled()) {
+                        const auto first = next.fetch_add(group);
+                        if (first >= end) return;
+                        work(workers_[i], first, std::min(first + group, end));
+                    }
+                },
+                tbb::simple_partitioner());
+        });
+    }
+
+    /// Builds all maps, one at a time, and then queries all of them for tiles, few at a time: no thread waits
+    /// for long, and what is known of a tile is read once.
+    void run_kept(const graph::PassContext& context, const HostScene& scene, KeptMaps& kept,
+                  std::int64_t begin, std::int64_t end, const QueryTiles& query) {
         const int resolution = maps_->layout.resolution, rows = StreamedMap::band_rows(resolution);
         for (int row = 0; row < resolution; row += rows) {
-            if (first < kept_end)
-                build_and_query(worker, query, [&] {
-                    return kept->get(scene, *maps_, first, kept_end, row, worker.scratch, worker.built);
-                });
-            const auto streamed = std::max(first, kept_end);
-            if (streamed >= end) continue;
-            if (row == 0) worker.built += static_cast<std::uint64_t>(end - streamed);
-            build_and_query(worker, query, [&] {
-                for (auto map = streamed; map < end; ++map)
-                    build_map(scene.meshlets, scene.masks, maps_->frames[static_cast<std::size_t>(map)], row,
-                              std::min(rows, resolution - row),
-                              worker.maps[static_cast<std::size_t>(map - streamed)], worker.scratch);
-                return std::span<const StreamedMap>(worker.maps)
-                    .first(static_cast<std::size_t>(end - streamed));
+            const auto start = Clock::now();
+            by_workers(context, begin, end, 1, [&](Worker& worker, std::int64_t map, std::int64_t) {
+                kept.build(scene, *maps_, map, row, worker.scratch, worker.built);
             });
+            if (context.cancel().is_cancelled()) return;
+            const auto built = Clock::now();
+            const auto maps = kept.bands(begin, end, row);
+            over_tiles(arena_, tiles_.count(), [&](std::size_t first, std::size_t end_tile) {
+                if (!context.cancel().is_cancelled()) query(tiles_, first, end_tile, maps, workers_.front());
+            });
+            const auto queried = Clock::now();
+            for (auto& worker : workers_) {
+                worker.build_ms += ms_between(start, built);
+                worker.query_ms += ms_between(built, queried);
+            }
         }
     }
 
-    template <class Build>
-    void build_and_query(Worker& worker, const Query& query, Build build) {
-        const auto start = Clock::now();
-        const auto maps = build();
-        const auto built = Clock::now();
-        query(tiles_, worker, maps);
-        worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
-        worker.query_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
+    void run_streamed(const graph::PassContext& context, const HostScene& scene, std::int64_t begin,
+                      std::int64_t end, const Query& query) {
+        // Groups of one size, as many for each thread, so that none waits for long.
+        const auto count = static_cast<std::int64_t>(workers_.size());
+        const auto rounds = (end - begin + count * together_ - 1) / (count * together_);
+        const auto group = (end - begin + rounds * count - 1) / (rounds * count);
+        by_workers(context, begin, end, group, [&](Worker& worker, std::int64_t first, std::int64_t last) {
+            stream(scene, worker, first, last, query);
+        });
+    }
+    /// Maps first … end - 1.
+    void stream(const HostScene& scene, Worker& worker, std::int64_t first, std::int64_t end,
+                const Query& query) {
+        const int resolution = maps_->layout.resolution, rows = StreamedMap::band_rows(resolution);
+        worker.built += static_cast<std::uint64_t>(end - first);
+        for (int row = 0; row < resolution; row += rows) {
+            const auto start = Clock::now();
+            for (auto map = first; map < end; ++map)
+                build_map(scene.meshlets, scene.masks, maps_->frames[static_cast<std::size_t>(map)], row,
+                          std::min(rows, resolution - row),
+                          worker.maps[static_cast<std::size_t>(map - first)], worker.scratch);
+            const auto built = Clock::now();
+            query(tiles_, worker,
+                  std::span<const StreamedMap>(worker.maps).first(static_cast<std::size_t>(end - first)));
+            worker.build_ms += ms_between(start, built);
+            worker.query_ms += ms_between(built, Clock::now());
+        }
     }
 
     graph::ObjectRef scene_, kept_;  ///< kept_: may be absent
@@ -182,7 +227,6 @@ class Stream {
     tbb::task_arena arena_;
     std::vector<Worker> workers_;
     PixelTiles tiles_;
-    std::vector<std::uint32_t> cosines_;
     int together_ = 1;
 };
 
@@ -199,6 +243,7 @@ struct StreamPass {
     std::function<void(const graph::PassContext&)> begin = [](const auto&) {};  ///< of each frame
     Stream::Prepare prepare;
     Stream::Query query;
+    Stream::QueryTiles query_tiles = {};  ///< where there are kept maps
     std::function<void(const graph::PassContext&, Stream&)> finish;
 };
 
@@ -228,21 +273,12 @@ void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::Object
                     what.begin(context);
                     stream->begin(context, what.prepare);
                 }
-                stream->run(context, slice.begin, slice.end, what.query);
+                stream->run(context, slice.begin, slice.end, what.query, what.query_tiles);
                 if (!slice.last) return;
                 what.finish(context, *stream);
                 stream->report(context, counters, built_maps);
             },
             stream->first_slice());
-}
-
-/// Calls `run` for ranges of tiles on all threads.
-void over_tiles(Stream& stream, const std::function<void(std::size_t, std::size_t)>& run) {
-    constexpr std::size_t grain = 64;
-    stream.arena().execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, stream.tiles().count(), grain),
-                          [&](const auto& range) { run(range.begin(), range.end()); });
-    });
 }
 
 /// Calls `put(pixel, place)` for all pixels of the picture, row by row.
@@ -256,22 +292,27 @@ void for_each_pixel(const PixelTiles& tiles, Put put) {
 
 void write_sums(const graph::PassContext& context, Stream& stream, const Maps& maps, float scale,
                 graph::ImageRef target) {
+    constexpr std::size_t pixels = PixelTiles::pixels;
     const auto& tiles = stream.tiles();
-    auto& cosines = stream.cosines();
-    cosines.resize(tiles.count() * PixelTiles::pixels);
     auto& sums = stream.workers().front().sums;
-    over_tiles(stream, [&](std::size_t first, std::size_t end) {
+    const auto out = context.pixels<glm::vec2>(target);
+    const auto write = [&](std::size_t tile, const std::uint32_t* cosines) {
+        const auto corner = tiles.corner(tile);
+        for (int y = 0; y < std::min(PixelTiles::side, tiles.height - corner.y); ++y)
+            for (int x = 0; x < std::min(PixelTiles::side, tiles.width - corner.x); ++x) {
+                const auto within = static_cast<std::size_t>(y * PixelTiles::side + x);
+                out[static_cast<std::size_t>(corner.y + y) * tiles.width + corner.x + x] =
+                    glm::vec2(static_cast<float>(sums[tile * pixels + within]),
+                              static_cast<float>(cosines[within])) /
+                    scale;
+            }
+    };
+    over_tiles(stream.arena(), tiles.count(), [&](std::size_t first, std::size_t end) {
+        std::uint32_t cosines[tiles_at_once * pixels];
         sum_cosines(tiles, first, end, maps.frames, scale, cosines);
         for (std::size_t i = 1; i < stream.workers().size(); ++i)
-            for (auto p = first * PixelTiles::pixels; p < end * PixelTiles::pixels; ++p)
-                sums[p] += stream.workers()[i].sums[p];
-    });
-    const auto out = context.pixels<glm::vec2>(target);
-    stream.arena().execute([&] {
-        for_each_pixel(tiles, [&](std::size_t pixel, std::size_t place) {
-            out[pixel] =
-                glm::vec2(static_cast<float>(sums[place]), static_cast<float>(cosines[place])) / scale;
-        });
+            for (auto p = first * pixels; p < end * pixels; ++p) sums[p] += stream.workers()[i].sums[p];
+        for (auto tile = first; tile < end; ++tile) write(tile, cosines + (tile - first) * pixels);
     });
 }
 
@@ -306,7 +347,7 @@ class SkyQuery {
         const glm::vec3 v(map.frame.direction);
         for (std::size_t place = 0; place < tiles.count() * PixelTiles::pixels; ++place) {
             if (!(tiles.valid[place / PixelTiles::pixels] >> place % PixelTiles::pixels & 1)) continue;
-            const auto at = [&](const std::vector<float>(&values)[3]) {
+            const auto at = [&](const PixelTiles::Values(&values)[3]) {
                 return glm::vec3(values[0][place], values[1][place], values[2][place]);
             };
             const float cosine = glm::dot(at(tiles.normal), v);
@@ -364,6 +405,10 @@ void trace_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::
     };
     pass.query = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
         add_visibility(tiles, 0, tiles.count(), some, rule, visibility, scale, worker.sums);
+    };
+    pass.query_tiles = [=](const PixelTiles& tiles, std::size_t first, std::size_t end,
+                           std::span<const StreamedMap> some, Worker& worker) {
+        add_visibility(tiles, first, end, some, rule, visibility, scale, worker.sums);
     };
     pass.finish = [=](const graph::PassContext& context, Stream& stream) {
         write_sums(context, stream, *maps, scale, sums);

@@ -117,7 +117,8 @@ struct Pixels {
     Floats sums[TileSums::channels];
 };
 
-Vector3 load3(const std::vector<float> (&axes)[3], std::size_t place) {
+template <class Values>
+Vector3 load3(const Values (&axes)[3], std::size_t place) {
     return {hn::LoadU(f, axes[0].data() + place), hn::LoadU(f, axes[1].data() + place),
             hn::LoadU(f, axes[2].data() + place)};
 }
