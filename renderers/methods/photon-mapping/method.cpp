@@ -22,8 +22,10 @@ MethodDescription description() {
     d.version = 4;
     d.papers = {"Smal19", "Clarberg05", "Dammertz10", "Heitz18", "Knaus11"};
     d.missing_light = {passes::without_light_samples()};
-    d.outputs = joined({filtering_outputs(), splatting_outputs(), tracing_outputs(), emission_outputs()});
+    d.outputs = joined(
+        {filtering_outputs(), splatting_outputs(), path_outputs(), tracing_outputs(), emission_outputs()});
     d.selectors = emission_selectors();
+    for (const auto& selector : path_selectors()) d.selectors.push_back(selector);
     d.stages = filtering_stages();
     return d;
 }
@@ -31,9 +33,11 @@ MethodDescription description() {
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
-    const auto samples = emit(builder, scene, parameters);
+    const auto samples = emit(builder, scene, gbuffer, parameters);
     const auto photons = trace_photons(builder, scene, samples, parameters);
+    learn_weights(builder, samples, parameters);
     const auto splat = splat_photons(builder, gbuffer, photons, parameters);
+    show_paths(builder, gbuffer, samples, photons, splat);
     const auto filtered = filter_irradiance(builder, gbuffer, splat, parameters);
     compose(builder, scene, gbuffer, filtered, parameters);
 }

@@ -24,7 +24,7 @@ passes::Tracer tracer_of(const graph::FrameInputs& inputs, const Parameters& par
 }
 
 std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters) {
-    if (!parameters.is_progressive()) return inputs.seed;
+    if (!parameters.renews_photons()) return inputs.seed;
     return passes::mixed(passes::mixed(inputs.seed) + static_cast<std::uint64_t>(inputs.frame));
 }
 

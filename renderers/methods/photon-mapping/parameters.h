@@ -12,6 +12,8 @@ namespace ir::methods::photon_mapping {
 enum class Resolution { r64, r128, r256, r512, r1024 };  ///< of a square map, texels a side
 enum class FirstHit { rsm, traced };
 enum class Emission { importance, uniform };
+enum class Weights { none, visible, printed };
+enum class SeenBy { frustum, picture };
 enum class PowerScaling { exact, printed };
 enum class Budget { intensity, probability };
 enum class Roulette { multichannel, per_channel };
@@ -32,7 +34,12 @@ struct Parameters {
     Resolution rsm_resolution = Resolution::r256;
     bool depth_prepass = false;  ///< the shadow map, drawn again at the RSM's resolution, before it
     Emission emission = Emission::importance;
-    float photon_near = 0, photon_far = 0;  ///< m from the light; 0 as far plane: unlimited
+    Weights weights = Weights::none;
+    SeenBy seen_by = SeenBy::picture;
+    int seen_gain = 4;                               ///< m of a photon that is seen; of others it is -1
+    float weight_force = 0.1f;                       ///< C_m, times the photons of a texel in the mean
+    float weight_spring = 0.1f, weight_drag = 0.5f;  ///< k, C_d
+    float photon_near = 0, photon_far = 0;           ///< m from the light; 0 as far plane: unlimited
     PowerScaling power_scaling = PowerScaling::exact;
     Budget budget = Budget::intensity;
     int strata = 1;             ///< frames of a cycle of emission sets
@@ -77,6 +84,9 @@ struct Parameters {
     passes::ReceiverParameters receivers;
 
     bool is_progressive() const { return temporal && accumulation == Accumulation::progressive; }
+    bool has_weights() const { return weights != Weights::none && first_hit == FirstHit::rsm; }
+    /// Weights that came of the same photons would bias what they find.
+    bool renews_photons() const { return is_progressive() || has_weights(); }
     /// A mean over many frames would show how half floats are rounded.
     bool has_half_sums() const { return sum_precision == Precision::half_float && !is_progressive(); }
 };
@@ -94,8 +104,8 @@ int texels(Resolution resolution);
 /// What traces rays: Embree where passes with two bodies run on the host.
 passes::Tracer tracer_of(const graph::FrameInputs& inputs, const Parameters& parameters);
 
-/// What all random numbers of a frame come from: each frame has its own where radii shrink, so that frames
-/// are independent.
+/// What all random numbers of a frame come from: each frame has its own where photons are renewed, so that
+/// frames are independent.
 std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters);
 
 }  // namespace ir::methods::photon_mapping

@@ -21,6 +21,7 @@ struct SamplePoint {
 };
 
 /// Of points whose light has no image.
+// C++: ir::methods::photon_mapping::no_texel
 const uint NO_TEXEL = 0xffffffffu;
 
 /// A photon where it arrived. 32 bytes.  [Smal19 table 4.1]

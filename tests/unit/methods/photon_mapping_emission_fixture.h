@@ -71,7 +71,8 @@ class EmissionTest : public PassTest {
         inputs.frame = frame;
         inputs.inspection = inspection;
         auto report = run(inputs, [&](graph::GraphBuilder& builder) {
-            emitted_ = pm::emit(builder, passes::upload_scene(builder), parameters);
+            const auto scene = passes::upload_scene(builder);
+            emitted_ = pm::emit(builder, scene, passes::gbuffer(builder, scene), parameters);
         });
         count_ = static_cast<std::size_t>(report.counters.at("photons.sample_count"));
         return report;

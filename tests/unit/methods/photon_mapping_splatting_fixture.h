@@ -57,7 +57,7 @@ struct ExplainedPhoton {
     glm::vec3 centre, axis_u, axis_v, axis_w, contribution, power;
     std::uint32_t bounce, light;
     float distance, radius;
-    std::uint32_t photon;
+    std::uint32_t photon, path;
 };
 
 struct ExplainedSum {

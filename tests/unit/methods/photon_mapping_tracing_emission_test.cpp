@@ -27,7 +27,8 @@ class PhotonsOfALamp : public TracingTest {
     std::vector<TallyRow> flux(const Shot& shot, const Parameters& parameters) {
         run(shot, [&](graph::GraphBuilder& builder) {
             const auto scene = passes::upload_scene(builder);
-            const auto samples = methods::photon_mapping::emit(builder, scene, parameters);
+            const auto samples =
+                methods::photon_mapping::emit(builder, scene, passes::gbuffer(builder, scene), parameters);
             methods::photon_mapping::trace_photons(builder, scene, samples, parameters);
         });
         return elements<TallyRow>("photons.tally");

@@ -1,9 +1,11 @@
 #include "renderers/methods/photon-mapping/stages.h"
 
 #include "renderers/core/error.h"
+#include "renderers/methods/photon-mapping/emission/lab.h"
 #include "renderers/methods/photon-mapping/emission/points.h"
 #include "renderers/methods/photon-mapping/emission/traced.h"
 #include "renderers/methods/photon-mapping/emission/views.h"
+#include "renderers/methods/photon-mapping/emission/weights.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -21,7 +23,8 @@ void check(const Parameters& parameters) {
 }
 
 MappedEmission draw_maps(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                         const Sources& sources, const Parameters& parameters) {
+                         const passes::GBuffer& gbuffer, const Sources& sources,
+                         std::optional<TexelWeights>& weights, const Parameters& parameters) {
     MappedEmission mapped;
     mapped.rsm =
         passes::draw_rsm(builder, scene,
@@ -32,14 +35,16 @@ MappedEmission draw_maps(graph::GraphBuilder& builder, const passes::SceneBuffer
                           .depth_prepass = parameters.depth_prepass,
                           .geometric_normal = true,
                           .may_be_traced = true});
-    mapped.maps = emission_maps(builder, scene, mapped.rsm, parameters);
+    if (parameters.has_weights())
+        weights = declare_weights(builder, gbuffer, mapped.rsm.resolution, mapped.rsm.layers);
+    mapped.maps = emission_maps(builder, scene, mapped.rsm, weights, parameters);
     return mapped;
 }
 
 }  // namespace
 
 SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                  const Parameters& parameters) {
+                  const passes::GBuffer& gbuffer, const Parameters& parameters) {
     check(parameters);
     const bool has_maps = parameters.first_hit == FirstHit::rsm;
     const auto sources = find_sources(builder.inputs(), parameters, texels(parameters.rsm_resolution));
@@ -49,7 +54,7 @@ SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scen
 
     std::optional<MappedEmission> mapped;
     std::optional<TracedEmission> traced;
-    if (has_maps) mapped = draw_maps(builder, scene, sources, parameters);
+    if (has_maps) mapped = draw_maps(builder, scene, gbuffer, sources, points.samples.weights, parameters);
     if (sources.has_traced() || !has_maps)
         traced = trace_emission(builder, scene, sources, points, parameters);
     divide_points(builder, sources, points, mapped ? &mapped->maps : nullptr,
@@ -59,13 +64,20 @@ SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scen
     find_places(builder, points);
     if (mapped) pack_points(builder, scene, sources, *mapped, points, parameters);
     if (traced) pack_hits(builder, *traced, sources, points, parameters);
-    if (mapped) show_emission(builder, sources, mapped->maps, points, parameters);
+    points.samples.all_points = static_cast<std::uint32_t>(points.count);
+    points.samples.from_maps = static_cast<std::uint32_t>(points.from_maps);
+    if (traced) points.samples.traced_rays = traced->rays.rays;
+    if (mapped) {
+        show_emission(builder, sources, mapped->maps, points, parameters);
+        show_levels(builder, gbuffer, sources, *mapped, points, parameters);
+    }
     return points.samples;
 }
 
 std::vector<OutputDescription> emission_outputs() {
     auto outputs = passes::rsm_outputs(from_rsm(), true);
-    for (const auto& more : {probability_outputs(), point_outputs(), view_outputs()})
+    for (const auto& more :
+         {probability_outputs(), weight_outputs(), point_outputs(), view_outputs(), level_outputs()})
         outputs.insert(outputs.end(), more.begin(), more.end());
     return outputs;
 }

@@ -21,9 +21,17 @@ struct HistogramCell {
 /// Cells a side.
 inline constexpr int histogram_cells = 16;
 
+struct ChiSquare {
+    float sum;
+    std::int32_t degrees;
+};
+/// Of how many points came to each cell, `found`, against what the cells' `weights` expect of all of them.
+/// Neighbouring cells that expect fewer than 5 points are pooled; what comes to where nothing is expected
+/// makes it infinite, but for an empty map, which expects nothing anywhere.
+ChiSquare chi_square(std::span<const double> weights, std::span<const double> found);
+
 /// `map`: the weights that points should follow, square, row 0 first; `texels`: x + resolution · y of each
-/// point. In χ² neighbouring cells that expect fewer than 5 points are pooled; what comes to where nothing is
-/// expected makes it infinite, but for an empty map, which expects nothing anywhere.
+/// point.
 std::vector<HistogramCell> histogram(std::span<const float> map, int resolution,
                                      std::span<const std::uint32_t> texels);
 

@@ -1,10 +1,11 @@
-#include "renderers/methods/photon-mapping/parameters.h"
+#include "renderers/methods/photon-mapping/emission/weights.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
 const Condition with_rsm{"first_hit", {std::string("rsm")}};
 const Condition by_importance{"emission", {std::string("importance")}};
+const Condition with_weights = when_weighted();
 
 void add_counts(ParameterTable<Parameters>& table) {
     table.add(&Parameters::photons,
@@ -112,6 +113,73 @@ void add_emission(ParameterTable<Parameters>& table) {
               .active_when = with_rsm});
 }
 
+void add_weights(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::weights,
+             {.key = "weights",
+              .label = "Weights from visibility",
+              .doc =
+                  "Whether the maps learn from frame to frame which texels send photons into the view. Each "
+                  "frame then has photons of its own, and strata do not count.",
+              .citation = "Smal19 §5.4",
+              .choices = {{"none", "None", "Maps know the first surface alone."},
+                          {"visible", "Visible",
+                           "p (1/10 + 9/10 x), with x moved by the new velocity: stable for all springs "
+                           "below 4 - 2 drag."},
+                          {"printed", "As printed",
+                           "1/10 + 9/10 x p, which sends points where nothing is, too, and x is moved by the "
+                           "old velocity: stable where the spring is smaller than the drag."}},
+              .active_when = with_rsm})
+        .add(
+            &Parameters::seen_by,
+            {.key = "seen_by",
+             .label = "Seen by",
+             .doc = "Which photons count as seen. Kernels that reach into the picture count by their middle.",
+             .citation = "Smal19 §5.4.1",
+             .choices = {{"frustum", "Frustum",
+                          "Those in the camera's frustum, widened by kernels, on surfaces that face it, as "
+                          "published: also behind walls."},
+                         {"picture", "Picture", "Of these the ones that nothing hides in the picture."}},
+             .active_when = with_weights})
+        .add(&Parameters::seen_gain,
+             {.key = "seen_gain",
+              .label = "Gain of a seen photon",
+              .doc = "What a photon that is seen adds to the count m of the texel that it came from. Any "
+                     "other takes 1 away. Texels whose photons are seen less often than once in 1 + gain get "
+                     "no weight.",
+              .citation = "Smal19 §5.4.1",
+              .hard = {1, 1000},
+              .soft = {1, 16},
+              .active_when = with_weights})
+        .add(&Parameters::weight_force,
+             {.key = "weight_force",
+              .label = "Force of counts",
+              .doc = "C_m times the photons that a texel emits in a frame in the mean: how fast counts move "
+                     "the weight x, between 0 and 1. In balance x is force / spring for a texel with a count "
+                     "of 1 for each of these photons.",
+              .citation = "Smal19 §5.4.2",
+              .hard = {0, 100},
+              .soft = {0, 1},
+              .active_when = with_weights})
+        .add(&Parameters::weight_spring,
+             {.key = "weight_spring",
+              .label = "Spring",
+              .doc = "k: how fast weights fall back to 0 where no photon is seen. Weights follow the view in "
+                     "about drag / spring frames.",
+              .citation = "Smal19 §5.4.2",
+              .hard = {0, 2},
+              .soft = {0, 1},
+              .active_when = with_weights})
+        .add(&Parameters::weight_drag,
+             {.key = "weight_drag",
+              .label = "Drag",
+              .doc = "C_d: how fast the velocity of weights dies away. Small values let weights swing.",
+              .citation = "Smal19 §5.4.2",
+              .hard = {0, 1},
+              .soft = {0, 1},
+              .active_when = with_weights});
+}
+
 void add_sets(ParameterTable<Parameters>& table) {
     table
         .add(
@@ -119,7 +187,8 @@ void add_sets(ParameterTable<Parameters>& table) {
             {.key = "strata",
              .label = "Strata",
              .doc = "Frames after which the same photons come again. Each frame of the cycle has an emission "
-                    "set of its own; together they are one finer set. 1: the same photons in every frame.",
+                    "set of its own; together they are one finer set. 1: the same photons in every frame, "
+                    "but for weights from visibility and progressive radii, which renew them.",
              .unit = "frames",
              .citation = "Smal19 §4.2",
              .hard = {1, 512},
@@ -149,6 +218,7 @@ void add_emission_parameters(ParameterTable<Parameters>& table) {
     add_counts(table);
     add_rsm(table);
     add_emission(table);
+    add_weights(table);
     add_sets(table);
 }
 

@@ -190,7 +190,7 @@ void pack_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
 
 EmissionSets emission_sets(const graph::FrameInputs& inputs, const Sources& sources,
                            const EmissionPoints& points, const Parameters& parameters) {
-    const auto strata = parameters.is_progressive() ? 1u : static_cast<unsigned>(parameters.strata);
+    const auto strata = parameters.renews_photons() ? 1u : static_cast<unsigned>(parameters.strata);
     const auto seed = photon_seed(inputs, parameters);
     return {.source_count = static_cast<unsigned>(sources.layers.size()),
             .all_points = static_cast<unsigned>(points.count),

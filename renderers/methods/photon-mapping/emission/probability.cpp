@@ -3,6 +3,7 @@
 #include <bit>
 #include <sstream>
 
+#include "renderers/methods/photon-mapping/emission/weights.h"
 #include "renderers/methods/photon-mapping/specular.h"
 
 namespace ir::methods::photon_mapping {
@@ -91,7 +92,8 @@ EmissionMaps haar_pyramid(graph::GraphBuilder& builder, graph::ImageRef map, int
 }
 
 EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                           const passes::Rsm& rsm, const Parameters& parameters) {
+                           const passes::Rsm& rsm, const std::optional<TexelWeights>& weights,
+                           const Parameters& parameters) {
     std::ostringstream fingerprint;
     fingerprint.precision(9);
     if (!rsm.fingerprint.empty())
@@ -108,7 +110,8 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
         .execute_sliced(
             rsm.layers,
             [=](PassContext& p, graph::Slice slice) { find_probabilities(p, rsm, parameters, slice); }, 1);
-    return haar_pyramid(builder, map, rsm.resolution, rsm.layers, fingerprint.str());
+    if (!weights) return haar_pyramid(builder, map, rsm.resolution, rsm.layers, fingerprint.str());
+    return haar_pyramid(builder, weigh(builder, map, *weights, parameters), rsm.resolution, rsm.layers, "");
 }
 
 void reads_map(graph::PassBuilder& pass, const passes::Rsm& rsm, const passes::SceneBuffers& scene) {

@@ -34,9 +34,7 @@ struct Shown {
 Shown shown_points(const Inspection& inspection, const Sources& sources, const EmissionMaps& maps,
                    const EmissionPoints& points, bool all_steps) {
     Shown shown;
-    const int last = std::max(0, static_cast<int>(sources.layers.size()) - 1);
-    shown.source = inspection.item(source_selector);
-    if (shown.source != Inspection::all) shown.source = std::clamp(shown.source, 0, last);
+    shown.source = shown_source(inspection, sources);
     const int step = inspection.item(warp_selector), count = 2 * maps.levels + 1;
     const bool all = all_steps || step == Inspection::all;
     shown.first_step = all ? 0 : std::clamp(step, 0, count - 1);
@@ -161,15 +159,6 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
         });
 }
 
-/// Texels of a source's points.
-std::vector<std::uint32_t> texels_of(std::span<const std::uint32_t> candidates, int source, int resolution) {
-    std::vector<std::uint32_t> texels;
-    for (const auto word : candidates)
-        if ((word >> 20 & 63) == static_cast<std::uint32_t>(source))
-            texels.push_back((word & 1023) + static_cast<std::uint32_t>(resolution) * (word >> 10 & 1023));
-    return texels;
-}
-
 void show_histogram(graph::GraphBuilder& builder, const Sources& sources, const EmissionMaps& maps,
                     const EmissionPoints& points, const Parameters& parameters) {
     const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
@@ -183,9 +172,8 @@ void show_histogram(graph::GraphBuilder& builder, const Sources& sources, const 
         .writes(table)
         .execute([=](PassContext& p) {
             note_traced(p, points);
-            const auto all = p.elements<const std::uint32_t>(points.candidates);
-            const auto used = all.first(std::min<std::size_t>(all.size(), points.from_maps));
-            const auto texels = texels_of(used, source, maps.resolution);
+            const auto texels = texels_of(p.elements<const std::uint32_t>(points.candidates),
+                                          points.from_maps, source, maps.resolution);
             const auto drawn = p.pixels<const float>(maps.probability, source);
             const std::vector<float> map = warps ? std::vector<float>(drawn.begin(), drawn.end())
                                                  : std::vector<float>(drawn.size(), 1.0f);
@@ -195,6 +183,21 @@ void show_histogram(graph::GraphBuilder& builder, const Sources& sources, const 
 }
 
 }  // namespace
+
+int shown_source(const Inspection& inspection, const Sources& sources) {
+    const int source = inspection.item(source_selector);
+    const int last = std::max(0, static_cast<int>(sources.layers.size()) - 1);
+    return source == Inspection::all ? source : std::clamp(source, 0, last);
+}
+
+std::vector<std::uint32_t> texels_of(std::span<const std::uint32_t> candidates, std::uint64_t count,
+                                     int source, int resolution) {
+    std::vector<std::uint32_t> texels;
+    for (const auto word : candidates.first(std::min<std::size_t>(candidates.size(), count)))
+        if ((word >> 20 & 63) == static_cast<std::uint32_t>(source))
+            texels.push_back((word & 1023) + static_cast<std::uint32_t>(resolution) * (word >> 10 & 1023));
+    return texels;
+}
 
 void show_emission(graph::GraphBuilder& builder, const Sources& sources, const EmissionMaps& maps,
                    const EmissionPoints& points, const Parameters& parameters) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "renderers/core/inspection.h"
 #include "renderers/methods/photon-mapping/emission/points.h"
 
 namespace ir::methods::photon_mapping {
@@ -8,6 +12,13 @@ namespace ir::methods::photon_mapping {
 /// vertically in turns, from the whole square to texels).
 inline constexpr const char* source_selector = "source";
 inline constexpr const char* warp_selector = "warp";
+
+/// The layer of the RSM that the selector names, or Inspection::all.
+int shown_source(const Inspection& inspection, const Sources& sources);
+
+/// Texels, x + resolution · y, of the points of a source among the first `count` candidates.
+std::vector<std::uint32_t> texels_of(std::span<const std::uint32_t> candidates, std::uint64_t count,
+                                     int source, int resolution);
 
 /// Declares the explanations of how points are warped: "emission.samples", "emission.points" and
 /// "emission.histogram".

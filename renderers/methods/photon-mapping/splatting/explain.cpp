@@ -37,11 +37,6 @@ Explanation declare(graph::GraphBuilder& builder) {
                                    {.key = "splat.explain.sum_count", .label = "Pixels explained"})};
 }
 
-glm::ivec2 picked_texel(const graph::FrameInputs& inputs, int divisor) {
-    const auto pixel = inputs.picked_pixel();
-    return pixel.x < 0 ? pixel : pixel / divisor;
-}
-
 /// Constants of explain.comp.
 struct ExplainPixel {
     KernelRules rules;
@@ -73,6 +68,7 @@ void sort_and_add_up(const graph::PassContext& p, const Kernels& kernels, const 
     if (sums.empty()) return;
     const auto found = photons.first(std::min<std::size_t>(photons.size(), sums[0].photons));
     passes::sort_found(found);
+    for (std::size_t i = 0; i < found.size(); ++i) found[i].path = static_cast<std::uint32_t>(i);
     const auto texel = picked_texel(p.inputs(), kernels.surfaces.divisor);
     sums[0].texel_x = static_cast<std::uint32_t>(texel.x);
     sums[0].texel_y = static_cast<std::uint32_t>(texel.y);
@@ -81,7 +77,7 @@ void sort_and_add_up(const graph::PassContext& p, const Kernels& kernels, const 
 
 }  // namespace
 
-void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::ImageRef irradiance) {
+void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, Splat& splat) {
     const auto e = declare(builder);
     auto pass = builder.pass("explain photons of the pixel");
     if (kernels.parameters.facing_test) pass.reads(kernels.surfaces.geometric_normal);
@@ -89,7 +85,7 @@ void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::
         .reads("Stored", kernels.photons.stored)
         .reads("tiles", kernels.tiles)
         .reads("depths", kernels.surfaces.depth)
-        .reads("irradiance", irradiance)
+        .reads("irradiance", splat.irradiance)
         .writes("FoundPhotons", e.photons.elements)
         .writes("PixelSum", e.sum.elements)
         .counts("PhotonCount", e.photons.count)
@@ -100,6 +96,14 @@ void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::
         .reads(e.photons.elements, e.sum.elements)
         .writes(e.photons.elements, e.sum.elements)
         .execute([=](graph::PassContext& p) { sort_and_add_up(p, kernels, e); });
+    splat.found = e.photons.elements;
+    splat.sum = e.sum.elements;
+}
+
+std::span<const FoundPhoton> found_photons(const graph::PassContext& p, const Splat& splat) {
+    const auto photons = p.elements<const FoundPhoton>(splat.found);
+    const auto sums = p.elements<const Sum>(splat.sum);
+    return photons.first(sums.empty() ? 0 : std::min<std::size_t>(photons.size(), sums[0].photons));
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -34,6 +34,19 @@ std::vector<OutputDescription> splatting_outputs() {
          .semantic = Semantic::albedo,
          .doc = "A dot for each photon that is seen, over the scene in grey, in the colour of its bounce.",
          .categories = {bounce_categories("")}},
+        {.key = "splat.kernels",
+         .label = "Kernels",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc = "The kernels of all photons that face the viewer, as large as they are splatted. irradiance: "
+                "RGB, W/m², where it covers. radius: of the kernel across the light, m. bounce and light: as "
+                "of photon locations. photon: its place in the photon buffer. lights_pixel: whether it "
+                "covers the picked pixel's texel.",
+         .categories = {bounce_categories("bounce"),
+                        {"lights_pixel",
+                         {{0, "others", tints::sky},
+                          {1, "those that light the picked pixel", tints::orange}}}},
+         .explains = true},
         {.key = "splat.explain.photons",
          .label = "Photons that light the pixel",
          .kind = OutputKind::glyphs,
@@ -41,7 +54,7 @@ std::vector<OutputDescription> splatting_outputs() {
          .doc = "The kernels that cover the picked pixel's texel, the largest contribution first. "
                 "contribution: RGB, W/m², to the unfiltered irradiance. power: W. distance: from the surface "
                 "to the photon, m. radius: of the kernel across the light, m. light: as of photon locations. "
-                "photon: its place in the photon buffer.",
+                "photon: its place in the photon buffer. path: its place in this list, as of the paths.",
          .categories = {bounce_categories("bounce")},
          .when_empty = "no kernel covers the texel in this frame: the light there comes from neighbours and "
                        "earlier frames, by filtering",

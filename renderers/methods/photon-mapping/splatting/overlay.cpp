@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/splatting/stages.h"
+#include "renderers/methods/photon-mapping/splatting/overlay.h"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include "renderers/image/colour_map.h"
 #include "renderers/methods/photon-mapping/bounces.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
+#include "renderers/methods/photon-mapping/splatting/stages.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -24,17 +25,16 @@ struct MarkPhotons {
 /// Constants of overlay.frag.
 struct Overlay {
     glm::vec3 view_axis_ws;
-    std::array<glm::vec4, 8> bounce_colours;
-    IR_FIELDS(view_axis_ws, bounce_colours)
+    std::array<glm::vec4, 8> mark_colours;
+    IR_FIELDS(view_axis_ws, mark_colours)
 };
 
-/// Linear, from the first bounce on.
-std::array<glm::vec4, 8> bounce_colours() {
+/// Linear.
+std::array<glm::vec4, 8> linear(const Categories& named) {
     std::array<glm::vec4, 8> colours{};
-    const auto named = bounce_categories("").values;
     for (std::size_t i = 0; i < colours.size(); ++i)
         for (int c = 0; c < 3; ++c)
-            colours[i][c] = linear_from_srgb(named.at(i).colour[static_cast<std::size_t>(c)] / 255.0f);
+            colours[i][c] = linear_from_srgb(named.values.at(i).colour[static_cast<std::size_t>(c)] / 255.0f);
     return colours;
 }
 
@@ -49,6 +49,16 @@ void mark_dots(const graph::PassContext& p, graph::Slice slice, const StoredPhot
 
 }  // namespace
 
+void draw_marks(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, graph::ImageRef marks,
+                const std::string& key, const Categories& colours) {
+    const auto overlay = builder.output(key, {.format = gl::Format::rgba16f});
+    builder.pass(builder.text_of_output(key).label)
+        .reads("marks", marks)
+        .reads(gbuffer.albedo, gbuffer.normal)
+        .draw({{"methods/photon-mapping/splatting/overlay.frag"}}, overlay,
+              Overlay{-glm::vec3(glm::transpose(builder.inputs().view.view_from_world)[2]), linear(colours)});
+}
+
 void draw_overlay(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                   const StoredPhotons& photons) {
     const auto dots = builder.image(
@@ -58,7 +68,6 @@ void draw_overlay(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                          "dot won; 0: none.",
                   .semantic = Semantic::id},
          .format = gl::Format::r32ui});
-    const auto overlay = builder.output("photons.overlay", {.format = gl::Format::rgba16f});
     builder.pass("mark photons")
         .reads(gbuffer.position)
         .reads("Photons", photons.records)
@@ -67,12 +76,7 @@ void draw_overlay(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             mark_dots(p, slice, photons, dots);
         });
-    builder.pass("photons over the picture")
-        .reads("dots", dots)
-        .reads(gbuffer.albedo, gbuffer.normal)
-        .draw(
-            {{"methods/photon-mapping/splatting/overlay.frag"}}, overlay,
-            Overlay{-glm::vec3(glm::transpose(builder.inputs().view.view_from_world)[2]), bounce_colours()});
+    draw_marks(builder, gbuffer, dots, "photons.overlay", bounce_categories(""));
 }
 
 }  // namespace ir::methods::photon_mapping

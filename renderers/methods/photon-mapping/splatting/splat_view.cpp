@@ -32,6 +32,11 @@ glm::ivec2 texels_of(const scene::View& view, int divisor) {
     return (glm::ivec2(view.width, view.height) + divisor - 1) / divisor;
 }
 
+glm::ivec2 picked_texel(const graph::FrameInputs& inputs, int divisor) {
+    const auto pixel = inputs.picked_pixel();
+    return pixel.x < 0 ? pixel : pixel / divisor;
+}
+
 int pixel_of_texel(int divisor) {
     return (divisor - 1) / 2;
 }

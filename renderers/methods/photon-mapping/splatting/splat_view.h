@@ -12,6 +12,9 @@ int divisor_of(SplatResolution resolution);
 /// Texels of a picture of this view. The last of a row may reach beyond the picture.
 glm::ivec2 texels_of(const scene::View& view, int divisor);
 
+/// Texel of the pixel that is explained; negative: none.
+glm::ivec2 picked_texel(const graph::FrameInputs& inputs, int divisor);
+
 /// Along a side of a texel, the pixel that it stands for: kernels are summed for that pixel's surface.
 int pixel_of_texel(int divisor);
 

@@ -44,7 +44,8 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
                   .defines = {{"COUNT", "1"}},
                   .depth_test = false});
     draw_overlay(builder, gbuffer, stored);
-    explain_pixel(builder, kernels, splat.irradiance);
+    explain_pixel(builder, kernels, splat);
+    show_kernels(builder, kernels);
     return splat;
 }
 

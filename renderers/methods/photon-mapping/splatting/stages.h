@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
+#include <span>
 
 #include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/photons/photon_list.h"
+#include "shaders/methods/photon-mapping/splatting/explain.comp.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -77,6 +79,11 @@ void draw_overlay(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
 
 /// Declares "splat.explain.photons" and "splat.explain.sum": the photons whose kernels cover the picked
 /// pixel, gathered from the whole photon buffer, and their sum against what was splatted.
-void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::ImageRef irradiance);
+void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, Splat& splat);
+/// Those photons, in a pass that reads both.
+std::span<const FoundPhoton> found_photons(const graph::PassContext& context, const Splat& splat);
+
+/// Declares "splat.kernels": the kernels of all photons.
+void show_kernels(graph::GraphBuilder& builder, const Kernels& kernels);
 
 }  // namespace ir::methods::photon_mapping

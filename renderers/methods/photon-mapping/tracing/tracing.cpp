@@ -46,7 +46,7 @@ struct TallyPhotons {
     IR_FIELDS(rows, power_unit)
 };
 
-void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float power_unit) {
+void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, const SamplePoints& samples) {
     const auto rows = wavefront.rows();
     const auto table = builder.output(
         "photons.tally", {.fields = record_fields<TallyRow>(), .elements = static_cast<std::uint64_t>(rows)});
@@ -61,8 +61,15 @@ void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float powe
                 builder.counter({.key = "photons.cut",
                                  .label = "Photons cut",
                                  .doc = "Their paths met more mirrors and clear glass than are followed."}));
-    pass.compute({{"methods/photon-mapping/tracing/tally.comp"}}, rows,
-                 TallyPhotons{static_cast<unsigned>(rows), power_unit});
+    gl::ProgramSource source{{"methods/photon-mapping/tracing/tally.comp"}};
+    if (samples.weights) {
+        source.defines["WEIGHS"] = "1";
+        pass.counts("SeenCounter",
+                    builder.counter({.key = "photons.seen",
+                                     .label = "Photons seen",
+                                     .doc = "Those that raise the weight of the texel they came from."}));
+    }
+    pass.compute(source, rows, TallyPhotons{static_cast<unsigned>(rows), samples.power_unit});
 }
 
 /// Constants of locations.comp.
@@ -97,12 +104,13 @@ void declare_locations(GraphBuilder& builder, const Photons& photons, std::uint6
 
 Photons trace_photons(GraphBuilder& builder, const passes::SceneBuffers& scene, const SamplePoints& samples,
                       const Parameters& parameters) {
-    const auto photons = declare_photons(builder, samples, parameters);
+    auto photons = declare_photons(builder, samples, parameters);
     const Wavefront wavefront(builder, scene, samples, parameters);
+    photons.legs = wavefront.legs();
     wavefront.leave(builder, photons);
     for (int number = 1; number <= wavefront.surfaces(); ++number)
         wavefront.advance(builder, number, photons);
-    declare_tally(builder, wavefront, samples.power_unit);
+    declare_tally(builder, wavefront, samples);
     declare_locations(builder, photons, samples.paths * static_cast<std::uint64_t>(wavefront.surfaces()),
                       reserved_photons(samples, parameters));
     return photons;

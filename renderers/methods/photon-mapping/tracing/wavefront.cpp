@@ -5,10 +5,12 @@
 
 #include "renderers/core/record.h"
 #include "renderers/methods/photon-mapping/specular.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/scan/scan.h"
 #include "shaders/lib/scattering.glsl.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 #include "shaders/methods/photon-mapping/splatting/kernel.glsl.h"
+#include "shaders/methods/photon-mapping/tracing/follow.comp.h"
 #include "shaders/methods/photon-mapping/tracing/path.glsl.h"
 #include "shaders/methods/photon-mapping/tracing/tally.glsl.h"
 
@@ -105,14 +107,42 @@ struct LeavePoints {
     IR_FIELDS(rules, repeats, sample_capacity)
 };
 
+/// What weights of texels are learned by, where land.comp does that.
+struct Weighing {
+    unsigned repeats = 1;
+    int map_resolution = 0, seen_gain = 1;
+    bool seen_by_picture = false;
+    glm::mat4 pixel_from_world{1};
+    float parallel_tolerance = 0;
+    IR_FIELDS(repeats, map_resolution, seen_gain, seen_by_picture, pixel_from_world, parallel_tolerance)
+};
+
+Weighing weighing_by(const graph::FrameInputs& inputs, const SamplePoints& samples,
+                     const Parameters& parameters) {
+    if (!samples.weights) return {};
+    return {.repeats = static_cast<unsigned>(samples.photons_per_point),
+            .map_resolution = samples.weights->resolution,
+            .seen_gain = parameters.seen_gain,
+            .seen_by_picture = parameters.seen_by == SeenBy::picture,
+            .pixel_from_world = passes::pixel_from_world(inputs.view),
+            .parallel_tolerance = 1e-3f * inputs.world->bounds.radius()};
+}
+
 /// Constants of land.comp.
 struct LandPhotons {
     PathRules rules;
     unsigned surface_number, last_surface, min_bounces, max_bounces, max_mirrors;
     bool keeps_mirrored, normal_maps, culling;
     Culling view;
+    Weighing weighing;
     IR_FIELDS(rules, surface_number, last_surface, min_bounces, max_bounces, max_mirrors, keeps_mirrored,
-              normal_maps, culling, view)
+              normal_maps, culling, view, weighing)
+};
+
+/// Constants of follow.comp.
+struct FollowPaths {
+    unsigned surface_number, vertices_of_path;
+    IR_FIELDS(surface_number, vertices_of_path)
 };
 
 /// Constants of store.comp.
@@ -141,6 +171,12 @@ Wavefront::Wavefront(GraphBuilder& builder, const passes::SceneBuffers& scene, c
                      static_cast<std::uint64_t>(surfaces()) + 1);
     sums_ = declare(builder, "sums", "Counts and power by bounce", {{"word", FieldType::u32}},
                     tally_words * tally_rows, true);
+    legs_.surfaces = surfaces();
+    const auto vertices_of_path = static_cast<std::uint64_t>(surfaces()) + 1;
+    legs_.paths =
+        std::min(samples.paths, builder.max_buffer_bytes() / (vertices_of_path * sizeof(PathVertex)));
+    legs_.vertices = declare(builder, "vertices", "Vertices of paths", record_fields<PathVertex>(),
+                             std::max<std::uint64_t>(1, legs_.paths * vertices_of_path));
 }
 
 void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
@@ -165,11 +201,20 @@ void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
 void Wavefront::advance(GraphBuilder& builder, int number, const Photons& photons) const {
     const auto name = std::to_string(number);
     passes::trace_rays(builder, "trace " + name, scene_, tracer_of(builder.inputs(), parameters_), rays_);
+    follow(builder, number);
     land(builder, number, photons);
     if (number < parameters_.transport.min_bounces && !keeps_mirrored()) return;
     const auto places =
         passes::exclusive_scan(builder, "photons.surface" + name, flags_, samples_.paths, photons.count);
     store(builder, number, places, photons);
+}
+
+void Wavefront::follow(GraphBuilder& builder, int number) const {
+    auto pass = builder.pass("follow paths " + std::to_string(number));
+    pass.reads("Rays", rays_.rays).reads("Hits", rays_.hits).writes("Vertices", legs_.vertices);
+    pass.compute_sliced(
+        {{"methods/photon-mapping/tracing/follow.comp"}}, static_cast<std::int64_t>(legs_.paths),
+        FollowPaths{static_cast<unsigned>(number), static_cast<unsigned>(legs_.surfaces) + 1}, first_slice);
 }
 
 void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) const {
@@ -183,10 +228,16 @@ void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) 
         .writes("Flags", flags_)
         .writes("Bases", bases_)
         .counts("StoredCount", photons.count);
+    gl::ProgramSource source{{"methods/photon-mapping/tracing/land.comp"}};
+    const auto& weights = samples_.weights;
+    if (weights) {
+        source.defines["WEIGHS"] = "1";
+        pass.reads("Samples", samples_.points).writes("Sums", weights->sums).reads(weights->surfaces);
+    }
     const auto& inputs = builder.inputs();
     const auto& transport = parameters_.transport;
     pass.compute_sliced(
-        {{"methods/photon-mapping/tracing/land.comp"}}, static_cast<std::int64_t>(samples_.paths),
+        source, static_cast<std::int64_t>(samples_.paths),
         LandPhotons{.rules = path_rules(inputs, parameters_),
                     .surface_number = static_cast<unsigned>(number),
                     .last_surface = static_cast<unsigned>(surfaces()),
@@ -196,7 +247,8 @@ void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) 
                     .keeps_mirrored = keeps_mirrored(),
                     .normal_maps = transport.normal_maps,
                     .culling = parameters_.culling,
-                    .view = culling_by(inputs.view, parameters_, inputs.world->bounds.radius())},
+                    .view = culling_by(inputs.view, parameters_, inputs.world->bounds.radius()),
+                    .weighing = weighing_by(inputs, samples_, parameters_)},
         first_slice);
 }
 

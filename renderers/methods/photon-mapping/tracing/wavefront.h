@@ -15,6 +15,8 @@ class Wavefront {
     void leave(graph::GraphBuilder& builder, const Photons& photons) const;
     /// From surface `number` - 1 (0: the sample point) to surface `number`: rays, photons, next scattering.
     void advance(graph::GraphBuilder& builder, int number, const Photons& photons) const;
+    /// What the paths met, kept where a view asks for it.
+    const PhotonLegs& legs() const { return legs_; }
     /// Surfaces along a path, mirrors and glass included; behind them the first one that scatters is met,
     /// too.
     int surfaces() const { return bounces_ + (mirrors_ > 0 ? mirrors_ + 1 : 0); }
@@ -29,6 +31,7 @@ class Wavefront {
     bool keeps_mirrored() const {
         return mirrors_ > 0 && parameters_.transport.paths == Transport::Paths::full;
     }
+    void follow(graph::GraphBuilder& builder, int number) const;
     void land(graph::GraphBuilder& builder, int number, const Photons& photons) const;
     void store(graph::GraphBuilder& builder, int number, graph::BufferRef places,
                const Photons& photons) const;
@@ -38,6 +41,7 @@ class Wavefront {
     Parameters parameters_;
     passes::HitSurfaces surfaces_;
     passes::RayBuffers rays_;
+    PhotonLegs legs_;
     graph::BufferRef paths_, landed_, flags_, bases_, sums_;
     int bounces_ = 1, mirrors_ = 0;  ///< mirrors and clear glass
 };

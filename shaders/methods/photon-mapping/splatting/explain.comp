@@ -11,7 +11,7 @@ struct Found {
     float centre[3], axis_u[3], axis_v[3], axis_w[3], contribution[3], power[3];
     uint bounce, light;
     float distance, radius;
-    uint photon;
+    uint photon, path;
 };
 layout(std430) writeonly buffer FoundPhotons { Found found[]; };
 /// As fields of "splat.explain.sum"; the host adds up, in double precision and in one order.
@@ -46,6 +46,7 @@ void write(uint place, uint i, Photon photon, Kernel k) {
     found[place].distance = distance_of(k);
     found[place].radius = k.radius;
     found[place].photon = i;
+    found[place].path = 0u;  // the host's
 }
 
 void main() {

@@ -23,6 +23,46 @@ uniform mat4 frustum_sides;
 uniform vec4 eye_ws;
 uniform float kernel_reach, texel_reach;
 
+#ifdef WEIGHS
+layout(std430) readonly buffer Samples { SamplePoint samples[]; };
+layout(std430) buffer Sums { int sums[]; };  // for each texel of the light images
+
+uniform uint repeats;  // photons that leave a sample point
+uniform int map_resolution, seen_gain;
+uniform bool seen_by_picture;
+uniform mat4 pixel_from_world;
+uniform float parallel_tolerance;  // m
+uniform sampler2D gbuffer_position;
+
+/// Depths of photons and of pixels agree but for the surface's slope within a pixel.
+const float DEPTH_TOLERANCE = 0.01;
+
+/// Whether the picture shows something else before the place, or does not show the place.
+/// DEVIATION [Smal19 §5.4.1]: printed is the frustum alone, which holds much that walls hide.
+bool is_hidden(vec3 position_ws) {
+    vec4 pixel = pixel_from_world * vec4(position_ws, 1);
+    ivec2 place = ivec2(floor(pixel.xy / pixel.w));
+    if (any(lessThan(place, ivec2(0))) || any(greaterThanEqual(place, textureSize(gbuffer_position, 0)))) return true;
+    vec4 surface = texelFetch(gbuffer_position, place, 0);
+    if (surface.w == 0.0) return false;
+    return eye_ws.w > 0.0
+               ? distance(eye_ws.xyz, position_ws) > (1.0 + DEPTH_TOLERANCE) * distance(eye_ws.xyz, surface.xyz)
+               : dot(eye_ws.xyz, surface.xyz - position_ws) > parallel_tolerance;
+}
+
+/// The texel that the photon came from learns whether it was worth it.  [Smal19 §5.4.1]
+void count_seen(uint index, uint bounce, vec3 position_ws, bool is_seen) {
+    if (is_seen && seen_by_picture) is_seen = !is_hidden(position_ws);
+    if (is_seen) count(bounce, TALLY_SEEN);
+    uint origin = samples[index / repeats].origin;
+    if (origin == NO_TEXEL) return;
+    ivec3 texel = ivec3(origin & 1023u, origin >> 10u & 1023u, origin >> 20u & 63u);
+    atomicAdd(sums[(texel.z * map_resolution + texel.y) * map_resolution + texel.x], is_seen ? seen_gain : -1);
+}
+#else
+void count_seen(uint index, uint bounce, vec3 position_ws, bool is_seen) {}
+#endif
+
 Photon photon_at(HitSurface surface, Path path, Ray ray) {
     bool normal_below, direction_below;
     Photon photon;
@@ -39,8 +79,10 @@ Photon photon_at(HitSurface surface, Path path, Ray ray) {
 void store(uint index, Photon photon) {
     count_power(bounce_of(photon), unpacked_power(photon.power));
     CullingView view = CullingView(frustum_sides, eye_ws, kernel_reach, texel_reach);
-    if (culling && (is_outside(view, photon.position_ws) ||
-                    faces_away(view, photon.position_ws, normal_of(photon)))) {
+    bool is_seen =
+        !is_outside(view, photon.position_ws) && !faces_away(view, photon.position_ws, normal_of(photon));
+    count_seen(index, bounce_of(photon), photon.position_ws, is_seen);
+    if (culling && !is_seen) {
         count(bounce_of(photon), TALLY_CULLED);
         return;
     }
@@ -111,6 +153,7 @@ void land(uint index) {
     RayHit hit = hits[index];
     if (!is_hit(hit)) {
         count(bounce, TALLY_MISSED);
+        count_seen(index, bounce, vec3(0), false);
         return;
     }
     HitSurface surface = hit_surface(hit.triangle, hit.u, hit.v, ray.direction_ws, normal_maps);

@@ -16,6 +16,9 @@ layout(std430) buffer MissedCounter { uint missed_counter; };
 layout(std430) buffer CulledCounter { uint culled_counter; };
 layout(std430) buffer AbsorbedCounter { uint absorbed_counter; };
 layout(std430) buffer CutCounter { uint cut_counter; };
+#ifdef WEIGHS
+layout(std430) buffer SeenCounter { uint seen_counter; };
+#endif
 
 uniform uint rows;
 uniform float power_unit;
@@ -37,5 +40,8 @@ void main() {
     atomicAdd(culled_counter, row.culled);
     atomicAdd(absorbed_counter, row.absorbed);
     atomicAdd(cut_counter, row.cut);
+#ifdef WEIGHS
+    atomicAdd(seen_counter, sums[first + TALLY_SEEN]);
+#endif
     if (bounce > 0u) atomicAdd(ray_counter, row.rays);
 }

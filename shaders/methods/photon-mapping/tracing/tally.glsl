@@ -2,9 +2,10 @@
 // in 1/65536 of a unit, so that the sum does not depend on the order. Row 0 is the sample points.
 
 const uint TALLY_RAYS = 0u, TALLY_MISSED = 1u, TALLY_STORED = 2u, TALLY_CULLED = 3u, TALLY_ABSORBED = 4u,
-           TALLY_CUT = 5u, TALLY_POWER = 6u;  // low and high words of red, green, blue
+           TALLY_CUT = 5u, TALLY_POWER = 6u,  // low and high words of red, green, blue
+           TALLY_SEEN = 12u;                  // by texels that learn weights
 // C++: ir::methods::photon_mapping::*
-const uint TALLY_WORDS = 12u, TALLY_ROWS = 16u;
+const uint TALLY_WORDS = 13u, TALLY_ROWS = 16u;
 const float TALLY_POWER_SCALE = 65536.0;
 
 #ifdef TALLIES
@@ -35,7 +36,7 @@ void end_tally() {
         uint word = i % TALLY_WORDS, amount = tally[i];
         if (amount == 0u) continue;
         uint before = atomicAdd(tally_sums[i], amount);
-        bool is_low = word >= TALLY_POWER && (word - TALLY_POWER) % 2u == 0u;
+        bool is_low = word >= TALLY_POWER && word < TALLY_SEEN && (word - TALLY_POWER) % 2u == 0u;
         if (is_low && before + amount < before) atomicAdd(tally_sums[i + 1u], 1u);
     }
 }
