@@ -56,7 +56,7 @@ MethodDescription description() {
 std::string needs_lists(const Parameters& parameters) {
     if (parameters.transport.max_distance > 0) return "a max_distance";
     if (parameters.maps.self_hit != passes::ldm::SelfHit::tangent_plane) return "self_hit=normal-offset";
-    if (parameters.exact != Exact::none) return "exact hits";
+    if (replaces_hits(parameters.exact)) return "exact hits";
     return {};
 }
 
@@ -64,7 +64,7 @@ std::string needs_lists(const Parameters& parameters) {
 passes::ldm::NodeKind nodes_of(const Parameters& parameters) {
     // Without a limit of distance only outermost depths count, which are seldom near.
     const bool queries_slopes = passes::ldm::may_keep_slopes(parameters.maps.storage) &&
-                                parameters.transport.max_distance > 0 && parameters.exact == Exact::none &&
+                                parameters.transport.max_distance > 0 && !replaces_hits(parameters.exact) &&
                                 parameters.maps.self_hit == passes::ldm::SelfHit::tangent_plane;
     return queries_slopes ? parameters.nodes : passes::ldm::NodeKind::plain;
 }
@@ -89,7 +89,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto maps = passes::ldm::declare_maps(builder, options);
     const auto images = declare_images(builder, parameters);
     std::optional<ExactHits> exact;
-    if (parameters.exact != Exact::none) exact = declare_exact_hits(builder, *maps, parameters);
+    if (replaces_hits(parameters.exact)) exact = declare_exact_hits(builder, *maps, parameters);
     const auto chosen = passes::ldm::chosen_maps(inputs.inspection, *maps);
     const auto directions = passes::ldm::show_directions(builder, maps);
     const auto layers = passes::ldm::declare_layers(builder, *maps);
@@ -113,6 +113,8 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         passes::ldm::find_points(builder, scene, maps, batch, points);
         explain(builder, gbuffer, maps, batch, directions, chosen, explanation);
     }
+    if (parameters.exact == Exact::selected)
+        trace_selected(builder, gbuffer, maps, images, parameters.transport);
     resolve(builder, images, parameters);
     resolve_views(builder, gbuffer, images);
     if (sky) passes::ldm::finish_sky(builder, *sky, parameters.progressive);

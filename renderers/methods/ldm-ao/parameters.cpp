@@ -11,7 +11,7 @@ void add_nodes(ParameterTable<Parameters>& table) {
         {.key = "nodes",
          .label = "Nodes",
          .doc = "What a map holds of each surface. Slopes need a max_distance, the rule tangent-plane and "
-                "exact=none; else nodes are plain.",
+                "exact=none or selected; else nodes are plain.",
          .citation = "Aalund15 §3.1",
          .choices = {{"plain", "Depths", "The depth at the texel's centre, as published: 2 bytes."},
                      {"sloped", "Depths and slopes",
@@ -32,12 +32,15 @@ void add_exact(ParameterTable<Parameters>& table) {
               .doc =
                   "Takes hits from ray tracing instead of the maps, to tell the causes of error apart: what "
                   "is left with all hits exact is due to the directions, what exact hits nearby take away "
-                  "to the self-hit rule, and the rest to the texels.",
+                  "to the self-hit rule, and the rest to the texels. Or for the pixels that need them.",
               .choices = {{"none", "None", "All hits come from the maps: the method itself."},
                           {"near", "Near hits",
                            "Hits up to a few texels away are exact, those beyond come "
                            "from the maps."},
-                          {"all", "All hits", "The maps are not queried."}}})
+                          {"all", "All hits", "The maps are not queried."},
+                          {"selected", "All hits of some pixels",
+                           "Of pixels that have much within a texel or two, by 16 short rays. The others "
+                           "take all hits from the maps."}}})
         .add(&Parameters::exact_texels,
              {.key = "exact_texels",
               .label = "Reach of exact rays",

@@ -7,7 +7,12 @@
 namespace ir::methods::ldm_ao {
 
 /// Which hits come from exact rays instead of the maps.
-enum class Exact { none, near, all };
+enum class Exact { none, near, all, selected };
+
+/// Whether exact hits stand in place of those of a map while it is queried.
+inline bool replaces_hits(Exact exact) {
+    return exact == Exact::near || exact == Exact::all;
+}
 
 /// How the set of directions lies. Counts from 0 in the order of the choices of parameter "orientation".
 enum class Orientation { level, tilted };

@@ -81,7 +81,7 @@ ldm::Visibility visibility_of(const Transport& transport) {
 }
 
 bool has_host_body(const Parameters& parameters) {
-    return parameters.exact == Exact::none && ldm::has_host_body(parameters.maps);
+    return !replaces_hits(parameters.exact) && ldm::has_host_body(parameters.maps);
 }
 
 void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,

@@ -58,13 +58,18 @@ struct ExactHits {
     float texels = 0;  ///< reach of `near`
 };
 
-/// Declares the buffer, large enough for every batch; not to be called for Exact::none.
+/// Declares the buffer, large enough for every batch; only where exact hits replace those of the maps.
 ExactHits declare_exact_hits(graph::GraphBuilder& builder, const passes::ldm::Maps& maps,
                              const Parameters& parameters);
 
 /// Pass "trace exact rays": fills the buffer for a batch.
 void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
                  const ExactHits& exact, const Transport& transport);
+
+/// Pass "trace selected pixels" (cpu, whatever the processor): of pixels that have much near them it takes
+/// the sums from rays.
+void trace_selected(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
+                    const Images& images, const Transport& transport);
 
 /// Constants of exact.glsl.
 struct ExactConstants {

@@ -22,7 +22,7 @@ MethodDescription description() {
     d.title = "Indirect light from layered depth maps";
     d.summary =
         "Splits photons of all sources into all directions of the layered depth maps, traces them "
-        "through the maps, and splats them with the footprints of their differentials. One diffuse bounce; "
+        "through the maps, and splats them with the footprints of their differentials. Bounces are diffuse; "
         "nothing is precomputed. Errors come from the number of directions, from the maps' texels and from "
         "the footprints' size. To maps glass is opaque.";
     d.version = 5;
@@ -33,7 +33,8 @@ MethodDescription description() {
     return d;
 }
 
-void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
+void setup(graph::GraphBuilder& builder, const Parameters& given) {
+    const auto parameters = of_frame(given, builder.inputs());
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto photons = trace_photons(builder, scene, gbuffer, parameters);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/core/transport.h"
+#include "renderers/graph/frame_inputs.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/ldm/parameters.h"
 #include "renderers/passes/reflection/reflection.h"
@@ -25,6 +26,8 @@ struct Parameters {
     // parameters.cpp
     passes::ldm::MapParameters maps;
     Transport transport = default_light;
+    bool progressive = false;       ///< directions turn, and frames are averaged
+    float radius_decay = 2.0f / 3;  ///< α of progressive footprints
 
     // tracing/parameters.cpp
     int emission = 64;                   ///< pixels along a side of a light's image
@@ -50,6 +53,9 @@ struct Parameters {
 };
 
 ParameterTable<Parameters> parameter_table();
+
+/// Of this frame: with `progressive` the directions are turned, and footprints have shrunk.
+Parameters of_frame(const Parameters& parameters, const graph::FrameInputs& inputs);
 
 void add_tracing_parameters(ParameterTable<Parameters>& table);
 void add_splatting_parameters(ParameterTable<Parameters>& table);

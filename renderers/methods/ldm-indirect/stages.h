@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Photons {
     graph::BufferRef records;  ///< "indirect.photons": Photon, growable, glyphs; in the order of batches of
                                ///< maps, then of sources, then of maps
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
+    /// Of the lights' images: of other sources nobody knows where their path begins.
+    std::uint64_t texels = std::numeric_limits<std::uint64_t>::max();
     /// How many there are to read, where the host stored some: passes on the device see no counter of its.
     std::optional<graph::BufferRef> stored = {};
     /// "indirect.looks", where footprints are clipped.
@@ -40,8 +43,9 @@ std::vector<SelectorDescription> tracing_selectors();
 struct Splat {
     graph::ImageRef irradiance;  ///< "indirect.irradiance" rgba32f: RGB E, W/m²; A: photons that added to it
     graph::ImageRef
-        direction;            ///< "indirect.direction" rgba32f: Σ (R + G + B) towards where light comes from
-    graph::BufferRef stored;  ///< "splat.stored": photons that there are to be read
+        direction;  ///< "indirect.direction" rgba32f: Σ (R + G + B) towards where light comes from
+    graph::ImageRef of_frame;   ///< irradiance of this frame's photons alone, where others are in the mean
+    graph::BufferRef stored;    ///< "splat.stored": photons that there are to be read
     graph::BufferRef arrivals;  ///< "splat.arrivals": where light comes from
 };
 

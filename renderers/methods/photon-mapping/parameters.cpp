@@ -1,6 +1,6 @@
 #include "renderers/methods/photon-mapping/parameters.h"
 
-#include "renderers/passes/sampling/point_sequence.h"
+#include "renderers/passes/scene/progressive.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -24,8 +24,7 @@ passes::Tracer tracer_of(const graph::FrameInputs& inputs, const Parameters& par
 }
 
 std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters) {
-    if (!parameters.renews_photons()) return inputs.seed;
-    return passes::mixed(passes::mixed(inputs.seed) + static_cast<std::uint64_t>(inputs.frame));
+    return parameters.renews_photons() ? passes::frame_seed(inputs) : inputs.seed;
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -150,7 +150,7 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     const bool has_two_bodies = options.may_be_traced && rsm.resolution % 4 == 0;
     const bool is_traced = has_two_bodies && builder.inputs().processor == Processor::host;
     const auto& world = builder.inputs().world_fingerprint;
-    if (!world.empty())
+    if (!world.empty() && !options.views_differ)
         rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) +
                           (options.opaque_only ? " opaque" : "") + (options.normal_maps ? " mapped" : "") +
                           (is_traced ? " traced" : "");

@@ -22,6 +22,7 @@ struct RsmOptions {
     bool may_be_traced = false;
     /// Half floats: steps of 1/255 are 10 % of a reflectance of 0.02.
     bool exact_albedo = false;
+    bool views_differ = false;  ///< from those of another frame of the same world: nothing is kept
 };
 
 /// Constants of shaders/passes/rsm/cone.glsl: a spot shines where the cosine to its axis is no less.

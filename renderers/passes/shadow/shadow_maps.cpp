@@ -55,7 +55,8 @@ ShadowViewData with_matrix(ShadowViewData v) {
 }
 
 /// `tangent` of half the opening angle. The range of depths is that of the bounds, as far as light reaches.
-ShadowViewData perspective_view(const scene::World& world, int light, glm::vec3 forward, float tangent) {
+ShadowViewData perspective_view(const scene::World& world, int light, glm::vec3 forward, glm::vec3 up,
+                                float tangent) {
     const auto& source = world.lights[static_cast<std::size_t>(light)];
     const auto extent = extent_along(world.bounds, forward) - glm::dot(source.position, forward);
     float far = extent.y > 0 ? 1.001f * extent.y : 1.0f;
@@ -63,8 +64,8 @@ ShadowViewData perspective_view(const scene::World& world, int light, glm::vec3 
     ShadowViewData v{};
     v.origin_ws = source.position;
     v.perspective = 1;
-    v.up_ws = any_up(forward) * tangent;
-    v.right_ws = glm::cross(forward, any_up(forward)) * tangent;
+    v.up_ws = up * tangent;
+    v.right_ws = glm::cross(forward, up) * tangent;
     v.forward_ws = forward;
     v.far = far;
     // a lamp's own bulb about its centre must not shadow everything
@@ -73,7 +74,18 @@ ShadowViewData perspective_view(const scene::World& world, int light, glm::vec3 
     return with_matrix(v);
 }
 
-ShadowViewData orthographic_view(const scene::World& world, int light, int resolution) {
+/// The outer cone, with a texel of margin on each side. Towards the cone's edge a turn moves more texels.
+ShadowViewData spot_view(const scene::World& world, int light, int resolution, glm::vec2 shift) {
+    const auto& source = world.lights[static_cast<std::size_t>(light)];
+    const float texel = 2 / static_cast<float>(resolution),
+                tangent = std::max(std::tan(source.outer_angle), 1e-3f) * (1 + texel);
+    const auto up = any_up(source.direction), right = glm::cross(source.direction, up);
+    const float turn = tangent * texel / (1 + tangent * tangent);
+    const auto forward = glm::normalize(source.direction + turn * (shift.x * right + shift.y * up));
+    return perspective_view(world, light, forward, any_up(forward), tangent);
+}
+
+ShadowViewData orthographic_view(const scene::World& world, int light, int resolution, glm::vec2 shift) {
     const auto forward = world.lights[static_cast<std::size_t>(light)].direction;
     const auto up = any_up(forward), right = glm::cross(forward, up);
     const auto x = extent_along(world.bounds, right), y = extent_along(world.bounds, up),
@@ -87,7 +99,8 @@ ShadowViewData orthographic_view(const scene::World& world, int light, int resol
     v.forward_ws = forward;
     v.near = 0;
     v.far = (z.y - z.x) + 2 * least;
-    v.origin_ws = right * 0.5f * (x.x + x.y) + up * 0.5f * (y.x + y.y) + forward * (z.x - least);
+    v.origin_ws = right * 0.5f * (x.x + x.y) + up * 0.5f * (y.x + y.y) + forward * (z.x - least) +
+                  2 / static_cast<float>(resolution) * (shift.x * v.right_ws + shift.y * v.up_ws);
     v.light = light;
     return with_matrix(v);
 }
@@ -97,19 +110,20 @@ constexpr std::array<glm::vec3, 6> cube_faces{glm::vec3{1, 0, 0},  glm::vec3{-1,
 
 }  // namespace
 
-std::vector<ShadowViewData> shadow_views(const scene::World& world, int resolution) {
-    const float margin = 1 + 2.0f / static_cast<float>(resolution);
+std::vector<ShadowViewData> shadow_views(const scene::World& world, int resolution,
+                                         const ViewJitter& jitter) {
     std::vector<ShadowViewData> views;
     for (int i = 0; i < static_cast<int>(world.lights.size()); ++i) {
         const auto& light = world.lights[static_cast<std::size_t>(i)];
         const int layers = shadow_layers(light);
         if (layers == 6)
-            for (const auto& face : cube_faces) views.push_back(perspective_view(world, i, face, 1));
+            for (const auto& face : cube_faces)
+                views.push_back(
+                    perspective_view(world, i, jitter.turn * face, jitter.turn * any_up(face), 1));
         else if (light.type == scene::LightType::directional)
-            views.push_back(orthographic_view(world, i, resolution));
+            views.push_back(orthographic_view(world, i, resolution, jitter.shift));
         else if (layers == 1)
-            views.push_back(perspective_view(world, i, light.direction,
-                                             std::max(std::tan(light.outer_angle), 1e-3f) * margin));
+            views.push_back(spot_view(world, i, resolution, jitter.shift));
     }
     return views;
 }

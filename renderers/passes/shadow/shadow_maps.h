@@ -11,9 +11,16 @@
 
 namespace ir::passes {
 
+/// Where views lie that differ from frame to frame.
+struct ViewJitter {
+    glm::vec2 shift{0};  ///< texels, at most half of one each way: of spots and directional lights
+    glm::mat3 turn{1};   ///< of the faces of point lights
+};
+
 /// The views of all lights in order of layer. Perspective for spots (the outer cone) and the six faces of
 /// point lights (+x, -x, +y, -y, +z, -z); orthographic about the world's bounds for directional lights.
-std::vector<ShadowViewData> shadow_views(const scene::World& world, int resolution);
+std::vector<ShadowViewData> shadow_views(const scene::World& world, int resolution,
+                                         const ViewJitter& jitter = {});
 
 /// What blocks the light of point, spot and directional lights; alpha masks are respected. Sheets of clear
 /// glass let it pass (Panes), other glass blocks it.

@@ -71,6 +71,32 @@ TEST_F(LdmExact, AllHitsAreThoseOfRaysInTheSameDirections) {
     }
 }
 
+// A pixel is either the maps' or that of rays; in a corner those near the edge are of rays, which are nearer
+// to the truth.
+TEST_F(LdmExact, SelectedPixelsTakeAllHitsFromRays) {
+    load("builtin:corner?yaw=20&pitch=33", "view");
+    for (const char* falloff : {"hard", "smooth"}) {
+        const auto render_with = [&](const char* exact) {
+            return render(maps(37, 20,
+                               {{"exact", std::string(exact)},
+                                {"max_distance", 0.4},
+                                {"falloff", std::string(falloff)},
+                                {"nodes", std::string("sloped")}}),
+                          {});
+        };
+        const auto none = render_with("none"), all = render_with("all"), some = render_with("selected");
+        int of_maps = 0, of_rays = 0;
+        for (std::size_t i = 0; i < some.pixels.size(); ++i) {
+            const bool is_exact = std::abs(some.pixels[i] - all.pixels[i]) < 0.5f / 254 + 1e-5f;
+            const bool is_map = some.pixels[i] == none.pixels[i];
+            EXPECT_TRUE(is_exact || is_map) << i;
+            of_maps += is_map && !is_exact, of_rays += is_exact && !is_map;
+        }
+        EXPECT_GT(of_maps, 5) << falloff;
+        EXPECT_GT(of_rays, 5) << falloff;
+    }
+}
+
 TEST_F(LdmExact, WithoutReachThereAreNoExactHits) {
     // What is left are the maps' hits from the surface on, as after a reach that no ray can meet anything in.
     load("builtin:cornell");

@@ -41,6 +41,7 @@ const std::vector<Case> cases{
     // 0.012: four photons of 7043 are rejected on one side alone, and each lights much
     {"Rejected", "builtin:atrium?detail=0.1", "nave", unclipped(photons(32, 24, {{"reject_hidden", true}})),
      0.02},
+    {"Progressive", "builtin:atrium?detail=0.1", "nave", photons(32, 12, {{"progressive", true}})},
     {"Quads", "builtin:atrium?detail=0.1", "nave", photons(16, 16, {{"splatting", std::string("quads")}})},
     {"Published", "builtin:atrium?detail=0.1", "nave",
      unclipped(photons(32, 12, {{"footprint", std::string("published")}}))},

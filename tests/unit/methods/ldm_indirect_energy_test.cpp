@@ -1,6 +1,7 @@
 #include <map>
 #include <numbers>
 
+#include "renderers/methods/ldm-indirect/tracing/further_bounces.h"
 #include "tests/unit/methods/ldm_indirect_tracing_fixture.h"
 
 namespace ir::test {
@@ -39,6 +40,39 @@ TEST_F(IndirectTracingTest, EnergyBalancesWithShadingNormalsAndRange) {
     trace(Shot(box({light}), camera({0, 1.4f, 1.9f}, {0, 1.2f, 0}), 48, 48), quick());
     expect_balanced("a light with a range");
     EXPECT_GT(flux(energy()[li::row_range]).r, 0);
+}
+
+// Of a bounce arrives what the one before reflected, in a closed box: a geometric series. Half as many
+// photons carry it. In the open half of it goes astray.
+TEST_F(IndirectTracingTest, BouncesInAClosedBoxAreAGeometricSeries) {
+    const auto inside = camera({0, 1.4f, 1.9f}, {0, 1.2f, 0});
+    const glm::dvec3 albedo(1, 0.5, 0.2);
+    auto settings = quick();
+    settings["max_bounces"] = std::int64_t{4};
+    for (const auto which : {Processor::gl, Processor::host}) {
+        on = which;
+        trace(Shot(box({lamp({0.3f, 1.2f, -0.4f})}, glm::vec3(albedo)), inside, 48, 48), settings);
+        const auto rows = elements<li::BounceRow>("indirect.bounces");
+        ASSERT_EQ(rows.size(), 4u);
+        glm::dvec3 expected(rows[0].sent[0], rows[0].sent[1], rows[0].sent[2]), stored(0);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            EXPECT_EQ(rows[i].photons, 6u * 256 >> i);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(rows[i].arrived[std::size_t(c)] / expected[c], 1, 2e-3) << i;
+                EXPECT_NEAR(rows[i].reflected[std::size_t(c)] / (albedo[c] * expected[c]), 1, 2e-3) << i;
+                stored[c] += rows[i].stored[std::size_t(c)];
+            }
+            expected *= albedo;
+        }
+        glm::dvec3 found(0);
+        for (const auto& photon : photons()) found += glm::dvec3(photon.flux);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / stored[c], 1, 1e-4);
+    }
+    on = Processor::gl;
+    trace(Shot(planes({lamp({0, 1, 0})}), inside, 48, 48), settings);
+    const auto open = elements<li::BounceRow>("indirect.bounces");
+    EXPECT_LT(open[1].arrived[0], open[1].sent[0]);
+    EXPECT_NEAR(open[1].sent[0] / open[0].reflected[0], 1, 1e-5);
 }
 
 TEST_F(IndirectTracingTest, SplitsIntoAsManyPhotonsAsMaps) {

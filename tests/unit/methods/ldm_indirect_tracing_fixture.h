@@ -85,8 +85,8 @@ class IndirectTracingTest : public PassTest {
         ParameterTable<li::Parameters> table;
         table.include(&li::Parameters::maps, passes::ldm::map_parameters());
         table.include(&li::Parameters::transport,
-                      transport_parameters(
-                          {.paths = {"direct", "indirect", "full"}, .keys = {"materials", "normal_maps"}}));
+                      transport_parameters({.paths = {"direct", "indirect", "full"},
+                                            .keys = {"max_bounces", "materials", "normal_maps"}}));
         li::add_tracing_parameters(table);
         table.add(&li::Parameters::direct,
                   {.key = "direct",

@@ -1,5 +1,6 @@
 // The shape of kernels against closed forms, by what explains a pixel; the counts of tiles.
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
+#include "renderers/passes/scene/progressive.h"
 #include "tests/unit/methods/photon_mapping_splatting_fixture.h"
 
 namespace ir::test {
@@ -126,7 +127,7 @@ TEST(ProgressiveRadii, ShrinkAsTheProductOfTheirSteps) {
     for (const float decay : {0.3f, 2.0f / 3, 1.0f}) {
         double squared = 1;
         for (int frame = 0; frame < 200; ++frame) {
-            const double shrinking = pm::progressive_shrinking(frame, decay);
+            const double shrinking = passes::progressive_shrinking(frame, decay);
             EXPECT_NEAR(shrinking * shrinking, squared, 1e-5 * squared) << frame;
             squared *= (frame + 1 + decay) / (frame + 2);
         }

@@ -77,28 +77,28 @@ bool is_explained(const graph::PassContext& p, const passes::GBuffer& gbuffer) {
     return glm::vec3(p.pixels<glm::vec4>(gbuffer.geometric_normal)[place]) != glm::vec3(0);
 }
 
-void show_light(const graph::PassContext& p, const passes::GBuffer& gbuffer, const Explanation& e, int maps) {
+void show_light(const graph::PassContext& p, const passes::GBuffer& gbuffer, const Explanation& e,
+                const passes::ldm::Options& maps, std::uint64_t texels) {
     const auto sums = p.elements<PixelSum>(e.sum.elements);
     if (sums.empty() || !is_explained(p, gbuffer)) return;
     const auto photons = p.elements<FoundPhoton>(e.photons.elements);
     const auto found = photons.first(std::min<std::size_t>(photons.size(), sums[0].photons));
     store(p, e.directions, light_by_direction(found, maps));
-    store(p, e.paths, paths_of(found, maps, *p.inputs().world));
+    store(p, e.paths, paths_of(found, maps, *p.inputs().world, texels));
 }
 
 }  // namespace
 
 void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
              const Splat& splat, const Parameters& parameters) {
-    const int maps = parameters.maps.directions;
-    const auto e = declare(builder, maps);
+    const auto e = declare(builder, parameters.maps.directions);
     const StoredPhotons stored{
         {photons.records, splat.stored}, splat.arrivals, parameters, photons.count, photons.looks};
     auto pass = builder.pass("explain photons of the pixel");
     reads_footprints(pass, stored);
     reads_looks(pass, stored);
     pass.reads(gbuffer.position, gbuffer.geometric_normal)
-        .reads("irradiance_image", splat.irradiance)
+        .reads("irradiance_image", splat.of_frame)
         .writes("FoundPhotons", e.photons.elements)
         .writes("PixelSum", e.sum.elements)
         .counts("PhotonCount", e.photons.count)
@@ -114,7 +114,8 @@ void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const
         .writes(e.directions.elements, e.paths.elements)
         .counts(e.directions.count)
         .counts(e.paths.count)
-        .execute([=](graph::PassContext& p) { show_light(p, gbuffer, e, maps); });
+        .execute([=, maps = passes::ldm::Options(parameters.maps), texels = photons.texels](
+                     graph::PassContext& p) { show_light(p, gbuffer, e, maps, texels); });
 }
 
 }  // namespace ir::methods::ldm_indirect

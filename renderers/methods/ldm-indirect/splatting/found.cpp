@@ -1,6 +1,7 @@
 #include "renderers/methods/ldm-indirect/splatting/found.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -18,6 +19,22 @@ std::array<float, 3> components(glm::dvec3 v) {
 
 glm::dvec3 vector(const std::array<float, 3>& v) {
     return {v[0], v[1], v[2]};
+}
+
+/// Of a turned set regions are squares of their area about their centres.
+std::vector<Direction> turned_directions(const passes::ldm::Options& options) {
+    using std::numbers::pi;
+    auto directions = passes::ldm::leopardi_directions(options.directions);
+    if (options.rotation == glm::dmat3(1)) return directions;
+    const double half = 0.5 * std::sqrt(2 * pi / options.directions);
+    for (auto& direction : directions) {
+        const auto centre = glm::normalize(options.rotation * direction.centre);
+        const double colatitude = std::acos(centre.y), longitude = std::atan2(centre.z, centre.x),
+                     width = std::min(half / std::max(std::sin(colatitude), 1e-3), pi);
+        direction = {centre, std::max(colatitude - half, 0.0), std::min(colatitude + half, pi),
+                     longitude - width, longitude + width};
+    }
+    return directions;
 }
 
 /// Of one map and side, without light. Light that came along the map's direction comes from its opposite.
@@ -71,8 +88,10 @@ void add_up(std::span<const FoundPhoton> photons, PixelSum& sum) {
     sum.difference = components(vector(sum.pixel) - all);
 }
 
-std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> photons, int maps) {
-    const auto directions = passes::ldm::leopardi_directions(maps);
+std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> photons,
+                                               const passes::ldm::Options& options) {
+    const auto directions = turned_directions(options);
+    const int maps = options.directions;
     std::vector<DirectionLight> result;
     for (int map = 0; map < maps; ++map)
         for (const int side : {1, -1})
@@ -91,11 +110,12 @@ std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> phot
     return result;
 }
 
-std::vector<PathLine> paths_of(std::span<const FoundPhoton> photons, int maps, const scene::World& world) {
-    const auto directions = passes::ldm::leopardi_directions(maps);
+std::vector<PathLine> paths_of(std::span<const FoundPhoton> photons, const passes::ldm::Options& options,
+                               const scene::World& world, std::uint64_t texels) {
+    const auto directions = turned_directions(options);
     std::vector<PathLine> lines;
     for (const auto& photon : photons) {
-        if (photon.light >= world.lights.size()) continue;
+        if (photon.light >= world.lights.size() || photon.source >= texels) continue;
         const auto& light = world.lights[photon.light];
         // Others do not start at one point.
         if (light.type != scene::LightType::point && light.type != scene::LightType::spot) continue;

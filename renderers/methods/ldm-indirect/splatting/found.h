@@ -43,9 +43,11 @@ struct PathLine {
 void add_up(std::span<const FoundPhoton> photons, PixelSum& sum);
 
 /// Two for each map: of light that came along its direction (side 1) and against it (side -1).
-std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> photons, int maps);
+std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> photons,
+                                               const passes::ldm::Options& options);
 
-/// Photons of lights without a place have none.
-std::vector<PathLine> paths_of(std::span<const FoundPhoton> photons, int maps, const scene::World& world);
+/// Photons of lights without a place have none, nor have those of sources from `texels` on.
+std::vector<PathLine> paths_of(std::span<const FoundPhoton> photons, const passes::ldm::Options& options,
+                               const scene::World& world, std::uint64_t texels);
 
 }  // namespace ir::methods::ldm_indirect

@@ -1,10 +1,42 @@
 #include "renderers/methods/ldm-indirect/stages.h"
 
+#include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
+#include "renderers/passes/scene/stands_still.h"
 
 namespace ir::methods::ldm_indirect {
 
 namespace {
+
+/// Constants of mean.comp.
+struct MeanOfFrames {
+    bool continues;
+    IR_FIELDS(continues)
+};
+
+graph::ImageRef frame_image(graph::GraphBuilder& builder, const std::string& key, const std::string& label) {
+    return builder.image({.text = {.key = key,
+                                   .label = label,
+                                   .doc = "Of the photons of one frame.",
+                                   .semantic = Semantic::irradiance},
+                          .format = gl::Format::rgba32f});
+}
+
+/// Pass "mean of frames", over those in which nothing moved.
+void average_frames(graph::GraphBuilder& builder, const SplatTask& task, graph::ImageRef irradiance,
+                    graph::ImageRef direction) {
+    builder.pass("mean of frames")
+        .reads("irradiance_now", task.irradiance)
+        .reads("direction_now", task.direction)
+        .reads_previous("irradiance_before", irradiance)
+        .reads_previous("direction_before", direction)
+        .writes("irradiance", irradiance)
+        .writes("direction", direction)
+        .compute({{folder + "mean.comp"}}, irradiance, [](const graph::PassContext& context) {
+            return MeanOfFrames{context.has_previous() &&
+                                passes::stands_still(context.inputs(), passes::Watched::surfaces_and_lights)};
+        });
+}
 
 void splat_on_device(graph::GraphBuilder& builder, const SplatTask& task) {
     measure_footprints(builder, task.photons);
@@ -34,15 +66,22 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
     task.photons = stored_photons(builder, photons, parameters);
     task.position = gbuffer.position;
     task.normal = gbuffer.geometric_normal;
-    task.irradiance = builder.output("indirect.irradiance", {.format = gl::Format::rgba32f});
-    task.direction = builder.output("indirect.direction", {.format = gl::Format::rgba32f});
+    const auto irradiance = builder.output("indirect.irradiance", {.format = gl::Format::rgba32f}),
+               direction = builder.output("indirect.direction", {.format = gl::Format::rgba32f});
+    task.irradiance = parameters.progressive
+                          ? frame_image(builder, "splat.irradiance", "Irradiance of a frame")
+                          : irradiance;
+    task.direction = parameters.progressive
+                         ? frame_image(builder, "splat.direction", "Sum of directions of a frame")
+                         : direction;
     const bool on_host =
         builder.inputs().processor == Processor::host && parameters.splatting == Splatting::tiles;
     if (on_host)
         splat_on_host(builder, gbuffer, task);
     else
         splat_on_device(builder, task);
-    return {task.irradiance, task.direction, task.photons.stored, task.photons.arrivals};
+    if (parameters.progressive) average_frames(builder, task, irradiance, direction);
+    return {irradiance, direction, task.irradiance, task.photons.stored, task.photons.arrivals};
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -20,8 +20,9 @@ graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters&
     desc.fields = {{"arrival", graph::FieldType::f32, 4}};
     desc.elements = arrivals.size();
     const auto& world = builder.inputs().world_fingerprint;
-    desc.fingerprint =
-        world.empty() ? "" : world + " from " + std::to_string(parameters.maps.directions) + " directions";
+    desc.fingerprint = world.empty() || parameters.progressive
+                           ? ""
+                           : world + " from " + std::to_string(parameters.maps.directions) + " directions";
     const auto buffer = builder.buffer(std::move(desc));
     builder.pass("upload arrivals").writes(buffer).execute([=](graph::PassContext& p) {
         p.upload(buffer, std::as_bytes(std::span(arrivals)));
@@ -47,7 +48,7 @@ void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhoton
 std::vector<glm::vec4> arrivals_of(const Parameters& parameters, const scene::World& world) {
     std::vector<glm::vec4> all;
     for (const auto& direction : passes::ldm::leopardi_directions(parameters.maps.directions))
-        all.emplace_back(glm::vec3(direction.centre), 0.0f);
+        all.emplace_back(glm::vec3(glm::normalize(parameters.maps.rotation * direction.centre)), 0.0f);
     for (const auto& light : world.lights) {
         const bool far = light.type == scene::LightType::directional;
         all.emplace_back(far ? light.direction : light.position, far ? 0.0f : 1.0f);

@@ -1,6 +1,8 @@
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
 
 #include "renderers/methods/ldm-indirect/tracing/extended_emission.h"
+#include "renderers/methods/ldm-indirect/tracing/further_bounces.h"
+#include "renderers/methods/ldm-indirect/tracing/sending_surfaces.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -24,11 +26,13 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
     primaries.from_images = static_cast<std::uint64_t>(images.layers) *
                             static_cast<std::uint64_t>(images.resolution) *
                             static_cast<std::uint64_t>(images.resolution);
+    if (parameters.transport.paths != Transport::Paths::direct)
+        primaries.bounces = parameters.transport.max_bounces;
     primaries.records = builder.buffer(
         {.text = {.key = "indirect.primary_photons",
                   .label = "Primary photons, all",
                   .doc = "A photon for each texel of the lights' images, up to its first surface; then those "
-                         "of sources with an extent. Axes and "
+                         "of sources with an extent, and those of further bounces. Axes and "
                          "turns are half of the differentials of position and direction. fate: 0 "
                          "nothing was seen or no light shines there, 1 splits, 2 its footprint is "
                          "degenerate. light: 254 an emissive mesh, 255 the environment."},
@@ -51,7 +55,11 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
         .compute_sliced(
             {{"methods/ldm-indirect/tracing/emit.comp"}}, static_cast<std::int64_t>(primaries.from_images),
             Emit{static_cast<unsigned>(images.views_drawn), static_cast<unsigned>(maps->layout.maps)}, 4096);
-    emit_from_extended(builder, primaries, maps, parameters);
+    if (primaries.extended.count() > 0 || primaries.bounces > 1) {
+        const auto surfaces = sending_surfaces(builder, maps, parameters);
+        emit_from_extended(builder, primaries, surfaces, parameters);
+        go_on(builder, primaries, surfaces, parameters);
+    }
     return primaries;
 }
 

@@ -23,7 +23,7 @@ struct LightViews {
 };
 
 /// Whole lights, in their order, as long as records and layers name them.
-LightViews views_of_lights(const scene::World& world, int resolution);
+LightViews views_of_lights(const scene::World& world, int resolution, const passes::ViewJitter& jitter);
 
 /// What each point, spot and directional light sees, `emission`² pixels per image; notes what emits nothing.
 passes::Rsm draw_light_images(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
@@ -36,17 +36,25 @@ struct ExtendedPhotons {
     std::uint64_t count() const { return lamps + environment; }
 };
 
-/// The photons up to the first surface: one for each texel of the lights' images, then those of sources with
-/// an extent.
+/// The photons that are split: one for each texel of the lights' images, where it meets the first surface,
+/// then those of sources with an extent, then those that go on from there to a further one.
 struct Primaries {
     graph::BufferRef records;  ///< "indirect.primary_photons"
     graph::BufferRef shares;   ///< "indirect.shares", of each; zero until photons are split
     std::uint64_t from_images = 0;
     ExtendedPhotons extended;
-    std::uint64_t count() const { return from_images + extended.count(); }
+    int bounces = 1;
+    /// Of a bounce, counted from 1: half as many as of the one before.
+    std::uint64_t of_bounce(int bounce) const {
+        return bounce == 1 ? from_images + extended.count() : (of_bounce(bounce - 1) + 1) / 2;
+    }
+    std::uint64_t first_of(int bounce) const {
+        return bounce == 1 ? 0 : first_of(bounce - 1) + of_bounce(bounce - 1);
+    }
+    std::uint64_t count() const { return first_of(bounces + 1); }
 };
 
-/// The pass "emit photons", and those of emit_from_extended().
+/// The pass "emit photons", and those of emit_from_extended() and go_on().
 Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                        const passes::Rsm& images, const passes::ldm::MapsPointer& maps,
                        const Parameters& parameters);

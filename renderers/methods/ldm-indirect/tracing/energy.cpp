@@ -41,8 +41,9 @@ void count_causes(graph::GraphBuilder& builder, graph::PassBuilder& pass) {
 
 void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool splits,
                 std::optional<graph::BufferRef> direct_fates) {
-    const auto block_photons = photons_of_energy_block(primaries.count());
-    const auto block_count = (primaries.count() + block_photons - 1) / block_photons;
+    const auto count = primaries.of_bounce(1);
+    const auto block_photons = photons_of_energy_block(count);
+    const auto block_count = (count + block_photons - 1) / block_photons;
     const auto blocks = builder.buffer({.text = {.key = "indirect.energy_blocks",
                                                  .label = "Energy of blocks of photons",
                                                  .doc = "The rows of indirect.energy of every " +
@@ -56,11 +57,10 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
     if (direct_fates) sum.reads("Fates", *direct_fates);
     gl::ProgramSource source{{"methods/ldm-indirect/tracing/energy.comp"}};
     if (direct_fates) source.defines["DIRECT"] = "1";
-    sum.compute_sliced(
-        source, static_cast<std::int64_t>(block_count * energy_rows),
-        SumEnergy{static_cast<unsigned>(primaries.count()), static_cast<unsigned>(block_photons),
-                  static_cast<unsigned>(direct_fates ? primaries.from_images : 0), splits},
-        4096);
+    sum.compute_sliced(source, static_cast<std::int64_t>(block_count * energy_rows),
+                       SumEnergy{static_cast<unsigned>(count), static_cast<unsigned>(block_photons),
+                                 static_cast<unsigned>(direct_fates ? primaries.from_images : 0), splits},
+                       4096);
     auto pass = builder.pass("energy table");
     pass.reads("Blocks", blocks).writes("Table", table);
     count_causes(builder, pass);
@@ -75,7 +75,8 @@ std::vector<OutputDescription> energy_outputs() {
          .kind = OutputKind::table,
          .unit = "W",
          .doc =
-             "Where the lights' flux goes: photons, and W of red, green and blue. Leg 0, up to the first "
+             "Where the lights' flux goes in the first bounce (indirect.bounces has all): photons, and W of "
+             "red, green and blue. Leg 0, up to the first "
              "surface: 0 emitted, 1 nothing seen, 2 beyond the light's range, 3 without a footprint, 4 "
              "absorbed at the first surface, or left in a gap before it that is narrower than two texels, 5 not split (paths are direct). Leg 1, behind it: 6 below "
              "the triangle's plane, 7 left the scene, 8 outside the view, 9 hidden, 10 on a back, 11 "

@@ -7,18 +7,15 @@
 #include "renderers/core/constants.h"
 #include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/ldm-indirect/tracing/host/children.h"
-#include "renderers/methods/ldm-indirect/tracing/host/landings.h"
+#include "renderers/methods/ldm-indirect/tracing/sending_surfaces.h"
 #include "renderers/passes/direct/direct_light.h"
-#include "renderers/passes/gbuffer/glass.h"
 #include "renderers/passes/lights/emission_sampler.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/open_part.h"
-#include "renderers/passes/reflection/reflection.h"
 #include "renderers/passes/sampling/point_sequence.h"
 #include "renderers/passes/scene/light_data.h"
+#include "renderers/passes/scene/progressive.h"
 #include "renderers/scene/frame.h"
-#include "shaders/methods/ldm-indirect/tracing/emit.comp.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -38,12 +35,6 @@ enum EmissionDimension : std::uint32_t {
     of_gap = of_trial + trial_rays
 };
 
-/// Half-axes of what lies between a photon and its neighbours.
-struct Spacing {
-    float place;      ///< m
-    float direction;  ///< as a length on the unit sphere
-};
-
 /// Of n photons each has 1/n of the places, and 1/n of the directions; ellipses have these areas. (Places and
 /// directions spread together, so a photon stands for more: 1/n of both in m² sr. But what it lights reflects
 /// diffusely, and then only matters how far apart photons arrive, from wherever.)
@@ -52,27 +43,16 @@ Spacing spacing_of(const passes::EmittedLight& light, float photons) {
     return {std::sqrt(1 / (n * light.area_pdf)), std::min(std::sqrt(1 / (n * light.direction_pdf)), 1.0f)};
 }
 
-/// Maps do not see what lies within fewer texels. In the built-in Cornell box, whose lamp hangs half a
-/// millimetre below the ceiling, 0.67 of the light that there is came through it in addition.
-constexpr float narrow_texels = 2;
-
 /// Emits the photons of a frame.
 class ExtendedEmission {
   public:
-    ExtendedEmission(const graph::FrameInputs& inputs, const passes::ldm::MapsPointer& maps,
+    ExtendedEmission(const graph::FrameInputs& inputs, std::shared_ptr<const SendingSurfaces> surfaces,
                      const ExtendedPhotons& photons, const Parameters& parameters)
-        : transport_(parameters.transport),
-          senders_(parameters.senders),
-          seed_(inputs.seed),
+        : seed_(parameters.progressive ? passes::frame_seed(inputs) : inputs.seed),
           photons_(photons),
-          maps_(maps),
-          surfaces_(*inputs.scene, *inputs.world, parameters.transport.normal_maps),
-          lamps_(surfaces_, {.lights = extended_lights(*inputs.world), .environment = false}),
-          environment_(surfaces_, {.emissive_meshes = false}) {
-        for (const auto& frame : maps->frames)
-            narrow_ = std::max({narrow_, narrow_texels * glm::length(glm::vec3(frame.step_u)),
-                                narrow_texels * glm::length(glm::vec3(frame.step_v))});
-    }
+          surfaces_(std::move(surfaces)),
+          lamps_(surfaces_->lookup(), {.lights = extended_lights(*inputs.world), .environment = false}),
+          environment_(surfaces_->lookup(), {.emissive_meshes = false}) {}
 
     /// `number` among all of them, `source` among the primary photons.
     Primary photon(const passes::Bvh& bvh, std::uint64_t number, std::uint32_t source) const {
@@ -96,7 +76,7 @@ class ExtendedEmission {
             if (!chosen.light || (is_useful && useful == 0)) chosen = ray;
             useful += is_useful;
         }
-        Primary primary = nothing(source);
+        Primary primary = SendingSurfaces::nothing(source);
         if (!chosen.light) return primary;
         primary.light = light_of(*chosen.light);
         const auto whole = chosen.light->flux / static_cast<float>(all);
@@ -109,18 +89,16 @@ class ExtendedEmission {
         primary.emitted = part * whole;
         primary.missed = shining / part - 1;
         primary.path_length = chosen.hit.distance;
-        arrive(primary, surfaces_.at(chosen.hit, chosen.light->direction_ws));
+        surfaces_->arrive(primary, surfaces_->lookup().at(chosen.hit, chosen.light->direction_ws));
         if (primary.fate != primary_splits) return primary;
         // Directions of what is infinitely far do not spread on their way.
-        spread(primary, spacing_of(*chosen.light, static_cast<float>(all) / part),
-               is_lamp ? chosen.hit.distance : 0);
-        if (chosen.hit.distance < narrow_)
-            primary.reflectance *= passes::open_part(bvh, primary.position_ws, primary.normal_ws, narrow_,
-                                                     chosen.random, of_gap);
+        SendingSurfaces::spread(primary, spacing_of(*chosen.light, static_cast<float>(all) / part),
+                                is_lamp ? chosen.hit.distance : 0);
+        if (const float narrow = surfaces_->narrow(); chosen.hit.distance < narrow)
+            primary.reflectance *=
+                passes::open_part(bvh, primary.position_ws, primary.normal_ws, narrow, chosen.random, of_gap);
         return primary;
     }
-
-    std::uint64_t bytes() const { return surfaces_.bytes(); }
 
   private:
     struct Ray {
@@ -132,7 +110,7 @@ class ExtendedEmission {
     /// What its first surface reflects is of more use where something else is in sight of it.
     float use_of(const passes::Bvh& bvh, const Ray& ray) const {
         if (!ray.hit.is_hit()) return 0;
-        const auto at = surfaces_.at(ray.hit, ray.light->direction_ws);
+        const auto at = surfaces_->lookup().at(ray.hit, ray.light->direction_ws);
         const auto around = scene::frame_around(at.geometric_normal_ws);
         const auto origin = passes::offset_origin(at.position_ws, at.geometric_normal_ws);
         std::uint32_t met = 0;
@@ -153,65 +131,11 @@ class ExtendedEmission {
         if (light.emitter == passes::EmissionSampler::emissive_mesh) return light_mesh;
         return std::min(static_cast<std::uint32_t>(light.emitter), light_mesh - 1);
     }
-    static Primary nothing(std::uint32_t source) {
-        Primary primary{};
-        primary.source = source;
-        primary.fate = primary_nothing;
-        primary.direction_ws = {0, 0, 1};
-        primary.normal_ws = primary.shading_ws = {0, 0, -1};
-        primary.cosine_sum = primary.reached = 1;
-        return primary;
-    }
-    /// As emit.comp.
-    glm::vec3 sent_part(const passes::Surface& s, float cosine) const {
-        using Materials = Transport::Materials;
-        if (s.is_unlit) return glm::vec3(0);
-        if (transport_.materials == Materials::lambert) return s.base_colour;
-        if (s.transmission * (1 - s.metallic) > passes::mostly_glass) return glm::vec3(0);
-        const auto diffuse = (1 - s.metallic) * s.base_colour;
-        if (senders_ == Senders::diffuse) return diffuse;
-        const float bounded = std::max(cosine, min_sender_cosine);
-        if (transport_.materials == Materials::metalness_blend)
-            return diffuse + s.metallic * passes::directional_albedo(s.base_colour, s.roughness, bounded);
-        const auto f0 = glm::mix(glm::vec3(usual_f0), s.base_colour, s.metallic);
-        const auto interface_albedo = passes::directional_albedo(f0, s.roughness, bounded);
-        return (1.0f - interface_albedo) * diffuse + interface_albedo;
-    }
-    void arrive(Primary& primary, const passes::Surface& at) const {
-        primary.position_ws = at.position_ws;
-        primary.normal_ws = at.geometric_normal_ws;
-        primary.shading_ws = at.shading_normal_ws;
-        primary.reflectance = sent_part(at, -glm::dot(primary.direction_ws, primary.shading_ws));
-        primary.cosine_sum = 1e-20f;
-        for (const auto& frame : maps_->frames)
-            primary.cosine_sum += std::abs(glm::dot(primary.shading_ws, glm::vec3(frame.direction)));
-        primary.fate = glm::dot(primary.direction_ws, primary.normal_ws) > -min_facing ? primary_degenerate
-                                                                                       : primary_splits;
-    }
-    /// Places and directions spread independently, so their second moments add: across the ray both are
-    /// circles, and so is their sum.
-    static void spread(Primary& primary, const Spacing& spacing, float t) {
-        const auto across = scene::frame_around(primary.direction_ws);
-        const float radius = std::hypot(spacing.place, t * spacing.direction);
-        const auto on_surface = [&](const glm::vec3& axis) {
-            return radius *
-                   (axis - glm::dot(axis, primary.normal_ws) /
-                               glm::dot(primary.direction_ws, primary.normal_ws) * primary.direction_ws);
-        };
-        primary.axis_u = on_surface(across[0]);
-        primary.axis_v = on_surface(across[1]);
-        primary.turn_u = spacing.direction * across[0];
-        primary.turn_v = spacing.direction * across[1];
-    }
 
-    Transport transport_;
-    Senders senders_;
     std::uint64_t seed_;
     ExtendedPhotons photons_;
-    passes::ldm::MapsPointer maps_;
-    passes::SurfaceLookup surfaces_;
+    std::shared_ptr<const SendingSurfaces> surfaces_;
     passes::EmissionSampler lamps_, environment_;
-    float narrow_ = 0;  ///< m: narrow_texels of the largest texels
 };
 
 constexpr std::int64_t first_emission_slice = 256;
@@ -228,8 +152,8 @@ ExtendedPhotons extended_photons(const graph::FrameInputs& inputs, const Paramet
             sources.environment ? 6 * photons : 0};
 }
 
-void emit_from_extended(graph::GraphBuilder& builder, const Primaries& primaries,
-                        const passes::ldm::MapsPointer& maps, const Parameters& parameters) {
+void emit_from_extended(graph::GraphBuilder& builder, const Primaries& primaries, graph::ObjectRef surfaces,
+                        const Parameters& parameters) {
     const auto photons = primaries.extended;
     if (photons.count() == 0) return;
     const auto bvh = passes::bvh(builder);
@@ -238,10 +162,14 @@ void emit_from_extended(graph::GraphBuilder& builder, const Primaries& primaries
                   .label = "Sources with an extent",
                   .doc = "Lights, emissive triangles and the environment, as photons leave them."}});
     builder.pass("extended sources", graph::Queue::cpu)
+        .reads(surfaces)
         .writes(emission)
         .execute([=](graph::PassContext& context) {
-            const auto made = std::make_shared<ExtendedEmission>(context.inputs(), maps, photons, parameters);
-            context.store(emission, made, made->bytes());
+            context.store(
+                emission,
+                std::make_shared<ExtendedEmission>(
+                    context.inputs(), context.object<SendingSurfaces>(surfaces), photons, parameters),
+                sizeof(ExtendedEmission));
         });
     builder.pass("emit photons of extended sources", graph::Queue::cpu)
         .reads(bvh, emission)

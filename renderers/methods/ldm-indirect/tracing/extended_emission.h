@@ -10,7 +10,7 @@ ExtendedPhotons extended_photons(const graph::FrameInputs& inputs, const Paramet
 /// Declares the pass "emit photons of extended sources" (cpu, whatever the processor), which fills the
 /// records behind those of the lights' images: photons start on the sources, and rays find the first surface.
 /// [Aalund15 §6]
-void emit_from_extended(graph::GraphBuilder& builder, const Primaries& primaries,
-                        const passes::ldm::MapsPointer& maps, const Parameters& parameters);
+void emit_from_extended(graph::GraphBuilder& builder, const Primaries& primaries, graph::ObjectRef surfaces,
+                        const Parameters& parameters);
 
 }  // namespace ir::methods::ldm_indirect

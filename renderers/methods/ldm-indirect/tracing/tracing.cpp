@@ -8,6 +8,7 @@
 #include "renderers/methods/ldm-indirect/looks.h"
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
+#include "renderers/methods/ldm-indirect/tracing/further_bounces.h"
 #include "renderers/methods/ldm-indirect/tracing/host/split_on_host.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
 #include "renderers/passes/direct/direct_light.h"
@@ -39,10 +40,11 @@ std::uint64_t max_photons(const Primaries& primaries, const Parameters& paramete
 void refuse_beyond_counters(const Primaries& primaries, std::uint64_t most, const Parameters& parameters) {
     constexpr std::uint64_t max_primaries = std::uint64_t{1} << 26;
     if (primaries.count() <= max_primaries && most <= std::numeric_limits<std::uint32_t>::max()) return;
-    throw Error("indirect light: " + std::to_string(primaries.count()) + " photons of lights, up to " +
-                std::to_string(most) + " after they are split into " +
-                std::to_string(parameters.maps.directions) +
-                " directions, are more than can be counted (2^26, 2^32); lower 'emission' or 'directions'");
+    throw Error(
+        "indirect light: " + std::to_string(primaries.count()) +
+        " photons of lights and further bounces, up to " + std::to_string(most) +
+        " after they are split into " + std::to_string(parameters.maps.directions) +
+        " directions, are more than can be counted (2^26, 2^32); lower 'emission', 'directions' or 'max_bounces'");
 }
 
 /// Of which memory is reserved at first: 256 MiB. What is stored beyond is found by growing once.
@@ -122,9 +124,11 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
         ldm::find_points(builder, scene, maps, batch, points);
     }
     if (sky) {
-        ldm::finish_sky(builder, *sky, false);
+        ldm::finish_sky(builder, *sky, parameters.progressive);
         photons.sky = sky->light;
     }
+    photons.texels = primaries.from_images;
+    sum_bounces(builder, primaries);
     sum_energy(builder, primaries, has_indirect(parameters), fates);
     show_primaries(builder, primaries);
     show_photons(builder, photons, reserved_photons(most, parameters), most);
@@ -144,6 +148,7 @@ std::vector<OutputDescription> tracing_outputs() {
              "bits."}};
     return joined({outputs,
                    energy_outputs(),
+                   bounce_outputs(),
                    view_outputs(),
                    passes::rsm_outputs({}, true),
                    ldm::map_outputs(),

@@ -1,20 +1,12 @@
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 
-#include <cmath>
-
-#include "renderers/passes/scene/stands_still.h"
+#include "renderers/passes/scene/progressive.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
 bool is_perspective(const scene::View& view) {
     return view.clip_from_view[3][3] == 0;
-}
-
-/// Frames before this one that saw the same. A motion of the document that has ended counts as standing, so
-/// that radii go on from there while the history begins anew.
-int frames_standing(const graph::FrameInputs& inputs) {
-    return passes::stands_still(inputs, passes::Watched::surfaces_and_lights) ? inputs.frame : 0;
 }
 
 /// A scene without extent still has a size to measure radii by.
@@ -71,13 +63,6 @@ SplatView splat_view(const scene::View& view, int divisor) {
             .pixel_of_texel = pixel_of_texel(divisor)};
 }
 
-float progressive_shrinking(int frame, float decay) {
-    // Π (k + α)/(k + 1) over k = 1 … frame
-    const double k = frame, a = decay;
-    return static_cast<float>(
-        std::exp(0.5 * (std::lgamma(k + 1 + a) - std::lgamma(1 + a) - std::lgamma(k + 2))));
-}
-
 KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& parameters, float power_unit) {
     const int divisor = divisor_of(parameters.splat_resolution);
     const float radius = scene_radius(inputs);
@@ -95,9 +80,10 @@ KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& par
             .s_n = parameters.normal_axis,
             .s_max = parameters.max_stretch,
             .min_radius_texels = parameters.min_radius_texels,
-            .shrinking = parameters.is_progressive()
-                             ? progressive_shrinking(frames_standing(inputs), parameters.radius_decay)
-                             : 1};
+            .shrinking =
+                parameters.is_progressive()
+                    ? passes::progressive_shrinking(passes::frames_standing(inputs), parameters.radius_decay)
+                    : 1};
 }
 
 }  // namespace ir::methods::photon_mapping

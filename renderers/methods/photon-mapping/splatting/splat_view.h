@@ -49,10 +49,6 @@ struct KernelRules {
               n_tile, s_n, s_max, min_radius_texels, shrinking)
 };
 
-/// Radii of a frame over those of the first, frames counting from 0 and a decay of α: r² shrinks by
-/// (k + α)/(k + 1) from the k-th frame to the next, k from 1.  [Knaus11 eq. 18]
-float progressive_shrinking(int frame, float decay);
-
 KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& parameters, float power_unit);
 
 }  // namespace ir::methods::photon_mapping
