@@ -43,7 +43,7 @@ TEST_F(IndirectTracingTest, EnergyBalancesWithShadingNormalsAndRange) {
 }
 
 // Of a bounce arrives what the one before reflected, in a closed box: a geometric series. Half as many
-// photons carry it. In the open half of it goes astray.
+// photons carry it. In the open a part of it leaves the scene.
 TEST_F(IndirectTracingTest, BouncesInAClosedBoxAreAGeometricSeries) {
     const auto inside = camera({0, 1.4f, 1.9f}, {0, 1.2f, 0});
     const glm::dvec3 albedo(1, 0.5, 0.2);
