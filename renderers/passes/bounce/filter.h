@@ -13,6 +13,12 @@ struct FilterConstants {
     IR_FIELDS(receivers, radius, samples, plane_tolerance, normal_power, material_tolerance, balance)
 };
 
+/// Samples that are added up at a time: layers of the stacks, and whether sums begin and end with them.
+struct SampleGroup {
+    int first_layer = 0, samples = 0;
+    bool begins = true, ends = true;
+};
+
 /// What shaders/passes/bounce/filter.glsl needs: defines, accesses and constants.
 struct Filter {
     Receivers receivers;
@@ -24,8 +30,5 @@ struct Filter {
     void declare_reads(graph::PassBuilder& pass) const;
     FilterConstants constants(const graph::FrameInputs& inputs) const;
 };
-
-/// Declares "bounce.weights", which is computed only while somebody looks.
-void show_weights(graph::GraphBuilder& builder, const Filter& filter);
 
 }  // namespace ir::passes::bounce

@@ -13,21 +13,8 @@ struct Combine {
 
 }  // namespace
 
-graph::ImageRef declare_winning(graph::GraphBuilder& builder, VisibleSplats& visible,
-                                const std::string& fingerprint) {
-    const int samples = visible.splats.samples;
-    const auto declare = [&](const std::string& key, gl::Format format) {
-        return builder.output(key, {.format = format, .layers = samples, .fingerprint = fingerprint});
-    };
-    visible.nearest = declare("splats.nearest", gl::Format::r32ui);
-    visible.hit_level = declare("splats.hit_level", gl::Format::r16f);
-    return passes::bounce::declare_distance(builder, samples, fingerprint);
-}
-
-graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible) {
-    const int samples = visible.splats.samples;
-    const auto distance = declare_winning(builder, visible);
-    auto pass = builder.pass("combine levels");
+void combine_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
+    auto pass = builder.pass("combine levels" + batch);
     pass.reads("Surfels", visible.splats.surfels.records)
         .reads("places", visible.splats.hierarchy.places)
         .reads("winners", visible.winner)
@@ -35,13 +22,12 @@ graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visi
         .reads(visible.gbuffer.position)
         .reads("directions", visible.directions.directions);
     if (visible.exact.index >= 0) pass.reads("exact_rays", visible.exact);
-    pass.writes("distance_image", distance)
+    pass.writes("distance_image", visible.samples.distance)
         .writes("nearest_image", visible.nearest)
         .writes("level_image", visible.hit_level);
     passes::bounce::compute_by_tiles(
         pass, builder, with_acceptance({{folder + "combine.comp"}}, visible.splats),
-        Combine{visible.splats.hierarchy.levels, samples, nearest_decides(visible.splats)});
-    return distance;
+        Combine{visible.splats.hierarchy.levels, visible.splats.samples, nearest_decides(visible.splats)});
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -15,17 +15,9 @@ struct ExactRays {
 
 }  // namespace
 
-void trace_level0(graph::GraphBuilder& builder, VisibleSplats& visible) {
+void trace_level0(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
     const auto& parameters = visible.splats.parameters;
-    visible.exact =
-        builder.image({.text = {.key = "splats.exact",
-                                .label = "Exact rays",
-                                .doc = "Of each sample 1 + the triangle that was met, 0: none; and "
-                                       "bits of the distance in m up to which its ray is known."},
-                       .format = gl::Format::rg32ui,
-                       .layers = visible.splats.samples,
-                       .fingerprint = visible.splats.fingerprint});
-    auto pass = builder.pass("exact rays of level 0");
+    auto pass = builder.pass("exact rays of level 0" + batch);
     pass.reads(visible.gbuffer.position, visible.gbuffer.geometric_normal)
         .reads("directions", visible.directions.directions)
         .reads("BvhNodes", visible.bvh.nodes)

@@ -27,9 +27,21 @@ LevelSums blur_levels(graph::GraphBuilder& builder, const passes::GBuffer& gbuff
 /// Declares "additive.levels", the levels unshuffled, for people to look at.
 void show_unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, graph::ImageRef stack);
 
-/// Declares what explains splats with visibility: all that were splatted onto the picked pixel, found by a
-/// search over all surfels, and what became of one surfel's splats on each level. Called by splat_visible.
-void explain_splats(graph::GraphBuilder& builder, const VisibleSplats& visible);
+/// What explains splats with visibility: all that were splatted onto the picked pixel, found by a search over
+/// all surfels, and what became of one surfel's splats on each level.
+struct SplatExplanation {
+    graph::CountedBuffer candidates, levels, surfel;
+    graph::BufferRef choice;
+    graph::ImageRef cover;
+};
+SplatExplanation declare_explanation(graph::GraphBuilder& builder, const VisibleSplats& visible,
+                                     int all_samples);
+/// Declares the passes that explain a batch, which was splatted.
+void explain_splats(graph::GraphBuilder& builder, const SplatExplanation& explanation,
+                    const VisibleSplats& visible, const passes::bounce::Batch& batch);
+/// Declares the pass that judges all batches.
+void judge_splats(graph::GraphBuilder& builder, const SplatExplanation& explanation,
+                  const VisibleSplats& visible, int all_samples);
 
 std::vector<OutputDescription> explanation_outputs();  ///< only with visibility
 

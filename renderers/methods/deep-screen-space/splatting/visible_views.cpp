@@ -35,13 +35,13 @@ void show_layers(graph::GraphBuilder& builder, const VisibleSplats& visible, con
     pass.writes(view.result, image).compute(view.source, image, VisibleLevels{splats.hierarchy.levels});
 }
 
-void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance) {
+void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     const auto image =
         builder.output("splats.epsilon", {.format = gl::Format::r32f, .layers = visible.splats.samples});
     auto pass = builder.pass("implied epsilon");
     pass.reads("nearest", visible.nearest)
         .reads("levels", visible.hit_level)
-        .reads("distances", distance)
+        .reads("distances", visible.samples.distance)
         .reads(visible.gbuffer.position)
         .reads("Surfels", visible.splats.surfels.records)
         .writes("epsilon_image", image);
@@ -52,7 +52,7 @@ void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, gr
 
 }  // namespace
 
-void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance) {
+void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     const auto& hierarchy = visible.splats.hierarchy;
     const auto directions = visible.directions.directions;
     gl::ProgramSource radiance{{folder + "visible_radiance.comp"}};
@@ -87,7 +87,7 @@ void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, gra
                  "radiance_image",
                  {{"places", hierarchy.places}, {"winners", visible.winner}, {"directions", directions}},
                  true});
-    show_epsilon(builder, visible, distance);
+    show_epsilon(builder, visible);
 }
 
 }  // namespace ir::methods::deep_screen_space
