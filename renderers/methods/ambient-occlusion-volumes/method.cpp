@@ -60,10 +60,8 @@ graph::ImageRef with_visibility(graph::GraphBuilder& builder, const Volumes& vol
                                   bounce::declare_incoming(builder, all, bounce::Effects::ambient_occlusion)};
     bounce::see(builder, gbuffer, directions, samples, parameters.transport);
     explain(builder, volumes, &directions, &nearest);
-    bounce::explain_rays(builder, volumes.scene, gbuffer, directions, samples, parameters.reconstruction,
-                         volumes.reach);
     return bounce::reconstruct(builder, volumes.scene, gbuffer, directions, samples,
-                               parameters.reconstruction, text);
+                               parameters.reconstruction, text, volumes.reach);
 }
 
 graph::ImageRef without_visibility(graph::GraphBuilder& builder, const Volumes& volumes,

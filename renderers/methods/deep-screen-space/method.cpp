@@ -105,8 +105,10 @@ graph::ImageRef gather(graph::GraphBuilder& builder, const passes::SceneBuffers&
     bounce::share_rays(builder, of_rays);
     const auto all = whole(visible, batches);
     show_visible(builder, all);
-    bounce::show_weights(builder,
-                         {scene, gbuffer, all.directions, all.samples, parameters.reconstruction, samples});
+    auto of_all = reconstruction;
+    of_all.directions = all.directions;
+    of_all.samples = all.samples;
+    bounce::show_weights(builder, of_all);
     return reconstruction.result;
 }
 

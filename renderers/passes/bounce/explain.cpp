@@ -86,7 +86,7 @@ RayExplanation declare_ray_explanation(graph::GraphBuilder& builder, const Recon
                                        float miss_length) {
     const int side = 2 * r.parameters.blur.used_radius() + 1;
     const int channels = r.directions.options.light ? 3 : 1;
-    RayExplanation e{r.scene, r.gbuffer, r.directions, r.samples, r.parameters, miss_length};
+    RayExplanation e{r, miss_length};
     e.own = declare(builder, "bounce.explain.rays", channels, r.all_samples);
     e.others = declare(builder, "bounce.explain.neighbours", channels, (side * side - 1) * r.all_samples);
     // An output, so that no other picked pixel finds it done.
@@ -96,10 +96,10 @@ RayExplanation declare_ray_explanation(graph::GraphBuilder& builder, const Recon
 }
 
 void explain_rays(graph::GraphBuilder& builder, const RayExplanation& e, const Batch& batch) {
-    const Filter filter{{e.scene, e.gbuffer, e.directions.options}, e.directions, e.samples, e.parameters};
+    const auto filter = filter_of(e.of);
     auto pass = builder.pass("explain rays" + batch.name);
     filter.declare_reads(pass);
-    pass.reads("distances", e.samples.distance);
+    pass.reads("distances", e.of.samples.distance);
     pass.writes("OwnLines", e.own.elements).counts("OwnCount", e.own.count);
     pass.writes("OtherLines", e.others.elements).counts("OtherCount", e.others.count);
     pass.writes("Shares", e.shares);
@@ -114,7 +114,7 @@ void explain_rays(graph::GraphBuilder& builder, const RayExplanation& e, const B
 
 void share_rays(graph::GraphBuilder& builder, const RayExplanation& e) {
     gl::ProgramSource source{{"passes/bounce/share_rays.comp"}};
-    source.defines["LIGHT"] = e.directions.options.light ? "1" : "0";
+    source.defines["LIGHT"] = e.of.directions.options.light ? "1" : "0";
     auto pass = builder.pass("shares of rays");
     pass.reads("Shares", e.shares)
         .writes("OwnLines", e.own.elements)
@@ -125,7 +125,7 @@ void share_rays(graph::GraphBuilder& builder, const RayExplanation& e) {
 }
 
 void show_weights(graph::GraphBuilder& builder, const Reconstruction& r) {
-    const Filter filter{{r.scene, r.gbuffer, r.directions.options}, r.directions, r.samples, r.parameters};
+    const auto filter = filter_of(r);
     const auto weights = builder.output("bounce.weights", {.format = gl::Format::rg32f});
     auto pass = builder.pass("weights of samples");
     filter.declare_reads(pass);
@@ -134,16 +134,6 @@ void show_weights(graph::GraphBuilder& builder, const Reconstruction& r) {
     filter.define(source);
     source.defines["MAX_SAMPLES"] = std::to_string(max_samples);
     compute_by_tiles(pass, builder, source, filter.constants(builder.inputs()));
-}
-
-void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
-                  const Directions& directions, const Samples& samples,
-                  const ReconstructionParameters& parameters, float miss_length) {
-    const Reconstruction r{scene, gbuffer, directions, samples, parameters, directions.samples};
-    const auto e = declare_ray_explanation(builder, r, miss_length);
-    explain_rays(builder, e, Batches(directions.samples).all().front());
-    share_rays(builder, e);
-    show_weights(builder, r);
 }
 
 }  // namespace ir::passes::bounce

@@ -25,10 +25,14 @@ struct Filter {
     Directions directions;
     Samples samples;
     ReconstructionParameters parameters;
+    graph::ImageRef kernels = {};
 
     void define(gl::ProgramSource& source) const;
     void declare_reads(graph::PassBuilder& pass) const;
     FilterConstants constants(const graph::FrameInputs& inputs) const;
 };
+inline Filter filter_of(const Reconstruction& r) {
+    return {{r.scene, r.gbuffer, r.directions.options}, r.directions, r.samples, r.parameters, r.kernels};
+}
 
 }  // namespace ir::passes::bounce

@@ -40,6 +40,29 @@ void reconstruct_on_device(graph::GraphBuilder& builder, const Filter& filter, c
     compute_by_tiles(pass, builder, source, constants);
 }
 
+/// Constants of kernels.comp.
+struct Kernels {
+    FilterConstants filter;
+    PixelRays rays;
+    float kernel_by_distance;
+    IR_FIELDS(filter, rays, kernel_by_distance)
+};
+
+/// By the first group of samples.
+void choose_kernels(graph::GraphBuilder& builder, const Reconstruction& r) {
+    auto filter = filter_of(r);
+    filter.kernels = {};
+    auto pass = builder.pass("kernels");
+    filter.receivers.declare_reads(pass);
+    pass.reads("distances", r.samples.distance).writes("kernel_image", r.kernels);
+    gl::ProgramSource source{{"passes/bounce/kernels.comp"}};
+    filter.define(source);
+    Kernels constants{filter.constants(builder.inputs()), pixel_rays(builder.inputs().view),
+                      r.parameters.kernel_by_distance};
+    constants.filter.samples = std::min(group_samples, r.all_samples);
+    compute_by_tiles(pass, builder, source, constants);
+}
+
 }  // namespace
 
 ParameterTable<ReconstructionParameters> reconstruction_parameters(const Condition& active_when,
@@ -59,6 +82,16 @@ ParameterTable<ReconstructionParameters> reconstruction_parameters(const Conditi
                             "even an open plane is noisy, and pixels may exceed 1."}},
                .active_when = effects == Effects::ambient_occlusion ? active_when : only_ao});
     table.include(&P::blur, blur_parameters(max_radius));
+    table.add(&P::kernel_by_distance,
+              {.key = "kernel_by_distance",
+               .label = "Kernel by distance",
+               .doc = "A pixel's kernel reaches at most this many times the distance at which rays about it "
+                      "met something (harmonic mean), so that a wide blur keeps the shadows of what is "
+                      "near. 0: all kernels are as wide as the blur's radius says.",
+               .citation = "Nalbach15 §6",
+               .hard = {0, 1e3},
+               .soft = {0, 4},
+               .active_when = active_when});
     if (effects == Effects::ambient_occlusion) return table;
     table
         .add(&P::material_tolerance,
@@ -94,6 +127,12 @@ Reconstruction declare_reconstruction(graph::GraphBuilder& builder, const SceneB
     Reconstruction r{scene, gbuffer, directions, samples, parameters, batches.samples()};
     r.result = builder.image({.text = std::move(text),
                               .format = directions.options.light ? gl::Format::rgba32f : gl::Format::r32f});
+    if (parameters.kernel_by_distance > 0 && parameters.blur.used_radius() > 0)
+        r.kernels = builder.image({.text = {.key = "bounce.kernels",
+                                            .label = "Kernels",
+                                            .doc = "Radius of each pixel's kernel.",
+                                            .unit = "px"},
+                                   .format = gl::Format::r32f});
     if (r.all_samples > group_samples)
         r.sums = builder.image({.text = {.key = "bounce.sums",
                                          .label = "Sums of the reconstruction",
@@ -102,7 +141,8 @@ Reconstruction declare_reconstruction(graph::GraphBuilder& builder, const SceneB
 }
 
 void reconstruct(graph::GraphBuilder& builder, const Reconstruction& r, const Batch& batch) {
-    const Filter filter{{r.scene, r.gbuffer, r.directions.options}, r.directions, r.samples, r.parameters};
+    if (r.kernels.index >= 0 && batch.first == 0) choose_kernels(builder, r);
+    const auto filter = filter_of(r);
     for (int first = 0; first < batch.samples; first += group_samples) {
         const int count = std::min(group_samples, batch.samples - first);
         const SampleGroup group{first, count, batch.first + first == 0,
@@ -120,11 +160,17 @@ void reconstruct(graph::GraphBuilder& builder, const Reconstruction& r, const Ba
 
 graph::ImageRef reconstruct(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                             const Directions& directions, const Samples& samples,
-                            const ReconstructionParameters& parameters, graph::ResourceText text) {
+                            const ReconstructionParameters& parameters, graph::ResourceText text,
+                            float miss_length) {
     const Batches batches(directions.samples);
+    const auto& all = batches.all().front();
     const auto r = declare_reconstruction(builder, scene, gbuffer, directions, samples, parameters, batches,
                                           std::move(text));
-    reconstruct(builder, r, batches.all().front());
+    reconstruct(builder, r, all);
+    const auto explanation = declare_ray_explanation(builder, r, miss_length);
+    explain_rays(builder, explanation, all);
+    share_rays(builder, explanation);
+    show_weights(builder, r);
     return r.result;
 }
 

@@ -14,6 +14,7 @@ struct ReconstructionParameters {
     BlurParameters blur{.radius = 3};
     float material_tolerance = 0.1f;  ///< difference of roughness or metalness at which weights are 1/e
     float balance = 0;                ///< part of the pixel's own samples beside each neighbour's
+    float kernel_by_distance = 0;     ///< distances of hits that a kernel reaches at most; 0: no limit
 };
 /// `material_tolerance`, `balance` and, where there is a choice, `estimator` are active where `paths` makes
 /// them count.
@@ -37,7 +38,9 @@ struct Reconstruction {
     Samples samples;
     ReconstructionParameters parameters;
     int all_samples = 0;
-    graph::ImageRef sums = {};  ///< only of several groups: RGB of values or R of openness, A of shares
+    graph::ImageRef kernels = {};  ///< "bounce.kernels" r32f: radius of a pixel's kernel, pixels; only where
+                                   ///< distances limit it
+    graph::ImageRef sums = {};     ///< only of several groups: RGB of values or R of openness, A of shares
     graph::ImageRef result = {};
 };
 Reconstruction declare_reconstruction(graph::GraphBuilder& builder, const SceneBuffers& scene,
@@ -46,21 +49,18 @@ Reconstruction declare_reconstruction(graph::GraphBuilder& builder, const SceneB
                                       const Batches& batches, graph::ResourceText text);
 /// Declares the passes "reconstruction" of a batch, one after the other in the batches' order.
 void reconstruct(graph::GraphBuilder& builder, const Reconstruction& reconstruction, const Batch& batch);
-/// Both, for all samples at once.
+/// Both, and all that explains, for all samples at once: the result.
 graph::ImageRef reconstruct(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                             const Directions& directions, const Samples& samples,
-                            const ReconstructionParameters& parameters, graph::ResourceText text);
+                            const ReconstructionParameters& parameters, graph::ResourceText text,
+                            float miss_length = 0);
 
 /// What explains a reconstruction: what the picked pixel is made of, as lines from a pixel's point to what
 /// its ray met, or as far as `miss_length` (m; 0: a tenth of the scene's diagonal): "bounce.explain.rays" its
 /// own samples, "bounce.explain.neighbours" those of the other pixels that count for it. All contributions
 /// together are the pixel.
 struct RayExplanation {
-    SceneBuffers scene;
-    GBuffer gbuffer;
-    Directions directions;
-    Samples samples;
-    ReconstructionParameters parameters;
+    Reconstruction of;
     float miss_length = 0;
     graph::CountedBuffer own = {}, others = {};
     graph::BufferRef shares = {};  ///< "bounce.explain.shares": what contributions are divided by
@@ -73,11 +73,6 @@ void explain_rays(graph::GraphBuilder& builder, const RayExplanation& explanatio
 void share_rays(graph::GraphBuilder& builder, const RayExplanation& explanation);
 /// Declares "bounce.weights", of all samples.
 void show_weights(graph::GraphBuilder& builder, const Reconstruction& reconstruction);
-/// All of it, for all samples at once.
-void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
-                  const Directions& directions, const Samples& samples,
-                  const ReconstructionParameters& parameters, float miss_length = 0);
-
 /// "bounce.weights", and the lists of rays.
 std::vector<OutputDescription> reconstruction_outputs(const Condition& active_when);
 

@@ -127,8 +127,7 @@ class BounceTest : public PassTest {
             const auto directions = bounce::directions(builder, scene, gbuffer, r.options);
             const auto samples = meet(builder, gbuffer, directions, r);
             bounce::reconstruct(builder, scene, gbuffer, directions, samples, r.reconstruction,
-                                {"result", "Result"});
-            bounce::explain_rays(builder, scene, gbuffer, directions, samples, r.reconstruction, 0.5f);
+                                {"result", "Result"}, 0.5f);
         });
     }
     std::vector<float> result(int channel = 0) const {

@@ -31,6 +31,7 @@ class HostReconstruction {
           height_(context.inputs().view.height),
           receivers_(context, filter.receivers),
           directions_(graph::layers<const glm::vec4>(context, filter.directions.directions)) {
+        if (rules.has_kernels) kernels_ = context.pixels<const float>(images.kernels);
         if (!group.begins || !group.ends) sums_ = context.pixels<glm::vec4>(images.sums);
         if (group.ends && rules.light) light_result_ = context.pixels<glm::vec4>(images.result);
         if (group.ends && !rules.light) result_ = context.pixels<float>(images.result);
@@ -83,6 +84,8 @@ class HostReconstruction {
         set(tile.blur_normal, at, receiver->stored_normal);
         set(tile.geometric_normal, at, receiver->geometric_normal);
         set(tile.normal, at, receiver->normal);
+        if (rules_.has_kernels)
+            tile.narrowing[at] = static_cast<float>(rules_.constants.radius) / kernels_[i];
         for (std::size_t s = 0; s < tile.samples.size(); ++s) {
             auto& sample = tile.samples[s];
             const auto layer = static_cast<std::size_t>(group_.first_layer) + s;
@@ -145,6 +148,7 @@ class HostReconstruction {
     std::vector<std::span<const glm::vec4>> directions_, light_;
     std::vector<std::span<const float>> open_;
     std::span<glm::vec4> sums_, light_result_;
+    std::span<const float> kernels_;
     std::span<float> result_;
 };
 
@@ -155,6 +159,7 @@ void reconstruct_on_host(graph::GraphBuilder& builder, const Filter& filter, con
     const auto& inputs = builder.inputs();
     const auto& options = filter.receivers.options;
     FilterRules rules{.constants = filter.constants(inputs),
+                      .has_kernels = filter.kernels.index >= 0,
                       .ends = group.ends,
                       .light = options.light,
                       .ratio = filter.parameters.estimator == Estimator::ratio,
@@ -165,6 +170,7 @@ void reconstruct_on_host(graph::GraphBuilder& builder, const Filter& filter, con
     auto pass = builder.pass(name, graph::Queue::cpu);
     HostReceivers::declare_reads(pass, filter.receivers);
     pass.has_two_bodies().reads(filter.directions.directions, filter.samples.incoming);
+    if (filter.kernels.index >= 0) pass.reads(filter.kernels);
     if (!group.begins && group.ends) pass.reads(reconstruction.sums);
     pass.writes(group.ends ? reconstruction.result : reconstruction.sums);
     pass.execute_sliced(

@@ -98,8 +98,13 @@ class Weights {
           position_(load(tile.position, at)),
           blur_normal_(load(tile.blur_normal, at)),
           geometric_normal_(load(tile.geometric_normal, at)),
+          squared_narrowing_(set(1)),
           metallic_(hn::Zero(f)),
           roughness_(hn::Zero(f)) {
+        if (rules.has_kernels) {
+            const auto narrowing = load(tile.narrowing, at);
+            squared_narrowing_ = hn::Mul(narrowing, narrowing);
+        }
         if (!has_material()) return;
         metallic_ = load(tile.metallic, at);
         roughness_ = load(tile.roughness, at);
@@ -114,7 +119,7 @@ class Weights {
         const float x = 2 * static_cast<float>(dx) / static_cast<float>(c.radius),
                     y = 2 * static_cast<float>(dy) / static_cast<float>(c.radius);
         const auto s = hn::Mul(off_plane(at), set(1 / c.plane_tolerance));
-        auto exponent = hn::NegMulAdd(s, s, set(-0.5f * (x * x + y * y)));
+        auto exponent = hn::NegMulAdd(s, s, hn::Mul(squared_narrowing_, set(-0.5f * (x * x + y * y))));
         auto faces = there;
         if (c.normal_power > 0) {
             const auto cosine = clamped(dot(blur_normal_, load(tile_.blur_normal, at)));
@@ -146,7 +151,7 @@ class Weights {
     std::size_t at_;
     Mask exists_;
     Vector3 position_, blur_normal_, geometric_normal_;
-    Floats metallic_, roughness_;
+    Floats squared_narrowing_, metallic_, roughness_;
 };
 
 /// Sums over neighbours and samples.
@@ -311,6 +316,7 @@ FilterTile::FilterTile(const FilterRules& rules)
         (one(planes), ...);
     };
     make(exists, position, blur_normal, geometric_normal, normal);
+    if (rules.has_kernels) make(narrowing);
     if (rules.light) make(metallic, roughness, viewer, diffuse, f0, specular, alpha, n_dot_v);
     if (rules.has_balance()) make(raised, raised_cosine, specular_probability);
     samples.resize(static_cast<std::size_t>(rules.constants.samples));
