@@ -1,4 +1,3 @@
-#include "renderers/methods/deep-screen-space/splatting/host/light_on_host.h"
 #include "renderers/methods/deep-screen-space/splatting/level0_light.h"
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/methods/deep-screen-space/surfels/senders.h"

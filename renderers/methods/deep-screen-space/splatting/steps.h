@@ -8,7 +8,6 @@
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 
 namespace ir::methods::deep_screen_space {
-
 /// Declares the pass "bounds of positions" and `hierarchy.min` and `max`, down to one texel. A pixel
 /// (x, y) lies on mip level m below the texel (min(x >> m, width_m - 1), …). [Nalbach15 §4.3]
 void bound_positions(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, Hierarchy& hierarchy);
@@ -47,5 +46,8 @@ std::vector<OutputDescription> explanation_outputs();  ///< only with visibility
 
 /// "surfel": 0 is the one under the cursor, others are 1 + index, as winners are numbered.
 SelectorDescription surfel_selector();
+
+/// Declares the pass "framebuffer layout" on the host's threads: what layout.comp writes, bit by bit.
+void lay_out_on_host(graph::GraphBuilder& builder, const Hierarchy& hierarchy, unsigned seed);
 
 }  // namespace ir::methods::deep_screen_space

@@ -1,8 +1,9 @@
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 
-#include "renderers/methods/deep-screen-space/splatting/host/splat_on_host.h"
 #include "renderers/methods/deep-screen-space/splatting/steps.h"
 #include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
+#include "renderers/methods/deep-screen-space/surfels/view.h"
+#include "renderers/passes/bounce/tiles.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
@@ -177,6 +178,62 @@ VisibleSplats whole(VisibleSplats visible, const passes::bounce::Batches& batche
 void show_visible(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     show_levels(builder, visible);
     show_culling(builder, visible.splats);
+}
+
+namespace {
+
+/// Constants of exact.comp.
+struct ExactRays {
+    InfluenceConstants influence;
+    Ideal ideal;
+    float max_distance;
+    IR_FIELDS(influence, ideal, max_distance)
+};
+
+}  // namespace
+
+void trace_level0(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
+    const auto& parameters = visible.splats.parameters;
+    auto pass = builder.pass("exact rays of level 0" + batch);
+    pass.reads(visible.gbuffer.position, visible.gbuffer.geometric_normal)
+        .reads("directions", visible.directions.directions)
+        .reads("BvhNodes", visible.bvh.nodes)
+        .reads("BvhTriangles", visible.bvh.triangles)
+        .reads("BvhMasks", visible.bvh.masks)
+        .reads(visible.scene.opacity, visible.scene.opacity_words)
+        .writes("exact_image", visible.exact);
+    passes::bounce::compute_by_tiles(
+        pass, builder, {{folder + "exact.comp"}},
+        ExactRays{influence_constants(visible.splats), ideal(builder.inputs().view, parameters),
+                  parameters.transport.max_distance});
+}
+
+namespace {
+
+/// Constants of combine.comp.
+struct Combine {
+    int levels, samples;
+    bool nearest_decides;
+    IR_FIELDS(levels, samples, nearest_decides)
+};
+
+}  // namespace
+
+void combine_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
+    auto pass = builder.pass("combine levels" + batch);
+    pass.reads("Surfels", visible.splats.surfels.records)
+        .reads("places", visible.splats.hierarchy.places)
+        .reads("winners", visible.winner)
+        .reads("depths", visible.depth)
+        .reads(visible.gbuffer.position)
+        .reads("directions", visible.directions.directions);
+    if (visible.exact.index >= 0) pass.reads("exact_rays", visible.exact);
+    pass.writes("distance_image", visible.samples.distance)
+        .writes("nearest_image", visible.nearest)
+        .writes("level_image", visible.hit_level);
+    passes::bounce::compute_by_tiles(
+        pass, builder, with_acceptance({{folder + "combine.comp"}}, visible.splats),
+        Combine{visible.splats.hierarchy.levels, visible.splats.samples, nearest_decides(visible.splats)});
 }
 
 }  // namespace ir::methods::deep_screen_space

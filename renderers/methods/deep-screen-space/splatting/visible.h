@@ -6,7 +6,6 @@
 #include "shaders/methods/deep-screen-space/splatting/exact.glsl.h"
 
 namespace ir::methods::deep_screen_space {
-
 /// Splatting with visibility: per sample and level the nearest surfel along the pixel's direction; of levels
 /// the finest that has a hit. Stacks are those of a batch of samples, or of all. [Nalbach15 §3.2, §4.2, §4.3]
 struct VisibleSplats {
@@ -72,5 +71,14 @@ void resolve_light(graph::GraphBuilder& builder, const VisibleSplats& visible, c
 
 /// Declares what only people look at: levels unshuffled, radiance of the winners on each level, implied ε.
 void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible);
+
+/// "bounce.incoming" by the host's threads, as resolve.comp has it: what the winners send.
+void resolve_light_on_host(graph::GraphBuilder& builder, const VisibleSplats& visible,
+                           const std::string& batch);
+
+/// Rays of pixels against ray-tracing scenes of discs, in place of splats: the same winners, but for rounding
+/// at the edges of discs. Writes `nearest`, `hit_level` and the distance; and `depth` and `winner`, which run
+/// only for those who look at them.
+void splat_on_host(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch);
 
 }  // namespace ir::methods::deep_screen_space

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/host/light_on_host.h"
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
 
 #include <tbb/blocked_range.h>
 

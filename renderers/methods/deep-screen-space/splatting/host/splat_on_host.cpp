@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/host/splat_on_host.h"
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
