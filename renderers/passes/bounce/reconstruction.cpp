@@ -53,8 +53,11 @@ void choose_kernels(graph::GraphBuilder& builder, const Reconstruction& r) {
     auto filter = filter_of(r);
     filter.kernels = {};
     auto pass = builder.pass("kernels");
-    filter.receivers.declare_reads(pass);
-    pass.reads("distances", r.samples.distance).writes("kernel_image", r.kernels);
+    pass.reads(r.gbuffer.position, r.gbuffer.normal, r.gbuffer.geometric_normal)
+        .reads("distances", r.samples.distance)
+        .writes("kernel_image", r.kernels);
+    if (filter.receivers.options.light)
+        pass.reads(r.gbuffer.material).may_read(r.gbuffer.albedo, r.scene.materials);
     gl::ProgramSource source{{"passes/bounce/kernels.comp"}};
     filter.define(source);
     Kernels constants{filter.constants(builder.inputs()), pixel_rays(builder.inputs().view),
