@@ -1,6 +1,7 @@
 // Batches of samples, in which deep screen space works where memory is short, change nothing but memory.
-#include <map>
+#include <stdexcept>
 
+#include "renderers/core/error.h"
 #include "tests/image/methods/ldm_explain.h"
 
 namespace ir::test {
@@ -20,22 +21,26 @@ class DssBatches : public LdmExplain {
         report = graph().run(method(), settings, inputs, options);
         return graph().read_image(key).value();
     }
-    std::uint64_t bytes_of(std::initializer_list<const char*> keys) const {
-        std::uint64_t sum = 0;
-        for (const auto& resource : report.resources)
-            for (const std::string key : keys)
-                if (resource.key == key) sum += resource.bytes;
-        return sum;
-    }
-    /// Less than one batch needs, and more than three do.
-    std::uint64_t short_budget() const {
-        return report.peak_memory_bytes -
-               bytes_of({"bounce.directions", "bounce.distance", "bounce.incoming"}) / 10;
+    /// The same with too little memory for all samples at once, and enough for a batch: between refusal and
+    /// what was needed before.
+    Image frame_in_batches(const Settings& settings, graph::FrameOptions options, Processor on) {
+        auto most = report.peak_memory_bytes, least = most / 4;
+        while (most - least > 1000) {
+            options.memory_budget = (least + most) / 2;
+            try {
+                auto result = frame(settings, options, on);
+                if (report.counters.at("batches") > 1) return result;
+                most = options.memory_budget;
+            } catch (const BudgetError&) {
+                least = options.memory_budget;
+            }
+        }
+        throw std::runtime_error("no batches");
     }
 };
 
 Settings settings_of(bool light) {
-    Settings settings{{"samples", std::int64_t{samples}}, {"levels", std::int64_t{4}}};
+    Settings settings{{"samples", std::int64_t{samples}}, {"levels", std::int64_t{3}}};
     if (light) settings["paths"] = std::string("indirect");
     return settings;
 }
@@ -47,10 +52,7 @@ TEST_F(DssBatches, ChangeNoBitAndNoCounter) {
             const auto whole = frame(settings_of(light), {}, on);
             EXPECT_EQ(report.counters.at("batches"), 1);
             const auto counters = report.counters;
-            graph::FrameOptions options;
-            options.memory_budget = short_budget();
-            const auto parts = frame(settings_of(light), options, on);
-            EXPECT_GT(report.counters.at("batches"), 1);
+            const auto parts = frame_in_batches(settings_of(light), {}, on);
             EXPECT_EQ(parts.pixels, whole.pixels);
             for (const char* key : {"splats.drawn", "splats.culled", "surfels.kept"})
                 if (counters.contains(key)) {
@@ -73,9 +75,7 @@ TEST_F(DssBatches, WhoLooksAtASampleSeesTheSame) {
             return layers;
         };
         const auto before = look();
-        options.memory_budget = short_budget();
-        frame(settings_of(false), options, on);
-        EXPECT_GT(report.counters.at("batches"), 1);
+        frame_in_batches(settings_of(false), options, on);
         const auto after = look();
         for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(before[i].pixels, after[i].pixels) << i;
     }
@@ -98,9 +98,7 @@ TEST_F(DssBatches, ExplainTheSame) {
         };
         const auto own = sum("bounce.explain.rays"), others = sum("bounce.explain.neighbours");
         EXPECT_GT(candidates.size(), 0u);
-        options.memory_budget = short_budget();
-        const auto picture = frame(settings_of(false), options, on);
-        EXPECT_GT(report.counters.at("batches"), 1);
+        const auto picture = frame_in_batches(settings_of(false), options, on);
         EXPECT_EQ(elements("splats.explain.candidates").bytes(), candidates.bytes());
         EXPECT_EQ(elements("splats.explain.levels").bytes(), levels.bytes());
         EXPECT_EQ(elements("splats.explain.surfel").bytes(), surfel.bytes());
