@@ -64,7 +64,8 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl
 Bounced find_nearest(graph::GraphBuilder& builder, const Volumes& volumes,
                      const passes::bounce::Directions& directions) {
     BouncedPass bounced{volumes, directions, {}};
-    bounced.result.distance = passes::bounce::declare_distance(builder, directions.samples);
+    passes::bounce::Batches all(directions.samples);
+    bounced.result.distance = passes::bounce::declare_distance(builder, all);
     bounced.result.winner = declare(builder, "volumes.winner", gl::Format::r32ui, directions.samples);
     bounced.result.depth = declare(builder, "volumes.depth", gl::Format::depth32f, directions.samples);
     if (builder.inputs().processor == Processor::host) {

@@ -55,14 +55,13 @@ graph::ImageRef with_visibility(graph::GraphBuilder& builder, const Volumes& vol
     const auto directions =
         bounce::directions(builder, volumes.scene, gbuffer, {.parameters = parameters.directions});
     const auto nearest = find_nearest(builder, volumes, directions);
-    const bounce::Samples samples{
-        nearest.distance,
-        bounce::visibility_of(builder, gbuffer, directions, nearest.distance, parameters.transport)};
+    bounce::Batches all(directions.samples);
+    const bounce::Samples samples{nearest.distance,
+                                  bounce::declare_incoming(builder, all, bounce::Effects::ambient_occlusion)};
+    bounce::see(builder, gbuffer, directions, samples, parameters.transport);
     explain(builder, volumes, &directions, &nearest);
-    bounce::explain_rays(builder, volumes.scene, gbuffer, directions, samples, parameters.reconstruction,
-                         volumes.reach);
     return bounce::reconstruct(builder, volumes.scene, gbuffer, directions, samples,
-                               parameters.reconstruction, text);
+                               parameters.reconstruction, text, volumes.reach);
 }
 
 graph::ImageRef without_visibility(graph::GraphBuilder& builder, const Volumes& volumes,

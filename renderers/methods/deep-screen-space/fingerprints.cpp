@@ -40,7 +40,8 @@ std::string splat_fingerprint(const graph::FrameInputs& inputs, const std::strin
     add(text, parameter_table().settings(parameters),
         {"light_offset", "sender_samples", "glossy_senders", "highlight_rays", "reserve", "falloff",
          "environment_light", "disc_light", "ambient", "estimator", "blur", "blur_radius",
-         "blur_plane_tolerance", "blur_normal_power", "material_tolerance", "balance", "history"});
+         "blur_plane_tolerance", "blur_normal_power", "material_tolerance", "balance", "kernel_by_distance",
+         "history"});
     return text.str();
 }
 

@@ -86,16 +86,31 @@ graph::ImageRef gather(graph::GraphBuilder& builder, const passes::SceneBuffers&
     if (!parameters.visibility)
         return splat_additive(builder, scene, gbuffer, shadow, hierarchy, surfels, parameters,
                               std::move(text));
-    const auto directions = bounce::directions(builder, scene, gbuffer,
-                                               {.parameters = parameters.directions,
-                                                .light = parameters.transport.paths != Paths::ao,
-                                                .materials = parameters.transport.materials,
-                                                .vary = parameters.reprojection.reprojection});
-    const auto samples =
-        splat_visible(builder, scene, gbuffer, shadow, directions, hierarchy, surfels, parameters);
-    bounce::explain_rays(builder, scene, gbuffer, directions, samples, parameters.reconstruction);
-    return bounce::reconstruct(builder, scene, gbuffer, directions, samples, parameters.reconstruction,
-                               std::move(text));
+    bounce::Batches batches(builder, parameters.directions.samples);
+    const auto visible =
+        declare_visible(builder, scene, gbuffer, shadow, hierarchy, surfels, parameters, batches);
+    const auto reconstruction =
+        bounce::declare_reconstruction(builder, scene, gbuffer, visible.directions, visible.samples,
+                                       parameters.reconstruction, batches, std::move(text));
+    const int samples = batches.samples();
+    const auto of_splats = declare_explanation(builder, visible, samples);
+    const auto of_rays = bounce::declare_ray_explanation(builder, reconstruction);
+    for (const auto& batch : batches.all()) {
+        splat_visible(builder, visible, batch);
+        bounce::reconstruct(builder, reconstruction, batch);
+        explain_splats(builder, of_splats, visible, batch);
+        bounce::explain_rays(builder, of_rays, batch);
+        batches.keep(builder, batch);
+    }
+    judge_splats(builder, of_splats, visible, samples);
+    bounce::share_rays(builder, of_rays);
+    const auto all = whole(visible, batches);
+    show_visible(builder, all);
+    auto of_all = reconstruction;
+    of_all.directions = all.directions;
+    of_all.samples = all.samples;
+    bounce::show_weights(builder, of_all);
+    return reconstruction.result;
 }
 
 std::string in_metres(float length) {

@@ -25,15 +25,6 @@ struct Hierarchy {
 };
 Hierarchy shuffle(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters);
 
-/// Splatting with visibility: per sample and level the nearest surfel along the pixel's direction; of levels
-/// the finest that has a hit. Shades the winners on their way to the pixel where the paths are of light.
-/// [Nalbach15 §3.2, §4.2, §4.3]
-passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                                      const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
-                                      const passes::bounce::Directions& directions,
-                                      const Hierarchy& hierarchy, const Surfels& surfels,
-                                      const Parameters& parameters);
-
 /// Splatting without visibility: every surfel adds its form factor, or the light that it sends there, on one
 /// level by distance; levels are blurred (by the blur's parameters, as many pixels of the level) and added.
 /// The image that `text` describes: accessibility r32f or reflected radiance rgba32f. [Nalbach14]

@@ -8,8 +8,8 @@ namespace {
 /// Constants of directions.comp.
 struct ChooseDirections {
     ReceiverConstants receivers;
-    unsigned seed_low, seed_high, frame;
-    IR_FIELDS(receivers, seed_low, seed_high, frame)
+    unsigned seed_low, seed_high, frame, first_sample, samples;
+    IR_FIELDS(receivers, seed_low, seed_high, frame, first_sample, samples)
 };
 
 /// Pixels of a side of the blocks that share a sequence, as a power of 2. Pixels whose frames are averaged
@@ -89,23 +89,34 @@ std::vector<OutputDescription> direction_outputs(const Condition& active_when) {
              .active_when = active_when}};
 }
 
-Directions directions(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
-                      const DirectionOptions& options) {
-    Directions result;
-    result.samples = options.parameters.samples;
-    result.options = options;
-    result.directions = builder.output("bounce.directions", {.layers = result.samples});
+Directions declare_directions(graph::GraphBuilder& builder, Batches& batches,
+                              const DirectionOptions& options) {
+    return {batches.stack(builder, {.text = builder.text_of_output("bounce.directions")}), batches.together(),
+            options};
+}
 
+void choose_directions(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                       const Directions& directions, const Batch& batch) {
+    const auto& options = directions.options;
     const Receivers receivers{scene, gbuffer, options};
-    auto pass = builder.pass("directions");
+    auto pass = builder.pass("directions" + batch.name);
     receivers.declare_reads(pass);
-    pass.writes("directions", result.directions);
+    pass.writes("directions", directions.directions);
     const auto& inputs = builder.inputs();
     compute_by_tiles(pass, builder, source_of(receivers),
                      ChooseDirections{.receivers = receivers.constants(inputs),
                                       .seed_low = static_cast<unsigned>(inputs.seed),
                                       .seed_high = static_cast<unsigned>(inputs.seed >> 32),
-                                      .frame = options.vary ? static_cast<unsigned>(inputs.frame) : 0u});
+                                      .frame = options.vary ? static_cast<unsigned>(inputs.frame) : 0u,
+                                      .first_sample = static_cast<unsigned>(batch.first),
+                                      .samples = static_cast<unsigned>(options.parameters.samples)});
+}
+
+Directions directions(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                      const DirectionOptions& options) {
+    Batches batches(options.parameters.samples);
+    const auto result = declare_directions(builder, batches, options);
+    choose_directions(builder, scene, gbuffer, result, batches.all().front());
     return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderers/core/transport.h"
-#include "renderers/graph/builder.h"
+#include "renderers/passes/bounce/batches.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 
 /// The bounced z-buffer: every sample of a pixel asks for the first surface along one direction of its own,
@@ -46,11 +46,16 @@ struct Directions {
     /// that left the surface on no side. Those of ambient occlusion may point below the triangle's plane,
     /// where all is closed, as in the reference.
     graph::ImageRef directions;
-    int samples = 0;
+    int samples = 0;  ///< layers: those of a batch
     DirectionOptions options;
 };
 
-/// Declares the pass "directions". The same seed gives the same directions.
+Directions declare_directions(graph::GraphBuilder& builder, Batches& batches,
+                              const DirectionOptions& options);
+/// Declares the pass "directions" of a batch. The same seed gives the same directions.
+void choose_directions(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                       const Directions& directions, const Batch& batch);
+/// Both, for all samples at once.
 Directions directions(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                       const DirectionOptions& options);
 

@@ -16,7 +16,7 @@ const std::string fields =
     "between the two.";
 const std::string no_reconstruction = std::string(no_surface) + " that is reconstructed";
 
-/// Struct Line of shaders/passes/bounce/explain.comp.
+/// Struct Line of shaders/passes/bounce/ray_line.glsl.
 graph::CountedBuffer declare(graph::GraphBuilder& builder, const std::string& key, int channels,
                              int elements) {
     return builder.explanation(key, {.fields = {{"start", FieldType::f32, 3},
@@ -36,8 +36,9 @@ graph::CountedBuffer declare(graph::GraphBuilder& builder, const std::string& ke
 struct Explain {
     FilterConstants filter;
     glm::ivec2 picked;
+    int first_sample;
     float miss_length;
-    IR_FIELDS(filter, picked, miss_length)
+    IR_FIELDS(filter, picked, first_sample, miss_length)
 };
 
 float length_of_misses(const scene::World& world, float requested) {
@@ -71,32 +72,60 @@ std::vector<OutputDescription> reconstruction_outputs(const Condition& active_wh
                 fields,
          .when_empty = no_reconstruction,
          .explains = true,
+         .active_when = active_when},
+        {.key = "bounce.explain.shares",
+         .label = "Shares of rays",
+         .kind = OutputKind::table,
+         .doc = "The sum that the contributions of both lists of rays were divided by.",
+         .when_empty = no_reconstruction,
+         .explains = true,
          .active_when = active_when}};
 }
 
-void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
-                  const Directions& directions, const Samples& samples,
-                  const ReconstructionParameters& parameters, float miss_length) {
-    const Filter filter{{scene, gbuffer, directions.options}, directions, samples, parameters};
-    const int side = 2 * parameters.blur.used_radius() + 1;
-    const int channels = directions.options.light ? 3 : 1;
-    const auto own = declare(builder, "bounce.explain.rays", channels, directions.samples),
-               others = declare(builder, "bounce.explain.neighbours", channels,
-                                (side * side - 1) * directions.samples);
-    auto pass = builder.pass("explain rays");
+RayExplanation declare_ray_explanation(graph::GraphBuilder& builder, const Reconstruction& r,
+                                       float miss_length) {
+    const int side = 2 * r.parameters.blur.used_radius() + 1;
+    const int channels = r.directions.options.light ? 3 : 1;
+    RayExplanation e{r, miss_length};
+    e.own = declare(builder, "bounce.explain.rays", channels, r.all_samples);
+    e.others = declare(builder, "bounce.explain.neighbours", channels, (side * side - 1) * r.all_samples);
+    // An output, so that no other picked pixel finds it done.
+    e.shares = builder.output("bounce.explain.shares",
+                              {.fields = {{"shares", FieldType::f32}}, .elements = 1, .cleared = true});
+    return e;
+}
+
+void explain_rays(graph::GraphBuilder& builder, const RayExplanation& e, const Batch& batch) {
+    const auto filter = filter_of(e.of);
+    auto pass = builder.pass("explain rays" + batch.name);
     filter.declare_reads(pass);
-    pass.reads("distances", samples.distance);
-    pass.writes("OwnLines", own.elements).counts("OwnCount", own.count);
-    pass.writes("OtherLines", others.elements).counts("OtherCount", others.count);
+    pass.reads("distances", e.of.samples.distance);
+    pass.writes("OwnLines", e.own.elements).counts("OwnCount", e.own.count);
+    pass.writes("OtherLines", e.others.elements).counts("OtherCount", e.others.count);
+    pass.writes("Shares", e.shares);
     const auto& inputs = builder.inputs();
     gl::ProgramSource source{{"passes/bounce/explain.comp"}};
     filter.define(source);
-    pass.compute(source, 1,
-                 Explain{filter.constants(inputs), inputs.picked_pixel(),
-                         length_of_misses(*inputs.world, miss_length)});
+    Explain constants{filter.constants(inputs), inputs.picked_pixel(), batch.first,
+                      length_of_misses(*inputs.world, e.miss_length)};
+    constants.filter.samples = batch.samples;
+    pass.compute(source, 1, constants);
 }
 
-void show_weights(graph::GraphBuilder& builder, const Filter& filter) {
+void share_rays(graph::GraphBuilder& builder, const RayExplanation& e) {
+    gl::ProgramSource source{{"passes/bounce/share_rays.comp"}};
+    source.defines["LIGHT"] = e.of.directions.options.light ? "1" : "0";
+    auto pass = builder.pass("shares of rays");
+    pass.reads("Shares", e.shares)
+        .writes("OwnLines", e.own.elements)
+        .counts("OwnCount", e.own.count)
+        .writes("OtherLines", e.others.elements)
+        .counts("OtherCount", e.others.count)
+        .compute(source, 1);
+}
+
+void show_weights(graph::GraphBuilder& builder, const Reconstruction& r) {
+    const auto filter = filter_of(r);
     const auto weights = builder.output("bounce.weights", {.format = gl::Format::rg32f});
     auto pass = builder.pass("weights of samples");
     filter.declare_reads(pass);

@@ -4,12 +4,14 @@ namespace ir::passes::bounce {
 
 void Filter::define(gl::ProgramSource& source) const {
     receivers.define(source);
+    source.defines["KERNELS"] = kernels.index >= 0 ? "1" : "0";
     source.defines["RATIO"] = parameters.estimator == Estimator::ratio ? "1" : "0";
 }
 
 void Filter::declare_reads(graph::PassBuilder& pass) const {
     receivers.declare_reads(pass);
     pass.reads("directions", directions.directions).reads("incoming", samples.incoming);
+    if (kernels.index >= 0) pass.reads("kernels", kernels);
 }
 
 FilterConstants Filter::constants(const graph::FrameInputs& inputs) const {

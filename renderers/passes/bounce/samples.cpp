@@ -42,29 +42,29 @@ std::vector<OutputDescription> sample_outputs(const Condition& active_when, Effe
             in};
 }
 
-graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples, const std::string& fingerprint) {
-    return builder.output("bounce.distance",
-                          {.format = gl::Format::r32f, .layers = samples, .fingerprint = fingerprint});
+graph::ImageRef declare_distance(graph::GraphBuilder& builder, Batches& batches,
+                                 const std::string& fingerprint) {
+    return batches.stack(builder, {.text = builder.text_of_output("bounce.distance"),
+                                   .format = gl::Format::r32f,
+                                   .fingerprint = fingerprint});
 }
 
-graph::ImageRef declare_incoming_light(graph::GraphBuilder& builder, int samples) {
-    return builder.output("bounce.incoming", {.format = gl::Format::rgba32f, .layers = samples});
+graph::ImageRef declare_incoming(graph::GraphBuilder& builder, Batches& batches, Effects effects) {
+    return batches.stack(builder,
+                         {.text = builder.text_of_output("bounce.incoming"),
+                          .format = effects == Effects::light ? gl::Format::rgba32f : gl::Format::r32f});
 }
 
-graph::ImageRef visibility_of(graph::GraphBuilder& builder, const GBuffer& gbuffer,
-                              const Directions& directions, graph::ImageRef distance,
-                              const Transport& transport) {
-    const auto result =
-        builder.output("bounce.incoming", {.format = gl::Format::r32f, .layers = directions.samples});
-    auto pass = builder.pass("visibility");
+void see(graph::GraphBuilder& builder, const GBuffer& gbuffer, const Directions& directions,
+         const Samples& samples, const Transport& transport, const Batch& batch) {
+    auto pass = builder.pass("visibility" + batch.name);
     pass.reads(gbuffer.geometric_normal)
         .reads("directions", directions.directions)
-        .reads("distances", distance)
-        .writes("incoming", result);
+        .reads("distances", samples.distance)
+        .writes("incoming", samples.incoming);
     const bool is_smooth = transport.falloff == Transport::Falloff::smooth;
     compute_by_tiles(pass, builder, {{"passes/bounce/visibility.comp"}, {{"SMOOTH", is_smooth ? "1" : "0"}}},
                      See{transport.max_distance});
-    return result;
 }
 
 }  // namespace ir::passes::bounce

@@ -12,19 +12,17 @@ struct Samples {
                                ///< rgba32f, RGB L_in towards x_p in W/(m² sr), 0 without a hit
 };
 
-/// The two stacks' descriptions, for methods that write them: `declare_distance` alone, and `incoming` made
-/// of it by `visibility_of`, serve ambient occlusion. Writers leave negative distances and no light where
-/// there is no direction.
-graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples,
+/// The two stacks. For ambient occlusion `see` fills the second one. Writers leave negative distances and no
+/// light where there is no direction.
+graph::ImageRef declare_distance(graph::GraphBuilder& builder, Batches& batches,
                                  const std::string& fingerprint = {});
-graph::ImageRef declare_incoming_light(graph::GraphBuilder& builder, int samples);
+graph::ImageRef declare_incoming(graph::GraphBuilder& builder, Batches& batches, Effects effects);
 
-/// Declares "bounce.incoming" for ambient occlusion and the pass "visibility": 1 without a hit and from
-/// `transport.max_distance` on (0: no limit), below it as `transport.falloff` says. Directions below the
-/// triangle's plane are closed whatever was met. [Nalbach15 §3.2]
-graph::ImageRef visibility_of(graph::GraphBuilder& builder, const GBuffer& gbuffer,
-                              const Directions& directions, graph::ImageRef distance,
-                              const Transport& transport);
+/// Declares the pass "visibility" of a batch, which fills `samples.incoming` for ambient occlusion: 1 without
+/// a hit and from `transport.max_distance` on (0: no limit), below it as `transport.falloff` says. Directions
+/// below the triangle's plane are closed whatever was met. [Nalbach15 §3.2]
+void see(graph::GraphBuilder& builder, const GBuffer& gbuffer, const Directions& directions,
+         const Samples& samples, const Transport& transport, const Batch& batch = {});
 
 std::vector<OutputDescription> sample_outputs(const Condition& active_when, Effects effects = Effects::light);
 

@@ -8,6 +8,7 @@
 layout(rgba32f) uniform writeonly image2DArray directions;
 
 uniform uint seed_low, seed_high, frame;
+uniform uint first_sample, samples;  // of the batch, of all
 
 /// Of the pixel in its block: those of a quarter, of a quarter of that and so on follow each other.
 uint place_in_block(ivec2 pixel) {
@@ -21,7 +22,7 @@ uint place_in_block(ivec2 pixel) {
 /// frames of a block of pixels are a (0, 2)-sequence and, for the lobe, multiples of the golden ratio, all shifted
 /// by the block's hash: in every aligned square of pixels they are spread as evenly as their number allows.
 /// [Kollig02; Cranley76; Ahmed20]
-uvec3 random_words(ivec2 pixel, uint number, uint samples) {
+uvec3 random_words(ivec2 pixel, uint number) {
 #if STRATIFIED
     ivec2 block = pixel >> BLOCK_BITS;
     uvec3 words = pcg4d(uvec4(uint(block.x) | uint(block.y) << 16u, seed_low, seed_high, 0u)).xyz;
@@ -75,7 +76,7 @@ void main() {
     Receiver receiver = receiver_at(pixel);
     for (int i = 0; i < size.z; ++i) {
         vec4 result = vec4(0.0);
-        if (receiver.exists) result = chosen(receiver, pixel, random_words(pixel, uint(i), uint(size.z)));
+        if (receiver.exists) result = chosen(receiver, pixel, random_words(pixel, first_sample + uint(i)));
         imageStore(directions, ivec3(pixel, i), result);
     }
 }

@@ -1,30 +1,20 @@
-// What the picked pixel is made of: its own samples and its neighbours' as lines, with the part of each. One work
-// group: first the sums, then a line at a time.
+// What the picked pixel is made of: its own samples and its neighbours' as lines, with the part of each before it is
+// divided by the shares of all. One work group: first the shares, then a line at a time.
 layout(local_size_x = 256) in;
 
 #include "passes/bounce/filter.glsl"
-
-#if LIGHT
-#define CHANNELS 3
-#else
-#define CHANNELS 1
-#endif
+#include "passes/bounce/ray_line.glsl"
 
 uniform sampler2DArray distances;
 
-struct Line {
-    float start[3], end[3];
-    float distance_m, density;
-    float incoming[CHANNELS], contribution[CHANNELS];
-    float weight, apart;
-    uint hit, sample_;
-};
 layout(std430) writeonly buffer OwnLines { Line own_lines[]; };
 layout(std430) buffer OwnCount { uint own_count; };
 layout(std430) writeonly buffer OtherLines { Line other_lines[]; };
 layout(std430) buffer OtherCount { uint other_count; };
+layout(std430) buffer Shares { float shares; };
 
 uniform ivec2 picked;       // outside: none
+uniform int first_sample;   // of the batch
 uniform float miss_length;  // m
 
 shared float whole_sums[256];
@@ -56,7 +46,7 @@ Value value_beside_all(Target target, int number) {
     return sum;
 }
 
-Line line_of(Target target, ivec2 pixel, int number, float weight, float whole) {
+Line line_of(Target target, ivec2 pixel, int number, float weight) {
     ivec3 place = ivec3(pixel, number);
     vec4 direction = texelFetch(directions, place, 0);
     float met = texelFetch(distances, place, 0).x;
@@ -70,7 +60,6 @@ Line line_of(Target target, ivec2 pixel, int number, float weight, float whole) 
     line.density = direction.w;
     Value arriving = incoming_at(place, direction), part = weight * part_at(target, place).value;
     if (pixel == target.pixel) part += value_beside_all(target, number);
-    part /= whole;
 #if LIGHT
     for (int i = 0; i < CHANNELS; ++i) {
         line.incoming[i] = arriving[i];
@@ -83,7 +72,7 @@ Line line_of(Target target, ivec2 pixel, int number, float weight, float whole) 
     line.weight = weight;
     line.apart = length(vec2(pixel - target.pixel));
     line.hit = met < 0.0 ? 0u : 1u;
-    line.sample_ = uint(number);
+    line.sample_ = uint(first_sample + number);
     return line;
 }
 
@@ -102,6 +91,7 @@ void main() {
     if (picked.x < 0 || !target_at(picked, target)) return;
     int across = 2 * radius + 1, neighbours = across * across;
     float whole = whole_share(target, neighbours);
+    if (gl_LocalInvocationIndex == 0u) shares += whole;
     if (whole == 0.0) return;
     for (int i = int(gl_LocalInvocationIndex); i < neighbours; i += 256) {
         ivec2 pixel = neighbour(target, i);
@@ -109,7 +99,7 @@ void main() {
         if (w == 0.0) continue;
         for (int s = 0; s < samples; ++s) {
             if (texelFetch(directions, ivec3(pixel, s), 0).w == 0.0) continue;
-            Line line = line_of(target, pixel, s, w, whole);
+            Line line = line_of(target, pixel, s, w);
             if (pixel == picked) store_own(line);
             else store_other(line);
         }

@@ -10,6 +10,19 @@ uniform sampler2DArray incoming;
 
 uniform int samples;
 
+#if KERNELS
+uniform sampler2D kernels;  // radius of each pixel's, pixels
+#endif
+
+/// By how much the kernel is narrower than the blur's radius says.
+float narrowing_at(ivec2 pixel) {
+#if KERNELS
+    return float(radius) / texelFetch(kernels, pixel, 0).x;
+#else
+    return 1.0;
+#endif
+}
+
 #if LIGHT
 #define Value vec3
 uniform float material_tolerance;
@@ -42,6 +55,7 @@ struct Target {
     ivec2 pixel;
     Receiver receiver;
     BlurSurface surface;
+    float narrowing;
 #if LIGHT
     vec2 material;  // metallic, roughness
     Scatterer scatterer;
@@ -71,6 +85,7 @@ bool target_at(ivec2 pixel, out Target target) {
     target.pixel = pixel;
     target.receiver = receiver_at(pixel);
     target.surface = surface_at(pixel);
+    target.narrowing = narrowing_at(pixel);
     if (!target.receiver.exists) return false;
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
     target.material = filtered_material(material);
@@ -121,6 +136,7 @@ bool target_at(ivec2 pixel, out Target target) {
     target.pixel = pixel;
     target.receiver = receiver_at(pixel);
     target.surface = surface_at(pixel);
+    target.narrowing = narrowing_at(pixel);
     return target.receiver.exists;
 }
 
@@ -150,7 +166,8 @@ float neighbour_weight(Target target, ivec2 pixel) {
     if (pixel == target.pixel) return 1.0;
     BlurSurface there = surface_at(pixel);
     if (there.geometric_normal == vec3(0.0)) return 0.0;
-    return blur_weight(target.surface, there, vec2(pixel - target.pixel)) * material_weight(target, pixel);
+    vec2 offset = target.narrowing * vec2(pixel - target.pixel);
+    return blur_weight(target.surface, there, offset) * material_weight(target, pixel);
 }
 
 /// Of the sample at a place of the stacks; not finite values count for nothing.

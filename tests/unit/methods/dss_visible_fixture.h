@@ -45,13 +45,18 @@ class VisibleTest : public DeepScreenSpaceTest {
             const auto scene = passes::upload_scene(builder);
             const auto gbuffer = passes::gbuffer(builder, scene);
             const auto shadow = passes::shadow_maps(builder, scene, 256);
-            const bool light = parameters.transport.paths != Transport::Paths::ao;
-            const auto directions = passes::bounce::directions(
-                builder, scene, gbuffer,
-                {parameters.directions, light, parameters.transport.materials, false});
             const auto hierarchy = dss::shuffle(builder, gbuffer, parameters);
-            dss::splat_visible(builder, scene, gbuffer, shadow, directions, hierarchy,
-                               upload(builder, run.surfels), parameters);
+            passes::bounce::Batches batches(builder, parameters.directions.samples);
+            const auto visible = dss::declare_visible(builder, scene, gbuffer, shadow, hierarchy,
+                                                      upload(builder, run.surfels), parameters, batches);
+            const auto explanation = dss::declare_explanation(builder, visible, batches.samples());
+            for (const auto& batch : batches.all()) {
+                dss::splat_visible(builder, visible, batch);
+                dss::explain_splats(builder, explanation, visible, batch);
+                batches.keep(builder, batch);
+            }
+            dss::judge_splats(builder, explanation, visible, batches.samples());
+            dss::show_visible(builder, dss::whole(visible, batches));
         };
         return method;
     }

@@ -58,7 +58,8 @@ class SplatsTest : public DeepScreenSpaceTest {
             const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
             const auto hierarchy = dss::shuffle(builder, gbuffer, c.parameters);
             const auto surfels = upload(builder, c.surfels, c.capacity, c.uncounted);
-            const auto splats = dss::declare_splats(builder, hierarchy, surfels, c.parameters, c.samples);
+            const auto splats = dss::declare_splats(builder, hierarchy, surfels, c.parameters,
+                                                    passes::bounce::Batches(c.samples));
             const int layers = c.samples * hierarchy.levels;
             const auto image =
                 builder.image({.text = {"cover", "Cover"},
@@ -81,8 +82,8 @@ class SplatsTest : public DeepScreenSpaceTest {
         return run(shot, [=](graph::GraphBuilder& builder) {
             const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
             const auto hierarchy = dss::shuffle(builder, gbuffer, c.parameters);
-            const auto splats =
-                dss::declare_splats(builder, hierarchy, upload(builder, c.surfels), c.parameters, c.samples);
+            const auto splats = dss::declare_splats(builder, hierarchy, upload(builder, c.surfels),
+                                                    c.parameters, passes::bounce::Batches(c.samples));
             const auto drawn =
                 builder.image({.text = {"drawn", "Drawn"},
                                .format = gl::Format::rg32f,

@@ -74,6 +74,13 @@ double chi_square_over_limit(const std::vector<double>& counts, const std::vecto
     return sum / chi_square_limit(bins - 1);
 }
 
+/// Of ambient occlusion.
+bounce::Samples declare_samples(graph::GraphBuilder& builder, const bounce::Directions& directions) {
+    bounce::Batches all(directions.samples);
+    const auto distance = bounce::declare_distance(builder, all);
+    return {distance, bounce::declare_incoming(builder, all, bounce::Effects::ambient_occlusion)};
+}
+
 class DirectionsTest : public BounceTest {
   protected:
     void expect_density(const std::vector<glm::vec4>& directions, const Density& density) {
@@ -257,13 +264,14 @@ TEST_F(DirectionsTest, BelowTheTriangleAllIsClosed) {
         const auto gbuffer = passes::gbuffer(builder, scene);
         const auto directions = bounce::directions(builder, scene, gbuffer,
                                                    {.parameters = {.distribution = Distribution::uniform}});
-        const auto distance = bounce::declare_distance(builder, directions.samples);
+        const auto samples = declare_samples(builder, directions);
+        const auto distance = samples.distance;
         builder.pass("miss").writes(distance).execute([=](graph::PassContext& context) {
             const std::vector<float> nothing(16 * 16, -1);
             for (int layer = 0; layer < 4; ++layer)
                 context.upload(distance, std::as_bytes(std::span(nothing)), 0, layer);
         });
-        bounce::visibility_of(builder, gbuffer, directions, distance, Transport{.max_distance = 1});
+        bounce::see(builder, gbuffer, directions, samples, Transport{.max_distance = 1});
     });
     int below = 0;
     for (int layer = 0; layer < 4; ++layer) {
@@ -289,11 +297,12 @@ TEST_F(DirectionsTest, VisibilityFollowsTheTransport) {
             bounce::DirectionOptions options;
             options.parameters.samples = 1;
             const auto directions = bounce::directions(builder, scene, gbuffer, options);
-            const auto distance = bounce::declare_distance(builder, 1);
+            const auto samples = declare_samples(builder, directions);
+            const auto distance = samples.distance;
             builder.pass("meet").writes(distance).execute([=](graph::PassContext& context) {
                 context.upload(distance, std::as_bytes(std::span(met)));
             });
-            bounce::visibility_of(builder, gbuffer, directions, distance, transport);
+            bounce::see(builder, gbuffer, directions, samples, transport);
         });
         const auto image = read("bounce.incoming");
         return std::vector<float>{image.at(0, 0), image.at(1, 0), image.at(2, 0), image.at(3, 0)};

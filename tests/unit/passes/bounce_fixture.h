@@ -127,8 +127,7 @@ class BounceTest : public PassTest {
             const auto directions = bounce::directions(builder, scene, gbuffer, r.options);
             const auto samples = meet(builder, gbuffer, directions, r);
             bounce::reconstruct(builder, scene, gbuffer, directions, samples, r.reconstruction,
-                                {"result", "Result"});
-            bounce::explain_rays(builder, scene, gbuffer, directions, samples, r.reconstruction, 0.5f);
+                                {"result", "Result"}, 0.5f);
         });
     }
     std::vector<float> result(int channel = 0) const {
@@ -154,8 +153,10 @@ class BounceTest : public PassTest {
     static bounce::Samples meet(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                                 const bounce::Directions& directions, const BounceRun& r) {
         bounce::Samples samples;
-        samples.distance = bounce::declare_distance(builder, directions.samples);
-        if (r.options.light) samples.incoming = bounce::declare_incoming_light(builder, directions.samples);
+        bounce::Batches all(directions.samples);
+        samples.distance = bounce::declare_distance(builder, all);
+        samples.incoming = bounce::declare_incoming(
+            builder, all, r.options.light ? bounce::Effects::light : bounce::Effects::ambient_occlusion);
         auto pass = builder.pass("meet", graph::Queue::cpu);
         pass.reads(directions.directions).writes(samples.distance);
         if (r.options.light) pass.writes(samples.incoming);
@@ -173,9 +174,7 @@ class BounceTest : public PassTest {
                 }
             }
         });
-        if (!r.options.light)
-            samples.incoming =
-                bounce::visibility_of(builder, gbuffer, directions, samples.distance, r.transport);
+        if (!r.options.light) bounce::see(builder, gbuffer, directions, samples, r.transport);
         return samples;
     }
 };

@@ -293,6 +293,27 @@ TEST_F(ReconstructionTest, BalanceBoundsWhatANeighboursSampleGivesAndLeavesTheMe
     EXPECT_GT(published_most, balanced_most);
 }
 
+/// The left half of a wall is closed, the right half open. Pixels are 1/64 m apart.
+TEST_F(ReconstructionTest, KernelsReachNoFartherThanWhatIsMet) {
+    const auto shot = Wall().shot(64, 64);
+    auto r = BounceRun::with(4, Spread::stratified, 8);
+    const auto row = [&](float met_at, float by_distance) {
+        r.meeting = [=](glm::ivec2 pixel, int, glm::vec4) { return Met{pixel.x < 32 ? met_at : -1.0f}; };
+        r.reconstruction.kernel_by_distance = by_distance;
+        reconstruct(shot, r);
+        const auto image = read("result");
+        std::vector<float> values;
+        for (int x = 0; x < 64; ++x) values.push_back(image.at(x, 32));
+        return values;
+    };
+    const auto wide = row(0.005f, 0), narrow = row(0.005f, 1), far = row(0.9f, 1);
+    EXPECT_GT(wide[31], 0.3f);
+    EXPECT_LT(wide[32], 0.7f);
+    EXPECT_LT(narrow[31], 0.01f);
+    EXPECT_GT(narrow[32], 0.9f);
+    EXPECT_EQ(far, row(0.9f, 0));
+}
+
 /// Of many materials, over the edges of tiles; radiances are any that differ. The G-buffer has two bodies,
 /// too: few pixels at edges are of another surface, and so are their neighbours' samples.
 TEST_F(ReconstructionTest, HostAndDeviceGiveTheSame) {
@@ -318,7 +339,7 @@ TEST_F(ReconstructionTest, HostAndDeviceGiveTheSame) {
         }
     };
     for (const int radius : {0, 3}) {
-        auto r = BounceRun::with(3, Spread::stratified, radius);
+        auto r = BounceRun::with(radius > 0 ? 6 : 3, Spread::stratified, radius);  // two groups, and one
         r.meeting = [](glm::ivec2 pixel, int sample, glm::vec4 direction) {
             const float hash = std::sin(13.0f * static_cast<float>(pixel.x + 7 * pixel.y + 3 * sample));
             return Met{hash * 2 * direction.y, glm::abs(glm::vec3(direction)) * (1.5f + hash)};
@@ -328,6 +349,9 @@ TEST_F(ReconstructionTest, HostAndDeviceGiveTheSame) {
             r.reconstruction.estimator = estimator;
             compare(r);
         }
+        r.reconstruction.kernel_by_distance = 0.005f;
+        compare(r);
+        r.reconstruction.kernel_by_distance = 0;
         r.options.light = true;
         for (const auto model : {Transport::Materials::gltf, Transport::Materials::metalness_blend,
                                  Transport::Materials::lambert})

@@ -124,7 +124,7 @@ ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers
                         const Hierarchy& hierarchy, const Surfels& surfels, const Parameters& parameters,
                         graph::ResourceText text) {
     Additive additive;
-    additive.splats = declare_splats(builder, hierarchy, surfels, parameters, 1);
+    additive.splats = declare_splats(builder, hierarchy, surfels, parameters, passes::bounce::Batches(1));
     additive.receivers = receivers_of(scene, gbuffer, parameters);
     if (additive.has_highlights()) additive.senders = sender_inputs(builder, scene, shadow);
     splat(builder, additive);

@@ -32,10 +32,10 @@ struct ExplainSplat {
     VisibleLevel level;
     SphereBounds bounds;
     unsigned seed;
-    int levels, samples;
+    int levels, samples, first_sample;
     glm::ivec2 hierarchy_size;
     bool stratified_sub_images;
-    IR_FIELDS(level, bounds, seed, levels, samples, hierarchy_size, stratified_sub_images)
+    IR_FIELDS(level, bounds, seed, levels, samples, first_sample, hierarchy_size, stratified_sub_images)
 };
 
 ExplainSplat explain_splat(const graph::FrameInputs& inputs, const Splats& splats) {
@@ -44,6 +44,7 @@ ExplainSplat explain_splat(const graph::FrameInputs& inputs, const Splats& splat
             .seed = random_seed(inputs, splats.parameters),
             .levels = splats.hierarchy.levels,
             .samples = splats.samples,
+            .first_sample = splats.first_sample,
             .hierarchy_size = {splats.hierarchy.width, splats.hierarchy.height},
             .stratified_sub_images = splats.parameters.sub_images == SubImages::stratified};
 }
@@ -80,9 +81,9 @@ void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats
 }
 
 void judge_found(const graph::PassContext& p, const graph::CountedBuffer& candidates,
-                 const graph::CountedBuffer& levels, const Splats& splats) {
+                 const graph::CountedBuffer& levels, const Splats& splats, int all_samples) {
     const int level_count = splats.hierarchy.levels;
-    const auto rows = static_cast<std::size_t>(splats.samples * level_count);
+    const auto rows = static_cast<std::size_t>(all_samples * level_count);
     const auto all_sums = p.elements<LevelSum>(levels.elements);
     if (all_sums.size() < rows) return;  // it grows
     const auto sums = all_sums.first(rows);
@@ -92,25 +93,17 @@ void judge_found(const graph::PassContext& p, const graph::CountedBuffer& candid
     judge(found.first(std::min(found.size(), count)), sums, level_count, nearest_decides(splats));
 }
 
-void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
-    const int levels = visible.splats.hierarchy.levels;
-    const auto candidates =
-        declare(builder, "candidates", record_fields<SplatCandidate>(), expected_candidates);
-    const auto sums = declare(builder, "levels", record_fields<LevelSum>(),
-                              static_cast<std::uint64_t>(visible.splats.samples * levels));
-    auto pass = builder.pass("explain splats onto the pixel");
+void explain_pixel(graph::GraphBuilder& builder, const SplatExplanation& explanation,
+                   const VisibleSplats& visible, const std::string& batch) {
+    auto pass = builder.pass("explain splats onto the pixel" + batch);
     read_splats(pass, visible);
     pass.reads("depths", visible.depth)
-        .writes("Candidates", candidates.elements)
-        .writes("Sums", sums.elements)
-        .counts("CandidateCount", candidates.count)
-        .counts("SumCount", sums.count)
+        .writes("Candidates", explanation.candidates.elements)
+        .writes("Sums", explanation.levels.elements)
+        .counts("CandidateCount", explanation.candidates.count)
+        .counts("SumCount", explanation.levels.count)
         .execute_sliced(surfel_parts,
                         [=](graph::PassContext& p, graph::Slice slice) { search(p, slice, visible); });
-    builder.pass("judge splats onto the pixel", graph::Queue::cpu)
-        .reads(candidates.elements, sums.elements)
-        .writes(candidates.elements, sums.elements)
-        .execute([=](graph::PassContext& p) { judge_found(p, candidates, sums, visible.splats); });
 }
 
 graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
@@ -135,19 +128,15 @@ graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats
     return choice;
 }
 
-void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
-    const int levels = visible.splats.hierarchy.levels;
-    const auto choice = choose_surfel(builder, visible);
-    const auto sums =
-        declare(builder, "surfel", record_fields<SurfelSum>(), static_cast<std::uint64_t>(levels));
-    const auto cover = builder.output("splats.explain.cover", {.format = gl::Format::r16f, .layers = levels});
-    auto pass = builder.pass("explain splats of the surfel");
+void explain_surfel(graph::GraphBuilder& builder, const SplatExplanation& explanation,
+                    const VisibleSplats& visible, const std::string& batch) {
+    auto pass = builder.pass("explain splats of the surfel" + batch);
     read_splats(pass, visible);
-    pass.reads("Choice", choice)
+    pass.reads("Choice", explanation.choice)
         .reads("hit_levels", visible.hit_level)
-        .writes("Sums", sums.elements)
-        .writes("cover_image", cover)
-        .counts("SumCount", sums.count);
+        .writes("Sums", explanation.surfel.elements)
+        .writes("cover_image", explanation.cover)
+        .counts("SumCount", explanation.surfel.count);
     passes::bounce::compute_by_tiles(pass, builder,
                                      with_acceptance({{folder + "explain_surfel.comp"}}, visible.splats),
                                      explain_splat(builder.inputs(), visible.splats));
@@ -155,9 +144,109 @@ void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) 
 
 }  // namespace
 
-void explain_splats(graph::GraphBuilder& builder, const VisibleSplats& visible) {
-    explain_pixel(builder, visible);
-    explain_surfel(builder, visible);
+SplatExplanation declare_explanation(graph::GraphBuilder& builder, const VisibleSplats& visible,
+                                     int all_samples) {
+    const int levels = visible.splats.hierarchy.levels;
+    SplatExplanation result;
+    result.candidates = declare(builder, "candidates", record_fields<SplatCandidate>(), expected_candidates);
+    result.levels = declare(builder, "levels", record_fields<LevelSum>(),
+                            static_cast<std::uint64_t>(all_samples * levels));
+    result.surfel =
+        declare(builder, "surfel", record_fields<SurfelSum>(), static_cast<std::uint64_t>(levels));
+    result.choice = choose_surfel(builder, visible);
+    result.cover = builder.output("splats.explain.cover", {.format = gl::Format::r16f, .layers = levels});
+    return result;
+}
+
+void explain_splats(graph::GraphBuilder& builder, const SplatExplanation& explanation,
+                    const VisibleSplats& visible, const passes::bounce::Batch& batch) {
+    auto of_batch = visible;
+    of_batch.splats.samples = batch.samples;
+    of_batch.splats.first_sample = batch.first;
+    explain_pixel(builder, explanation, of_batch, batch.name);
+    explain_surfel(builder, explanation, of_batch, batch.name);
+}
+
+void judge_splats(graph::GraphBuilder& builder, const SplatExplanation& explanation,
+                  const VisibleSplats& visible, int all_samples) {
+    const auto candidates = explanation.candidates, levels = explanation.levels;
+    builder.pass("judge splats onto the pixel", graph::Queue::cpu)
+        .reads(candidates.elements, levels.elements)
+        .writes(candidates.elements, levels.elements)
+        .execute([=, splats = visible.splats](graph::PassContext& p) {
+            judge_found(p, candidates, levels, splats, all_samples);
+        });
+}
+
+namespace {
+
+/// By SplatOutcome.
+const std::vector<Category> outcomes{
+    {0, "does not cover the pixel", tints::dark},
+    {1, "the pixel's point lies in no shell of the level", tints::grey},
+    {2, "the ray misses the disc", tints::sky},
+    {3, "met beyond the maximum distance", tints::blue},
+    {4, "does not count for the pixel, by discs, backs or level 0", tints::purple},
+    {5, "met, something is nearer on this level", tints::yellow},
+    {6, "nearest on its level, another level decides", tints::vermilion},
+    {7, "what the ray met", tints::green}};
+
+}  // namespace
+
+std::vector<OutputDescription> explanation_outputs() {
+    std::vector<OutputDescription> outputs = {
+        {.key = "splats.explain.candidates",
+         .label = "Splats onto the pixel",
+         .kind = OutputKind::glyphs,
+         .doc = "Discs, as large as they were tested, of surfels that were splatted onto the pixel; found by "
+                "a search over all surfels, and those of outcome 1 left out. surfel: 1 + index; sample, "
+                "level: where it was splatted; shell: which its disc was enlarged for. "
+                "distance: m along the ray to the disc's plane; z: what the depth test compares.",
+         .categories = {{"outcome", outcomes}},
+         .when_empty = no_surface,
+         .explains = true},
+        {.key = "splats.explain.levels",
+         .label = "Levels of the pixel",
+         .kind = OutputKind::table,
+         .doc = "For each sample and level how many splats covered the pixel, and how many of them had which "
+                "outcome (hits: 5 to 7). found: 1 + index of the nearest by the search, with its z; kept: "
+                "what the framebuffer holds, which has to be the same. nearest: 1 on the level whose hit "
+                "counts.",
+         .when_empty = no_surface,
+         .explains = true},
+        {.key = "splats.explain.choice",
+         .label = "Surfel explained",
+         .kind = OutputKind::table,
+         .doc = "surfel: 1 + index of the surfel that was chosen, or else of the one nearest to the picked "
+                "pixel's point, with 1 / distance² in 1/m²; 0: none.",
+         .explains = true},
+        {.key = "splats.explain.surfel",
+         .label = "Splats of the surfel",
+         .kind = OutputKind::glyphs,
+         .doc = "The chosen surfel's disc, as large as each level tests it in its own shell, and how many "
+                "rays of the picture, of all samples, its splat on that level covered, met, and won on the "
+                "level and in the end.",
+         .explains = true},
+        {.key = "splats.explain.cover",
+         .label = "Where the surfel was splatted",
+         .kind = OutputKind::stack,
+         .doc =
+             "What became of the chosen surfel's splat on each pixel, a layer per level; of all samples the "
+             "outcome that went farthest.",
+         .categories = {{"", outcomes}},
+         .explains = true},
+    };
+    for (auto& output : outputs) output.active_when = {"visibility", {true}};
+    return outputs;
+}
+
+SelectorDescription surfel_selector() {
+    return {.key = "surfel",
+            .label = "Surfel",
+            .doc =
+                "1 + index of a surfel, as winners are numbered. 0, or all: the one nearest to the picked "
+                "pixel's point.",
+            .count = 1 << 24};
 }
 
 }  // namespace ir::methods::deep_screen_space

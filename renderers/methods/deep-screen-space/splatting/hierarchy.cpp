@@ -1,7 +1,7 @@
+#include <bit>
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
-#include "renderers/methods/deep-screen-space/splatting/host/layout_on_host.h"
 #include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
@@ -84,6 +84,89 @@ Hierarchy shuffle(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
     shuffle_colours(builder, gbuffer, hierarchy);
     bound_positions(builder, gbuffer, hierarchy);
     return hierarchy;
+}
+
+namespace {
+
+graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, int levels) {
+    return builder.output(key, {.format = gl::Format::rgba32f, .levels = levels});
+}
+
+void reduce(const graph::PassContext& p, const Hierarchy& hierarchy, int level) {
+    gl::ProgramSource source{{"methods/deep-screen-space/splatting/bounds.comp"}};
+    if (level == 0) source.defines["FIRST"] = "1";
+    p.bind("min_image", hierarchy.min, level);
+    p.bind("max_image", hierarchy.max, level);
+    p.bind("finer_min", hierarchy.min, level - 1);
+    p.bind("finer_max", hierarchy.max, level - 1);
+    const auto& program = p.use(source);
+    const auto shape = p.shape(hierarchy.min);
+    program.dispatch(shape.level_width(level), shape.level_height(level));
+    p.barrier();
+}
+
+}  // namespace
+
+void bound_positions(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, Hierarchy& hierarchy) {
+    const auto& view = builder.inputs().view;
+    const int levels = std::bit_width(static_cast<unsigned>(std::max(view.width, view.height)));
+    hierarchy.min = declare(builder, "hierarchy.min", levels);
+    hierarchy.max = declare(builder, "hierarchy.max", levels);
+    builder.pass("bounds of positions")
+        .reads(gbuffer.position)
+        .writes(hierarchy.min, hierarchy.max)
+        .execute([=](graph::PassContext& p) {
+            for (int level = 0; level < levels; ++level) reduce(p, hierarchy, level);
+        });
+}
+
+std::vector<OutputDescription> hierarchy_outputs() {
+    return {
+        {.key = "hierarchy.colours",
+         .label = "Sub-images",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::albedo,
+         .doc = "The picture's base colours on each level of the hierarchical framebuffer: level l (a layer) "
+                "is 2^l × 2^l small pictures side by side, each with one pixel, at random, of every "
+                "neighbourhood of 2^l × 2^l. Black: padding and background."},
+        {.key = "hierarchy.layout",
+         .label = "Layout of the levels",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::id,
+         .doc = "Which pixel of the view stands at a place of a level: x + 65536 y; 4294967295 is padding. "
+                "A layer per level."},
+        {.key = "hierarchy.places",
+         .label = "Places on the levels",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::id,
+         .doc = "Where a pixel of the (padded) view stands on a level: x + 65536 y. A layer per level."},
+        {.key = "hierarchy.positions",
+         .label = "Shuffled positions",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc = "Positions of the view's surfaces at their places on each level; alpha 0: no surface."},
+        {.key = "hierarchy.normals",
+         .label = "Shuffled normals",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::normal,
+         .doc = "Shading normals of the view's surfaces at their places on each level."},
+        {.key = "hierarchy.min",
+         .label = "Minimum positions",
+         .kind = OutputKind::pyramid,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc =
+             "Minimum x, y and z of all surfaces seen below a texel, on each mip level: with the maximum ones "
+             "the box that splats are culled against. 3e38: no surface."},
+        {.key = "hierarchy.max",
+         .label = "Maximum positions",
+         .kind = OutputKind::pyramid,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc =
+             "Maximum x, y and z of all surfaces seen below a texel, on each mip level; -3e38: no surface."},
+    };
 }
 
 }  // namespace ir::methods::deep_screen_space

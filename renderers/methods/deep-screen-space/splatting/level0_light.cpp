@@ -18,20 +18,14 @@ glm::vec2 weights_at(const scene::World& world, std::uint32_t triangle, const gl
                       0.0f, 1.0f);
 }
 
-std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const VisibleSplats& visible,
-                                            graph::ImageRef distance) {
+void light_level0(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
     const auto& parameters = visible.splats.parameters;
-    if (!has_sources(builder.inputs(), parameters)) return {};
-    const auto irradiance = builder.image({.text = {.key = "splats.level0_irradiance",
-                                                    .label = "Irradiance where rays meet triangles",
-                                                    .doc = "By sources with an extent, one sample each.",
-                                                    .unit = "W/m²"},
-                                           .format = gl::Format::rgba32f,
-                                           .layers = visible.splats.samples});
+    const auto irradiance = visible.irradiance, distance = visible.samples.distance;
+    const auto first_sample = static_cast<std::size_t>(visible.splats.first_sample);
     const auto bvh = passes::bvh(builder);
     const auto sources = sources_of(builder, parameters);
     const auto directions = visible.directions.directions;
-    builder.pass("light samples of level 0", graph::Queue::cpu)
+    builder.pass("light samples of level 0" + batch, graph::Queue::cpu)
         .reads(bvh, sources, visible.gbuffer.position, visible.nearest, distance, directions)
         .writes(irradiance)
         .execute_sliced(
@@ -53,7 +47,8 @@ std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const 
                         const glm::vec3 direction(towards[i]);
                         const auto weights = weights_at(*inputs.world, triangle,
                                                         glm::vec3(from[i]) + distances[i] * direction);
-                        const auto ray = std::uint64_t(winners.size()) * std::uint64_t(layer) + i;
+                        const auto ray =
+                            winners.size() * (first_sample + static_cast<std::size_t>(layer)) + i;
                         return glm::vec4(light.irradiance(triangle, weights, direction, ray), 1);
                     };
                     arena.execute([&] {
@@ -67,7 +62,6 @@ std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const 
                 }
             },
             1);
-    return irradiance;
 }
 
 }  // namespace ir::methods::deep_screen_space

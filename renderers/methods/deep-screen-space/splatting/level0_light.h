@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
 
@@ -37,8 +35,7 @@ class Level0Light {
     std::uint64_t seed_;
 };
 
-/// Declares "splats.level0_irradiance", for the device. None without sources with an extent.
-std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const VisibleSplats& visible,
-                                            graph::ImageRef distance);
+/// Declares the pass "light samples of level 0", for the device.
+void light_level0(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch);
 
 }  // namespace ir::methods::deep_screen_space

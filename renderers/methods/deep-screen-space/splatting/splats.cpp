@@ -73,7 +73,7 @@ void find_rectangles(const PassContext& p, const Splats& splats, const SplatLaye
                                 .first = static_cast<unsigned>(first),
                                 .end = static_cast<unsigned>(end),
                                 .level = static_cast<unsigned>(layer.level),
-                                .sample_index = static_cast<unsigned>(layer.sample),
+                                .sample_index = static_cast<unsigned>(splats.first_sample + layer.sample),
                                 .seed = random_seed(p.inputs(), parameters),
                                 .hierarchy_size = {splats.hierarchy.width, splats.hierarchy.height},
                                 .stratified_sub_images = parameters.sub_images == SubImages::stratified});
@@ -183,14 +183,14 @@ std::vector<OutputDescription> splat_outputs() {
 }
 
 Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,
-                      const Parameters& parameters, int samples) {
+                      const Parameters& parameters, const passes::bounce::Batches& batches) {
     Splats splats;
     splats.hierarchy = hierarchy;
     splats.surfels = surfels;
     splats.reach = reach_of(parameters, *builder.inputs().world);
     splats.parameters = parameters;
-    splats.samples = samples;
-    if (parameters.visibility)
+    splats.samples = batches.together();
+    if (parameters.visibility && batches.all().size() == 1)
         splats.fingerprint = splat_fingerprint(builder.inputs(), surfels.fingerprint, parameters);
     splats.rectangles = builder.buffer(
         {.text = {.key = "splats.rectangles",

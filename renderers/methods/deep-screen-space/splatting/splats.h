@@ -20,7 +20,8 @@ struct Splats {
     graph::CounterRef drawn, culled;  ///< "splats.drawn", "splats.culled"; none: draws are not counted
     Reach reach{};
     Parameters parameters;
-    int samples = 1;               ///< layers are (sample, level) pairs; sample-major
+    int samples = 1;               ///< of a batch: layers are (sample, level) pairs; sample-major
+    int first_sample = 0;          ///< of the batch, among all
     std::string fingerprint = {};  ///< of what is drawn, where it depends on no light
 
     /// Without visibility surfels that send no light do nothing; highlights are not stored.
@@ -30,16 +31,16 @@ struct Splats {
     }
 };
 
-/// Declares what draws need. `samples`: 1 without visibility.
+/// Declares what draws need. `batches`: of one sample without visibility.
 Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,
-                      const Parameters& parameters, int samples);
+                      const Parameters& parameters, const passes::bounce::Batches& batches);
 
 /// Declares "splats.by_surfel", for people to look at.
 void show_culling(graph::GraphBuilder& builder, const Splats& splats);
 
 /// A part of the surfels that is to be drawn into one layer.
 struct SplatLayer {
-    int sample = 0, level = 0;
+    int sample = 0, level = 0;         ///< the sample counted from the batch's first
     std::uint64_t first = 0, end = 0;  ///< surfels, as far as they are stored
     bool is_first = true;              ///< the first part of this layer: time to clear
 };

@@ -1,19 +1,12 @@
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 
-#include "renderers/methods/deep-screen-space/splatting/host/splat_on_host.h"
 #include "renderers/methods/deep-screen-space/splatting/steps.h"
+#include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
+#include "renderers/methods/deep-screen-space/surfels/view.h"
+#include "renderers/passes/bounce/tiles.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
-
-graph::ImageRef declare_layers(graph::GraphBuilder& builder, const Splats& splats, const std::string& key,
-                               gl::Format format) {
-    return builder.output(key,
-                          {.format = format,
-                           .extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height),
-                           .layers = splats.samples * splats.hierarchy.levels,
-                           .fingerprint = splats.fingerprint});
-}
 
 /// Of a stack's layer.
 void clear_layer(const gl::Api& gl) {
@@ -75,8 +68,8 @@ void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible) {
 namespace {
 
 /// By the rasteriser: a fragment for each surfel that may affect a pixel.
-graph::ImageRef splat_on_device(graph::GraphBuilder& builder, VisibleSplats& visible) {
-    auto pass = builder.pass("splat");
+void splat_on_device(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
+    auto pass = builder.pass("splat" + batch);
     pass.has_two_bodies()
         .reads("directions", visible.directions.directions)
         .reads(visible.gbuffer.geometric_normal)
@@ -86,36 +79,161 @@ graph::ImageRef splat_on_device(graph::GraphBuilder& builder, VisibleSplats& vis
                 [=](const graph::PassContext& p, const SplatLayer& layer) -> const gl::Program& {
                     return bind_layer(p, visible, layer);
                 });
-    return combine_levels(builder, visible);
+    combine_levels(builder, visible, batch);
+}
+
+bool is_of_light(const Parameters& parameters) {
+    return parameters.transport.paths != Transport::Paths::ao;
+}
+
+void declare_stacks(graph::GraphBuilder& builder, passes::bounce::Batches& batches, VisibleSplats& visible) {
+    const auto& splats = visible.splats;
+    const auto& hierarchy = splats.hierarchy;
+    const auto& parameters = splats.parameters;
+    const auto& fingerprint = splats.fingerprint;
+    const bool on_host = builder.inputs().processor == Processor::host;
+    const auto of_levels = [&](const std::string& key, gl::Format format) {
+        return batches.stack(builder,
+                             {.text = builder.text_of_output(key),
+                              .format = format,
+                              .extent = graph::Extent::fixed(hierarchy.width, hierarchy.height),
+                              .fingerprint = fingerprint},
+                             hierarchy.levels);
+    };
+    visible.depth = of_levels("splats.depth", gl::Format::depth32f);
+    visible.winner = of_levels("splats.winner", gl::Format::r32ui);
+    const auto of_samples = [&](graph::ResourceText text, gl::Format format, const std::string& unchanged) {
+        return batches.stack(builder, {.text = std::move(text), .format = format, .fingerprint = unchanged});
+    };
+    const bool exact = parameters.level0 == Level0::triangles;
+    if (exact)
+        visible.exact = of_samples({.key = "splats.exact",
+                                    .label = "Exact rays",
+                                    .doc = "Of each sample 1 + the triangle that was met, 0: none; and "
+                                           "bits of the distance in m up to which its ray is known."},
+                                   gl::Format::rg32ui, fingerprint);
+    const std::string of_winning = on_host ? fingerprint : "";
+    visible.nearest = of_samples(builder.text_of_output("splats.nearest"), gl::Format::r32ui, of_winning);
+    visible.hit_level = of_samples(builder.text_of_output("splats.hit_level"), gl::Format::r16f, of_winning);
+    visible.samples.distance = passes::bounce::declare_distance(builder, batches, of_winning);
+    const bool light = is_of_light(parameters);
+    if (exact && light && !on_host && has_sources(builder.inputs(), parameters))
+        visible.irradiance = builder.image({.text = {.key = "splats.level0_irradiance",
+                                                     .label = "Irradiance where rays meet triangles",
+                                                     .doc = "By sources with an extent, one sample each.",
+                                                     .unit = "W/m²"},
+                                            .format = gl::Format::rgba32f,
+                                            .layers = batches.together()});
+    using passes::bounce::Effects;
+    visible.samples.incoming = passes::bounce::declare_incoming(
+        builder, batches, light ? Effects::light : Effects::ambient_occlusion);
 }
 
 }  // namespace
 
-passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                                      const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
-                                      const passes::bounce::Directions& directions,
-                                      const Hierarchy& hierarchy, const Surfels& surfels,
-                                      const Parameters& parameters) {
-    const bool on_host = builder.inputs().processor == Processor::host;
+VisibleSplats declare_visible(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                              const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
+                              const Hierarchy& hierarchy, const Surfels& surfels,
+                              const Parameters& parameters, passes::bounce::Batches& batches) {
     VisibleSplats visible;
-    visible.splats = declare_splats(builder, hierarchy, surfels, parameters, directions.samples);
+    visible.splats = declare_splats(builder, hierarchy, surfels, parameters, batches);
     visible.scene = scene;
+    visible.shadow = shadow;
     if (needs_triangles(parameters)) visible.bvh = passes::device_bvh(builder);
     visible.gbuffer = gbuffer;
-    visible.directions = directions;
-    visible.depth = declare_layers(builder, visible.splats, "splats.depth", gl::Format::depth32f);
-    visible.winner = declare_layers(builder, visible.splats, "splats.winner", gl::Format::r32ui);
-    if (parameters.level0 == Level0::triangles) trace_level0(builder, visible);
-    passes::bounce::Samples samples;
-    samples.distance = on_host ? splat_on_host(builder, visible) : splat_on_device(builder, visible);
-    samples.incoming = parameters.transport.paths == Transport::Paths::ao
-                           ? passes::bounce::visibility_of(builder, gbuffer, directions, samples.distance,
-                                                           parameters.transport)
-                           : resolve_light(builder, scene, shadow, visible, samples.distance);
-    show_levels(builder, visible, samples.distance);
+    visible.directions = passes::bounce::declare_directions(builder, batches,
+                                                            {.parameters = parameters.directions,
+                                                             .light = is_of_light(parameters),
+                                                             .materials = parameters.transport.materials,
+                                                             .vary = parameters.reprojection.reprojection});
+    declare_stacks(builder, batches, visible);
+    return visible;
+}
+
+void splat_visible(graph::GraphBuilder& builder, VisibleSplats visible, const passes::bounce::Batch& batch) {
+    visible.splats.samples = batch.samples;
+    visible.splats.first_sample = batch.first;
+    const auto& parameters = visible.splats.parameters;
+    passes::bounce::choose_directions(builder, visible.scene, visible.gbuffer, visible.directions, batch);
+    if (parameters.level0 == Level0::triangles) trace_level0(builder, visible, batch.name);
+    if (builder.inputs().processor == Processor::host)
+        splat_on_host(builder, visible, batch.name);
+    else
+        splat_on_device(builder, visible, batch.name);
+    if (is_of_light(parameters))
+        resolve_light(builder, visible, batch.name);
+    else
+        passes::bounce::see(builder, visible.gbuffer, visible.directions, visible.samples,
+                            parameters.transport, batch);
+}
+
+VisibleSplats whole(VisibleSplats visible, const passes::bounce::Batches& batches) {
+    for (auto* stack : {&visible.depth, &visible.winner, &visible.exact, &visible.nearest, &visible.hit_level,
+                        &visible.directions.directions, &visible.samples.distance, &visible.samples.incoming})
+        *stack = batches.whole(*stack);
+    visible.splats.samples = visible.directions.samples = batches.samples();
+    return visible;
+}
+
+void show_visible(graph::GraphBuilder& builder, const VisibleSplats& visible) {
+    show_levels(builder, visible);
     show_culling(builder, visible.splats);
-    explain_splats(builder, visible);
-    return samples;
+}
+
+namespace {
+
+/// Constants of exact.comp.
+struct ExactRays {
+    InfluenceConstants influence;
+    Ideal ideal;
+    float max_distance;
+    IR_FIELDS(influence, ideal, max_distance)
+};
+
+}  // namespace
+
+void trace_level0(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
+    const auto& parameters = visible.splats.parameters;
+    auto pass = builder.pass("exact rays of level 0" + batch);
+    pass.reads(visible.gbuffer.position, visible.gbuffer.geometric_normal)
+        .reads("directions", visible.directions.directions)
+        .reads("BvhNodes", visible.bvh.nodes)
+        .reads("BvhTriangles", visible.bvh.triangles)
+        .reads("BvhMasks", visible.bvh.masks)
+        .reads(visible.scene.opacity, visible.scene.opacity_words)
+        .writes("exact_image", visible.exact);
+    passes::bounce::compute_by_tiles(
+        pass, builder, {{folder + "exact.comp"}},
+        ExactRays{influence_constants(visible.splats), ideal(builder.inputs().view, parameters),
+                  parameters.transport.max_distance});
+}
+
+namespace {
+
+/// Constants of combine.comp.
+struct Combine {
+    int levels, samples;
+    bool nearest_decides;
+    IR_FIELDS(levels, samples, nearest_decides)
+};
+
+}  // namespace
+
+void combine_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
+    auto pass = builder.pass("combine levels" + batch);
+    pass.reads("Surfels", visible.splats.surfels.records)
+        .reads("places", visible.splats.hierarchy.places)
+        .reads("winners", visible.winner)
+        .reads("depths", visible.depth)
+        .reads(visible.gbuffer.position)
+        .reads("directions", visible.directions.directions);
+    if (visible.exact.index >= 0) pass.reads("exact_rays", visible.exact);
+    pass.writes("distance_image", visible.samples.distance)
+        .writes("nearest_image", visible.nearest)
+        .writes("level_image", visible.hit_level);
+    passes::bounce::compute_by_tiles(
+        pass, builder, with_acceptance({{folder + "combine.comp"}}, visible.splats),
+        Combine{visible.splats.hierarchy.levels, visible.splats.samples, nearest_decides(visible.splats)});
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -1,15 +1,17 @@
 #pragma once
 
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
+#include "renderers/passes/bounce/samples.h"
 #include "renderers/passes/raytracing/device_bvh.h"
 #include "shaders/methods/deep-screen-space/splatting/exact.glsl.h"
 
 namespace ir::methods::deep_screen_space {
-
-/// What the splats with visibility of a frame are, and who won: between the steps of splat_visible.
+/// Splatting with visibility: per sample and level the nearest surfel along the pixel's direction; of levels
+/// the finest that has a hit. Stacks are those of a batch of samples, or of all. [Nalbach15 §3.2, §4.2, §4.3]
 struct VisibleSplats {
     Splats splats;
     passes::SceneBuffers scene;
+    passes::ShadowMaps shadow;
     passes::DeviceBvh bvh;  ///< only where rays meet triangles
     passes::GBuffer gbuffer;
     passes::bounce::Directions directions;
@@ -19,8 +21,25 @@ struct VisibleSplats {
                             ///< where level 0 is exact
     graph::ImageRef nearest;  ///< "splats.nearest" r32ui stack likewise: 1 + surfel, or EXACT_HIT | triangle;
                               ///< 0: nothing was met
-    graph::ImageRef hit_level;  ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
+    graph::ImageRef hit_level;   ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
+    graph::ImageRef irradiance;  ///< "splats.level0_irradiance" rgba32f likewise: of sources with an extent
+                                 ///< where rays of level 0 met triangles; only where there are such, on the
+                                 ///< device
+    passes::bounce::Samples samples;  ///< the result
 };
+
+/// Declares directions, stacks and result.
+VisibleSplats declare_visible(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                              const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
+                              const Hierarchy& hierarchy, const Surfels& surfels,
+                              const Parameters& parameters, passes::bounce::Batches& batches);
+/// Declares the passes that choose directions of a batch, splat, and shade the winners on their way to the
+/// pixel where the paths are of light.
+void splat_visible(graph::GraphBuilder& builder, VisibleSplats visible, const passes::bounce::Batch& batch);
+/// With the stacks of all samples.
+VisibleSplats whole(VisibleSplats visible, const passes::bounce::Batches& batches);
+/// Declares what people look at, of all samples.
+void show_visible(graph::GraphBuilder& builder, const VisibleSplats& visible);
 
 /// Constants of shaders/methods/deep-screen-space/splatting/visible_level.glsl.
 struct VisibleLevel {
@@ -40,22 +59,26 @@ inline bool needs_triangles(const Parameters& parameters) {
 gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats);
 void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible);
 
-/// Declares what decides of all levels: `nearest`, `hit_level` and the result, "bounce.distance".
-graph::ImageRef declare_winning(graph::GraphBuilder& builder, VisibleSplats& visible,
-                                const std::string& fingerprint = {});
+/// Declares the pass "exact rays of level 0", on the device. `batch`: the end of its name, as in all that
+/// follow.
+void trace_level0(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch);
 
-/// Declares the pass "exact rays of level 0" and `exact`, on the device.
-void trace_level0(graph::GraphBuilder& builder, VisibleSplats& visible);
+/// Declares the pass "combine levels": what decides of all levels. [Nalbach15 §4.2]
+void combine_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch);
 
-/// Declares the pass "combine levels", which writes it. [Nalbach15 §4.2]
-graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible);
-
-/// Declares the pass "light of the winners" and "bounce.incoming": what they send towards x_p.
-graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                              const passes::ShadowMaps& shadow, const VisibleSplats& visible,
-                              graph::ImageRef distance);
+/// Declares the pass "light of the winners": what they send towards x_p.
+void resolve_light(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch);
 
 /// Declares what only people look at: levels unshuffled, radiance of the winners on each level, implied ε.
-void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance);
+void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible);
+
+/// "bounce.incoming" by the host's threads, as resolve.comp has it: what the winners send.
+void resolve_light_on_host(graph::GraphBuilder& builder, const VisibleSplats& visible,
+                           const std::string& batch);
+
+/// Rays of pixels against ray-tracing scenes of discs, in place of splats: the same winners, but for rounding
+/// at the edges of discs. Writes `nearest`, `hit_level` and the distance; and `depth` and `winner`, which run
+/// only for those who look at them.
+void splat_on_host(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch);
 
 }  // namespace ir::methods::deep_screen_space

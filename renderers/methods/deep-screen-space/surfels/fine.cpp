@@ -4,13 +4,56 @@
 #include <memory>
 
 #include "renderers/core/error.h"
+#include "renderers/gl/context.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
-#include "renderers/methods/deep-screen-space/surfels/capture.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 #include "shaders/methods/deep-screen-space/surfels/commands.comp.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
+
+/// Transform feedback that goes on over several draws with other work between them. Of a thread whose context
+/// is current.
+class Capture {
+  public:
+    /// Into the first `bytes` of `buffer`; the program that is captured must be in use.
+    Capture(const gl::Api& gl, GLuint buffer, std::int64_t bytes);
+    ~Capture();
+    Capture(const Capture&) = delete;
+
+    /// Between them draws are captured, with the first program in use.
+    void resume();
+    void pause();
+
+  private:
+    const gl::Api& gl_;
+    GLuint name_ = 0;
+};
+
+Capture::Capture(const gl::Api& gl, GLuint buffer, std::int64_t bytes) : gl_(gl) {
+    gl_.CreateTransformFeedbacks(1, &name_);
+    gl_.TransformFeedbackBufferRange(name_, 0, buffer, 0, bytes);
+    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, name_);
+    gl_.BeginTransformFeedback(GL_POINTS);
+    pause();
+}
+
+Capture::~Capture() {
+    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, name_);
+    gl_.EndTransformFeedback();
+    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+    gl_.DeleteTransformFeedbacks(1, &name_);
+}
+
+void Capture::resume() {
+    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, name_);
+    gl_.ResumeTransformFeedback();
+}
+
+void Capture::pause() {
+    gl_.PauseTransformFeedback();
+    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+}
 
 using graph::PassContext;
 using graph::Slice;

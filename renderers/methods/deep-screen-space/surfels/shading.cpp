@@ -1,6 +1,5 @@
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 
-#include "renderers/methods/deep-screen-space/surfels/host/shade_on_host.h"
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/methods/deep-screen-space/surfels/senders.h"
 

@@ -9,7 +9,6 @@
 /// The steps by which surfels are made, in their order; all but their light is kept as long as the
 /// fingerprint stays. [Nalbach15 fig. 6]
 namespace ir::methods::deep_screen_space {
-
 /// Parts of triangles that the tessellator divides, in the order of triangles; struct Patch of patch.glsl.
 struct Patches {
     Growing list;                 ///< "surfels.patches.list"
@@ -86,5 +85,16 @@ struct SurfelCounts {
 /// none.
 void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const Growing* fine,
                    const Surfels& surfels, const Parameters& parameters);
+
+/// Surfels placed systematically by the host's threads: what cut_patches() and place() make on the device,
+/// but for rounding, which may move all surfels behind a patch along the curve. `patches` has counters alone.
+Placed place_on_host(graph::GraphBuilder& builder, float reach, std::uint64_t reserve,
+                     const Parameters& parameters, const std::string& fingerprint);
+
+/// Declares the pass "shade surfels" on the host's threads: what shade.comp writes into `lights`.
+/// `irradiance`: by sources with an extent (sample_sources()).
+void shade_on_host(graph::GraphBuilder& builder, const passes::ShadowMaps& shadow, const Surfels& surfels,
+                   const std::optional<graph::BufferRef>& irradiance, const Growing& lights,
+                   const Parameters& parameters);
 
 }  // namespace ir::methods::deep_screen_space

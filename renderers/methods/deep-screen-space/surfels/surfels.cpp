@@ -5,7 +5,6 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/fingerprints.h"
-#include "renderers/methods/deep-screen-space/surfels/host/place_on_host.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
 

@@ -20,6 +20,8 @@ inline void set(Planes& planes, std::size_t at, glm::vec3 value) {
 /// What of a reconstruction is the same for all pixels.
 struct FilterRules {
     FilterConstants constants;
+    bool has_kernels = false;  ///< of widths of their own
+    bool ends = true;          ///< sums become what the pixels are; else they are carried on
     bool light = false, ratio = false;
     Transport::Materials materials = Transport::Materials::gltf;
     bool has_balance() const { return light && constants.balance > 0; }
@@ -39,6 +41,7 @@ struct FilterTile {
     int radius, across, down;  ///< `across` and `down` with the rim
     Plane exists;              ///< 1; 0: gives nothing and is not reconstructed
     Planes position, blur_normal, geometric_normal, normal;
+    Plane narrowing;  ///< only where kernels have widths of their own
 
     // Only of light: the scatterer, as the viewer sees it, and what directions are chosen by.
     Plane metallic, roughness;
@@ -54,10 +57,12 @@ struct FilterTile {
     };
     std::vector<Sample> samples;
 
-    std::array<std::array<float, width * height>, 3> result;  ///< of the pixels without the rim
+    /// Of the pixels without the rim: sums of values and of shares that samples before have left. Then the
+    /// same with these samples, or in the first three what the pixels are.
+    std::array<std::array<float, width * height>, 4> sums;
 };
 
-/// Fills `result`: what the pixels of the tile are, of those that exist. As reconstruct.comp.
+/// Adds to `sums` of those pixels that exist. As reconstruct.comp.
 void reconstruct(const FilterRules& rules, FilterTile& tile);
 
 }  // namespace ir::passes::bounce

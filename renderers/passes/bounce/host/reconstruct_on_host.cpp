@@ -24,14 +24,17 @@ using Materials = Transport::Materials;
 class HostReconstruction {
   public:
     HostReconstruction(const graph::PassContext& context, const Filter& filter, const FilterRules& rules,
-                       graph::ImageRef result)
+                       const SampleGroup& group, const Reconstruction& images)
         : rules_(rules),
+          group_(group),
           width_(context.inputs().view.width),
           height_(context.inputs().view.height),
           receivers_(context, filter.receivers),
-          directions_(graph::layers<const glm::vec4>(context, filter.directions.directions)),
-          light_result_(rules.light ? context.pixels<glm::vec4>(result) : std::span<glm::vec4>()),
-          result_(rules.light ? std::span<float>() : context.pixels<float>(result)) {
+          directions_(graph::layers<const glm::vec4>(context, filter.directions.directions)) {
+        if (rules.has_kernels) kernels_ = context.pixels<const float>(images.kernels);
+        if (!group.begins || !group.ends) sums_ = context.pixels<glm::vec4>(images.sums);
+        if (group.ends && rules.light) light_result_ = context.pixels<glm::vec4>(images.result);
+        if (group.ends && !rules.light) result_ = context.pixels<float>(images.result);
         if (!rules.light) {
             open_ = graph::layers<const float>(context, filter.samples.incoming);
             return;
@@ -53,10 +56,19 @@ class HostReconstruction {
                 tile.exists[tile.at(x, y)] = 0;
                 if (is_inside) fill(tile, tile.at(x, y), pixel(left + x, top + y));
             }
+        const auto each_pixel = [&](const auto& to) {
+            for (int y = 0; y < std::min(FilterTile::height, height_ - top); ++y)
+                for (int x = 0; x < std::min(FilterTile::width, width_ - left); ++x)
+                    to(static_cast<std::size_t>(y * FilterTile::width + x), tile.exists[tile.at(x, y)] > 0,
+                       pixel(left + x, top + y));
+        };
+        for (auto& channel : tile.sums) channel.fill(0);
+        if (!group_.begins)
+            each_pixel([&](std::size_t at, bool, std::size_t i) {
+                for (std::size_t c = 0; c < 4; ++c) tile.sums[c][at] = sums_[i][static_cast<int>(c)];
+            });
         reconstruct(rules_, tile);
-        for (int y = 0; y < std::min(FilterTile::height, height_ - top); ++y)
-            for (int x = 0; x < std::min(FilterTile::width, width_ - left); ++x)
-                take(tile, x, y, pixel(left + x, top + y));
+        each_pixel([&](std::size_t at, bool exists, std::size_t i) { take(tile, at, exists, i); });
     }
 
   private:
@@ -72,15 +84,18 @@ class HostReconstruction {
         set(tile.blur_normal, at, receiver->stored_normal);
         set(tile.geometric_normal, at, receiver->geometric_normal);
         set(tile.normal, at, receiver->normal);
+        if (rules_.has_kernels)
+            tile.narrowing[at] = static_cast<float>(rules_.constants.radius) / kernels_[i];
         for (std::size_t s = 0; s < tile.samples.size(); ++s) {
             auto& sample = tile.samples[s];
-            const auto direction = directions_[s][i];
+            const auto layer = static_cast<std::size_t>(group_.first_layer) + s;
+            const auto direction = directions_[layer][i];
             set(sample.direction, at, direction);
             sample.density[at] = direction.w;
             if (rules_.light)
-                set(sample.incoming, at, light_[s][i]);
+                set(sample.incoming, at, light_[layer][i]);
             else
-                sample.incoming[0][at] = open_[s][i];
+                sample.incoming[0][at] = open_[layer][i];
         }
     }
 
@@ -116,43 +131,52 @@ class HostReconstruction {
         return specular > 0 ? specular / (specular + luminance(below)) : 0;
     }
 
-    void take(const FilterTile& tile, int x, int y, std::size_t i) const {
-        const bool exists = tile.exists[tile.at(x, y)] > 0;
-        const auto at = static_cast<std::size_t>(y * FilterTile::width + x);
-        const auto& r = tile.result;
-        if (rules_.light)
+    void take(const FilterTile& tile, std::size_t at, bool exists, std::size_t i) const {
+        const auto& r = tile.sums;
+        if (!group_.ends)
+            sums_[i] = exists ? glm::vec4(r[0][at], r[1][at], r[2][at], r[3][at]) : glm::vec4(0);
+        else if (rules_.light)
             light_result_[i] = exists ? glm::vec4(r[0][at], r[1][at], r[2][at], 0) : glm::vec4(0);
         else
             result_[i] = exists ? r[0][at] : 1;
     }
 
     const FilterRules& rules_;
+    SampleGroup group_;
     int width_, height_;
     HostReceivers receivers_;
     std::vector<std::span<const glm::vec4>> directions_, light_;
     std::vector<std::span<const float>> open_;
-    std::span<glm::vec4> light_result_;
+    std::span<glm::vec4> sums_, light_result_;
+    std::span<const float> kernels_;
     std::span<float> result_;
 };
 
 }  // namespace
 
-void reconstruct_on_host(graph::GraphBuilder& builder, const Filter& filter, graph::ImageRef result) {
+void reconstruct_on_host(graph::GraphBuilder& builder, const Filter& filter, const SampleGroup& group,
+                         const std::string& name, const Reconstruction& reconstruction) {
     const auto& inputs = builder.inputs();
     const auto& options = filter.receivers.options;
-    const FilterRules rules{.constants = filter.constants(inputs),
-                            .light = options.light,
-                            .ratio = filter.parameters.estimator == Estimator::ratio,
-                            .materials = options.materials};
+    FilterRules rules{.constants = filter.constants(inputs),
+                      .has_kernels = filter.kernels.index >= 0,
+                      .ends = group.ends,
+                      .light = options.light,
+                      .ratio = filter.parameters.estimator == Estimator::ratio,
+                      .materials = options.materials};
+    rules.constants.samples = group.samples;
     const auto tiles = std::int64_t{HostReconstruction::tiles_across(inputs.view.width)} *
                        HostReconstruction::tiles_down(inputs.view.height);
-    auto pass = builder.pass("reconstruction", graph::Queue::cpu);
+    auto pass = builder.pass(name, graph::Queue::cpu);
     HostReceivers::declare_reads(pass, filter.receivers);
-    pass.has_two_bodies().reads(filter.directions.directions, filter.samples.incoming).writes(result);
+    pass.has_two_bodies().reads(filter.directions.directions, filter.samples.incoming);
+    if (filter.kernels.index >= 0) pass.reads(filter.kernels);
+    if (!group.begins && group.ends) pass.reads(reconstruction.sums);
+    pass.writes(group.ends ? reconstruction.result : reconstruction.sums);
     pass.execute_sliced(
         tiles,
         [=](graph::PassContext& context, graph::Slice slice) {
-            const HostReconstruction work(context, filter, rules, result);
+            const HostReconstruction work(context, filter, rules, group, reconstruction);
             tbb::task_arena arena(arena_size(context.inputs().threads));
             arena.execute([&] {
                 tbb::enumerable_thread_specific<FilterTile> scratch(rules);

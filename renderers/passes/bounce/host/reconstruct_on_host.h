@@ -4,8 +4,9 @@
 
 namespace ir::passes::bounce {
 
-/// Declares the pass "reconstruction" on the host's threads: what reconstruct.comp writes into `result`, but
-/// for rounding.
-void reconstruct_on_host(graph::GraphBuilder& builder, const Filter& filter, graph::ImageRef result);
+/// Declares the pass `name` on the host's threads: what reconstruct.comp writes into the sums or the result,
+/// but for rounding.
+void reconstruct_on_host(graph::GraphBuilder& builder, const Filter& filter, const SampleGroup& group,
+                         const std::string& name, const Reconstruction& reconstruction);
 
 }  // namespace ir::passes::bounce

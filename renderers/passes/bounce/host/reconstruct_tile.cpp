@@ -98,8 +98,13 @@ class Weights {
           position_(load(tile.position, at)),
           blur_normal_(load(tile.blur_normal, at)),
           geometric_normal_(load(tile.geometric_normal, at)),
+          squared_narrowing_(set(1)),
           metallic_(hn::Zero(f)),
           roughness_(hn::Zero(f)) {
+        if (rules.has_kernels) {
+            const auto narrowing = load(tile.narrowing, at);
+            squared_narrowing_ = hn::Mul(narrowing, narrowing);
+        }
         if (!has_material()) return;
         metallic_ = load(tile.metallic, at);
         roughness_ = load(tile.roughness, at);
@@ -114,7 +119,7 @@ class Weights {
         const float x = 2 * static_cast<float>(dx) / static_cast<float>(c.radius),
                     y = 2 * static_cast<float>(dy) / static_cast<float>(c.radius);
         const auto s = hn::Mul(off_plane(at), set(1 / c.plane_tolerance));
-        auto exponent = hn::NegMulAdd(s, s, set(-0.5f * (x * x + y * y)));
+        auto exponent = hn::NegMulAdd(s, s, hn::Mul(squared_narrowing_, set(-0.5f * (x * x + y * y))));
         auto faces = there;
         if (c.normal_power > 0) {
             const auto cosine = clamped(dot(blur_normal_, load(tile_.blur_normal, at)));
@@ -146,7 +151,7 @@ class Weights {
     std::size_t at_;
     Mask exists_;
     Vector3 position_, blur_normal_, geometric_normal_;
-    Floats metallic_, roughness_;
+    Floats squared_narrowing_, metallic_, roughness_;
 };
 
 /// Sums over neighbours and samples.
@@ -154,12 +159,19 @@ struct Sums {
     Vector3 value;
     Floats share;
     // Written out, as GCC compiles implicit ones without the instruction set of this namespace.
-    Sums() : value{hn::Zero(f), hn::Zero(f), hn::Zero(f)}, share(hn::Zero(f)) {}
+    Sums(const FilterTile& tile, int x, int y)
+        : value{before(tile, 0, x, y), before(tile, 1, x, y), before(tile, 2, x, y)},
+          share(before(tile, 3, x, y)) {}
     /// Not finite values count for nothing.
     HWY_INLINE void add(Floats weight, const Vector3& part, Floats part_share) {
         const auto finite = is_finite(part);
         value = add_product(masked(finite, part), weight, value);
         share = hn::MulAdd(hn::IfThenElseZero(finite, part_share), weight, share);
+    }
+
+  private:
+    static Floats before(const FilterTile& tile, std::size_t channel, int x, int y) {
+        return hn::LoadU(f, tile.sums[channel].data() + y * FilterTile::width + x);
     }
 };
 
@@ -175,13 +187,15 @@ HWY_INLINE void each_neighbour(const FilterTile& tile, const Weights& weights, i
         }
 }
 
-void store(const Sums& sums, float of_none, FilterTile& tile, int x, int y) {
+void store(const Sums& sums, float of_none, const FilterRules& rules, FilterTile& tile, int x, int y) {
     const auto has_share = hn::Ne(sums.share, hn::Zero(f));
     const auto at = static_cast<std::size_t>(y * FilterTile::width + x);
-    const Floats* const channels[3] = {&sums.value.x, &sums.value.y, &sums.value.z};
-    for (std::size_t c = 0; c < 3; ++c)
-        hn::StoreU(hn::IfThenElse(has_share, hn::Div(*channels[c], sums.share), set(of_none)), f,
-                   tile.result[c].data() + at);
+    const Floats* const channels[4] = {&sums.value.x, &sums.value.y, &sums.value.z, &sums.share};
+    for (std::size_t c = 0; c < 4; ++c) {
+        auto value = *channels[c];
+        if (rules.ends) value = hn::IfThenElse(has_share, hn::Div(value, sums.share), set(of_none));
+        hn::StoreU(value, f, tile.sums[c].data() + at);
+    }
 }
 
 template <Transport::Materials model, bool balances>
@@ -197,7 +211,7 @@ void reconstruct_light(const FilterRules& rules, FilterTile& tile, int x, int y)
             hn::And(target.is_above(direction, n_dot_l), is_positive(load(sample.density, at)));
         return masked(counts, times(target.value(direction, n_dot_l), load(sample.incoming, at)));
     };
-    Sums sums;
+    Sums sums(tile, x, y);
     each_neighbour(tile, weights, x, y, [&](std::size_t at, Floats weight) {
         for (const auto& sample : tile.samples) {
             const auto direction = load(sample.direction, at);
@@ -227,7 +241,7 @@ void reconstruct_light(const FilterRules& rules, FilterTile& tile, int x, int y)
             }
         }
     });
-    store(sums, 0, tile, x, y);
+    store(sums, 0, rules, tile, x, y);
 }
 
 void reconstruct_accessibility(const FilterRules& rules, FilterTile& tile, int x, int y) {
@@ -235,7 +249,7 @@ void reconstruct_accessibility(const FilterRules& rules, FilterTile& tile, int x
     const Weights weights(rules, tile, here);
     if (hn::AllFalse(f, weights.exists())) return;
     const auto normal = load(tile.normal, here), geometric_normal = load(tile.geometric_normal, here);
-    Sums sums;
+    Sums sums(tile, x, y);
     each_neighbour(tile, weights, x, y, [&](std::size_t at, Floats weight) {
         for (const auto& sample : tile.samples) {
             const auto direction = load(sample.direction, at);
@@ -249,7 +263,7 @@ void reconstruct_accessibility(const FilterRules& rules, FilterTile& tile, int x
             sums.add(weight, {part, part, part}, rules.ratio ? open : hn::IfThenElseZero(is_sample, set(1)));
         }
     });
-    store(sums, 1, tile, x, y);
+    store(sums, 1, rules, tile, x, y);
 }
 
 template <Transport::Materials model>
@@ -302,6 +316,7 @@ FilterTile::FilterTile(const FilterRules& rules)
         (one(planes), ...);
     };
     make(exists, position, blur_normal, geometric_normal, normal);
+    if (rules.has_kernels) make(narrowing);
     if (rules.light) make(metallic, roughness, viewer, diffuse, f0, specular, alpha, n_dot_v);
     if (rules.has_balance()) make(raised, raised_cosine, specular_probability);
     samples.resize(static_cast<std::size_t>(rules.constants.samples));

@@ -35,16 +35,16 @@ void write_candidate(Surfel s, uint index, int sample_index, int level, Explaine
     candidates[at] =
         Candidate(floats(s.centre_ws),
                   floats(s.normal_ws), e.hit.disc_radius, index + 1u,
-                  uint(sample_index), uint(level), uint(e.shell), uint(e.hit.outcome),
+                  uint(first_sample + sample_index), uint(level), uint(e.shell), uint(e.hit.outcome),
                   isinf(e.hit.distance_m) || isnan(e.hit.distance_m) ? 0.0 : e.hit.distance_m, e.hit.z);
 }
 
 void explain(Surfel s, uint index, int level, int sample_index, ivec2 place, vec3 x_ws, vec3 normal_ws) {
-    if (!is_in_sub_image(s, level, sample_index, place)) return;
+    if (!is_in_sub_image(s, level, first_sample + sample_index, place)) return;
     vec4 direction = texelFetch(directions, ivec3(picked, sample_index), 0);
     if (direction == vec4(0)) return;
     ExplainedSplat e = explained_splat(s, level, picked, sample_index, x_ws, direction.xyz, normal_ws);
-    int row = sample_index * levels + level;
+    int row = (first_sample + sample_index) * levels + level;
     atomicAdd(sums[row].splats, 1u);
     if (e.hit.outcome == SPLAT_OUTSIDE) atomicAdd(sums[row].outside, 1u);
     if (e.hit.outcome == SPLAT_MISSED) atomicAdd(sums[row].missed, 1u);
@@ -56,8 +56,10 @@ void explain(Surfel s, uint index, int level, int sample_index, ivec2 place, vec
 
 /// What the framebuffer holds.
 void begin_sums() {
-    for (int row = 0; row < samples * levels && row < sums.length(); ++row) {
-        ivec3 at = ivec3(place_of(picked, row % levels), row);
+    for (int layer = 0; layer < samples * levels; ++layer) {
+        int row = first_sample * levels + layer;
+        if (row >= sums.length()) break;
+        ivec3 at = ivec3(place_of(picked, layer % levels), layer);
         sums[row].sample_ = uint(row / levels);
         sums[row].level = uint(row % levels);
         sums[row].kept = texelFetch(winners, at, 0).x;
@@ -72,7 +74,7 @@ void main() {
     if (normal_ws == vec3(0)) return;
     uint i = first_item + gl_GlobalInvocationID.x;
     if (i == 0u) begin_sums();
-    if (i >= min(end_item, stored) || sums.length() < samples * levels) return;
+    if (i >= min(end_item, stored) || sums.length() < (first_sample + samples) * levels) return;
     Surfel s = surfels[i];
     vec3 x_ws = texelFetch(gbuffer_position, picked, 0).xyz;
     for (int level = 0; level < levels; ++level) {

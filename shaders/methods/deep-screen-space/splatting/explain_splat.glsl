@@ -8,7 +8,7 @@ uniform sampler2DArray directions;
 uniform sampler2D gbuffer_geometric_normal;
 uniform usampler2DArray winners;
 
-uniform int samples;
+uniform int samples, first_sample;  // of the batch
 
 struct ExplainedSplat {
     int shell;

@@ -14,12 +14,12 @@ layout(std430) buffer Sums { SurfelSum sums[]; };
 layout(std430) buffer SumCount { uint sum_count; };
 
 uniform sampler2DArray hit_levels;
-layout(r16f) uniform writeonly image2DArray cover_image;
+layout(r16f) uniform image2DArray cover_image;
 
 int cover_of(Surfel s, uint index, int level, int j, ivec2 pixel, vec3 x_ws, vec3 normal_ws) {
     ivec2 place = place_of(pixel, level);
     vec4 direction = texelFetch(directions, ivec3(pixel, j), 0);
-    if (direction == vec4(0) || !is_in_sub_image(s, level, j, place)) return SPLAT_NONE;
+    if (direction == vec4(0) || !is_in_sub_image(s, level, first_sample + j, place)) return SPLAT_NONE;
     int outcome = explained_splat(s, level, pixel, j, x_ws, direction.xyz, normal_ws).hit.outcome;
     if (outcome != SPLAT_HIT || texelFetch(winners, ivec3(place, j * levels + level), 0).x != index + 1u) return outcome;
     bool wins = int(texelFetch(hit_levels, ivec3(pixel, j), 0).x) == level;
@@ -63,10 +63,11 @@ void main() {
     ivec2 pixel = tile_pixel();
     uint index = surfel - 1u;  // 0: none, beyond all
     bool exists = index < stored;
-    if (exists && pixel == ivec2(0)) begin_sums(surfels[index], index);
+    if (exists && first_sample == 0 && pixel == ivec2(0)) begin_sums(surfels[index], index);
     if (any(greaterThanEqual(pixel, imageSize(cover_image).xy))) return;
     for (int level = 0; level < levels; ++level) {
         int cover = exists ? cover_of_level(surfels[index], index, level, pixel) : SPLAT_NONE;
+        if (first_sample > 0) cover = max(cover, int(imageLoad(cover_image, ivec3(pixel, level)).x));
         imageStore(cover_image, ivec3(pixel, level), vec4(cover));
     }
 }

@@ -26,6 +26,7 @@ layout(rgba32f) uniform writeonly image2DArray incoming;
 
 uniform sampler2D gbuffer_position;
 uniform int levels;
+uniform int first_sample;  // of the batch
 uniform uint seed;
 
 /// Which the disc was enlarged for: that in which x_p lies.
@@ -41,7 +42,7 @@ vec3 sent_by_disc(uint index, vec4 ray, ivec3 at) {
     SplatLevel l = splat_level(levels - 1, s);
     int shell = shell_at(l, s, x_ws);
     vec3 radiance = light_of_disc(l, index, shell, dot(s.normal_ws, direction_ws) <= 0.0,
-                                  unit_float(pcg4d(uvec4(at, seed)).w));
+                                  unit_float(pcg4d(uvec4(at.xy, first_sample + at.z, seed)).w));
 #if GLOSSY_SENDERS
     float distance_m = splat_plane_distance(x_ws, direction_ws, s.centre_ws, s.normal_ws);
     float variance = disc_slope_variance(s.radius, shell, distance_m) +

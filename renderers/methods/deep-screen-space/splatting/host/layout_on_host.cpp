@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/host/layout_on_host.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 #include <array>
 #include <utility>

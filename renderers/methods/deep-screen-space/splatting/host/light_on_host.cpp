@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/host/light_on_host.h"
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
 
 #include <tbb/blocked_range.h>
 
@@ -24,11 +24,10 @@ struct Objects {
 /// The senders of a frame.
 class HostLight {
   public:
-    HostLight(const graph::PassContext& context, const Objects& objects, const passes::ShadowMaps& shadow,
-              const VisibleSplats& visible)
+    HostLight(const graph::PassContext& context, const Objects& objects, const VisibleSplats& visible)
         : world_(*context.inputs().world),
           parameters_(visible.splats.parameters),
-          senders_(context, objects.surfaces, shadow, parameters_),
+          senders_(context, objects.surfaces, visible.shadow, parameters_),
           is_glossy_(sends_highlights(parameters_)),
           discs_{stored_surfels(context, visible.splats.surfels),
                  context.elements<const SurfelLight>(visible.splats.surfels.lights),
@@ -91,17 +90,17 @@ constexpr std::int64_t block = 256;  // pixels that a thread does at a time
 
 }  // namespace
 
-graph::ImageRef resolve_light_on_host(graph::GraphBuilder& builder, const passes::ShadowMaps& shadow,
-                                      const VisibleSplats& visible, graph::ImageRef distance) {
+void resolve_light_on_host(graph::GraphBuilder& builder, const VisibleSplats& visible,
+                           const std::string& batch) {
     const auto& parameters = visible.splats.parameters;
     Objects objects{passes::host_surfaces(builder, parameters.transport.normal_maps), {}, {}};
     if (parameters.level0 == Level0::triangles && has_sources(builder.inputs(), parameters)) {
         objects.bvh = passes::bvh(builder);
         objects.sources = sources_of(builder, parameters);
     }
-    const int samples = visible.splats.samples;
-    const auto incoming = passes::bounce::declare_incoming_light(builder, samples);
-    auto pass = builder.pass("light of the winners", graph::Queue::cpu);
+    const auto distance = visible.samples.distance, incoming = visible.samples.incoming;
+    const auto& shadow = visible.shadow;
+    auto pass = builder.pass("light of the winners" + batch, graph::Queue::cpu);
     pass.has_two_bodies()
         .reads(objects.surfaces, shadow.maps, shadow.panes, visible.splats.surfels.records,
                visible.splats.surfels.stored, visible.splats.surfels.lights, visible.gbuffer.position,
@@ -111,27 +110,28 @@ graph::ImageRef resolve_light_on_host(graph::GraphBuilder& builder, const passes
     const auto& view = builder.inputs().view;
     const auto pixels = std::int64_t{view.width} * view.height;
     const auto blocks = (pixels + block - 1) / block;
-    pass.execute_sliced(blocks * samples, [=](graph::PassContext& context, graph::Slice slice) {
-        const HostLight light(context, objects, shadow, visible);
-        const auto winners = graph::layers<const std::uint32_t>(context, visible.nearest);
-        const auto distances = graph::layers<const float>(context, distance);
-        const auto directions = graph::layers<const glm::vec4>(context, visible.directions.directions);
-        const auto results = graph::layers<glm::vec4>(context, incoming);
-        const auto fill = [&](std::int64_t item) {
-            const auto layer = static_cast<std::size_t>(item / blocks);
-            const auto first = static_cast<std::size_t>(item % blocks * block);
-            for (auto i = first; i < std::min(light.pixels(), first + block); ++i) {
-                const auto winner = winners[layer][i];
-                auto& result = results[layer][i];
-                result = glm::vec4(0);
-                if (winner == 0) continue;
-                const auto ray = light.pixels() * layer + i;
-                result = glm::vec4(light.sent(winner, directions[layer][i], distances[layer][i], ray), 1);
-            }
-        };
-        parallel_for(context.inputs().threads, slice.begin, slice.end, fill);
-    });
-    return incoming;
+    pass.execute_sliced(
+        blocks * visible.splats.samples, [=](graph::PassContext& context, graph::Slice slice) {
+            const HostLight light(context, objects, visible);
+            const auto first_sample = static_cast<std::size_t>(visible.splats.first_sample);
+            const auto winners = graph::layers<const std::uint32_t>(context, visible.nearest);
+            const auto distances = graph::layers<const float>(context, distance);
+            const auto directions = graph::layers<const glm::vec4>(context, visible.directions.directions);
+            const auto results = graph::layers<glm::vec4>(context, incoming);
+            const auto fill = [&](std::int64_t item) {
+                const auto layer = static_cast<std::size_t>(item / blocks);
+                const auto first = static_cast<std::size_t>(item % blocks * block);
+                for (auto i = first; i < std::min(light.pixels(), first + block); ++i) {
+                    const auto winner = winners[layer][i];
+                    auto& result = results[layer][i];
+                    result = glm::vec4(0);
+                    if (winner == 0) continue;
+                    const auto ray = light.pixels() * (first_sample + layer) + i;
+                    result = glm::vec4(light.sent(winner, directions[layer][i], distances[layer][i], ray), 1);
+                }
+            };
+            parallel_for(context.inputs().threads, slice.begin, slice.end, fill);
+        });
 }
 
 }  // namespace ir::methods::deep_screen_space

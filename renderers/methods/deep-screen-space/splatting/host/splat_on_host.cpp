@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/host/splat_on_host.h"
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -67,9 +67,11 @@ class HostSplats {
             const auto mask = (1u << 2 * level) - 1;
             levels_[static_cast<std::size_t>(level)] = std::make_unique<DiscLevel>(
                 device_.get(), surfels_, rules_, level, *seen_, [&](const Surfel& surfel) {
-                    return is_stratified() ? surfel.order & mask
-                                           : random_sub_image(surfel, static_cast<unsigned>(level),
-                                                              static_cast<unsigned>(sample), seed_);
+                    return is_stratified()
+                               ? surfel.order & mask
+                               : random_sub_image(
+                                     surfel, static_cast<unsigned>(level),
+                                     static_cast<unsigned>(visible_.splats.first_sample + sample), seed_);
                 });
         });
         if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
@@ -128,7 +130,8 @@ class HostSplats {
     std::uint32_t cell(std::uint32_t sub_image, int level, int sample) const {
         if (!is_stratified()) return sub_image;
         const auto offset =
-            sub_image_offset(static_cast<unsigned>(level), static_cast<unsigned>(sample), seed_);
+            sub_image_offset(static_cast<unsigned>(level),
+                             static_cast<unsigned>(visible_.splats.first_sample + sample), seed_);
         return (sub_image - offset) & ((1u << 2 * level) - 1);
     }
 
@@ -251,8 +254,9 @@ void execute(graph::PassBuilder& pass, const VisibleSplats& visible, graph::Obje
 /// The pass of the picture: only the winners of all levels together are looked for. Triangles first, then
 /// level by level the pixels of a sub-image after each other, as they meet the same discs.
 void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh,
-                     graph::ImageRef distance) {
-    auto pass = builder.pass("splat", graph::Queue::cpu);
+                     const std::string& batch) {
+    const auto distance = visible.samples.distance;
+    auto pass = builder.pass("splat" + batch, graph::Queue::cpu);
     pass.has_two_bodies().writes(visible.nearest, visible.hit_level, distance);
     const int stages = 1 + visible.splats.hierarchy.levels;
     execute(pass, visible, bvh, stages, [=](const PassContext& p, Slice) {
@@ -305,8 +309,9 @@ void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible,
 }
 
 /// The winners of each level by itself, as the device has them in any case.
-void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh) {
-    auto pass = builder.pass("splat level by level", graph::Queue::cpu);
+void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh,
+                    const std::string& batch) {
+    auto pass = builder.pass("splat level by level" + batch, graph::Queue::cpu);
     pass.writes(visible.depth, visible.winner);
     execute(pass, visible, bvh, 1, [=](const PassContext& p, Slice slice) {
         const auto depths = graph::layers<float>(p, visible.depth);
@@ -344,13 +349,11 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
 
 }  // namespace
 
-graph::ImageRef splat_on_host(graph::GraphBuilder& builder, VisibleSplats& visible) {
+void splat_on_host(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch) {
     graph::ObjectRef bvh;
     if (needs_triangles(visible.splats.parameters)) bvh = passes::bvh(builder);
-    const auto distance = declare_winning(builder, visible, visible.splats.fingerprint);
-    declare_winners(builder, visible, bvh, distance);
-    declare_levels(builder, visible, bvh);
-    return distance;
+    declare_winners(builder, visible, bvh, batch);
+    declare_levels(builder, visible, bvh, batch);
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/surfels/host/place_on_host.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/surfels/host/shade_on_host.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
