@@ -206,6 +206,8 @@ void OpenProject::save(bool overwrite) {
     write(overwrite ? "" : file_hash_);
 }
 
+/// Whether a relative path was rewritten: steps that hold it would name another file. Absolute ones in steps
+/// stay right.
 bool OpenProject::move_sources(const fs::path& to) {
     bool moved = false;
     const auto move = [&](std::string& source) {
@@ -214,7 +216,7 @@ bool OpenProject::move_sources(const fs::path& to) {
         if (!folder_.empty() && fs::path(source).is_absolute()) return;
         const auto base = folder_.empty() ? fs::current_path() : folder_;
         const auto rewritten = relative_source(resolve(source, base), to);
-        moved = moved || rewritten != source;
+        moved = moved || (rewritten != source && !fs::path(source).is_absolute());
         source = rewritten;
     };
     for (auto& scene : project_.scenes)

@@ -46,8 +46,7 @@ DocumentDock::DocumentDock(Session& session, SceneShelf& scenes, Workspace& work
     auto* split = new QSplitter(Qt::Vertical);
     split->addWidget(tree_);
     split->addWidget(editor_);
-    split->setStretchFactor(0, 3);
-    split->setStretchFactor(1, 2);
+    split->setSizes({1, 1});
     column->addWidget(split);
     std::vector<widgets::Option> modes;
     for (const auto mode : widgets::all_modes())

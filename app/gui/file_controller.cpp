@@ -181,7 +181,13 @@ bool FileController::save() {
 bool FileController::save_as() {
     if (!session_.has_project()) return false;
     emit ending();
-    QString path = QFileDialog::getSaveFileName(&window_, tr("Save the project as"), dialog_folder(session_),
+    QString proposal = dialog_folder(session_);
+    if (session_.open_project().folder().empty()) {
+        const auto name = clean_file_name(QString::fromStdString(session_.document().name));
+        const auto file = QDir(proposal).filePath(name + QLatin1String(projects::folder_suffix));
+        if (!QFileInfo::exists(file)) proposal = file;  // a folder would be entered
+    }
+    QString path = QFileDialog::getSaveFileName(&window_, tr("Save the project as"), proposal,
                                                 tr("Projects (*.interreflect)"), nullptr,
                                                 QFileDialog::DontConfirmOverwrite);
     if (path.isEmpty()) return false;

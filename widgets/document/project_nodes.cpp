@@ -119,7 +119,7 @@ QString set_detail(const LightSet& set) {
 
 void add_lights(Node& root, const Project& project) {
     Node& group = add_group(root, ItemKind::light_set, node_text("Lights"), project.lights.size(),
-                            node_text("No own lights yet. Add a set with Ins."));
+                            node_text("No own lights yet. Shift+L: one at the cursor."));
     for (const auto& set : project.lights) {
         Node& node =
             add_child(group, made(ItemKind::light_set, q(set.id), q(set.name), set_detail(set), "lights",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QFontMetrics>
 #include <QWidget>
 #include <array>
 #include <vector>
@@ -84,6 +85,9 @@ Canvas* make_canvas(const CanvasState& state, QWidget* parent);
 Canvas* make_gl_canvas(const CanvasState& state, QWidget* parent);
 Canvas* make_raster_canvas(const CanvasState& state, QWidget* parent);
 bool has_opengl();
+
+/// A hint in as many lines as its parts need in so many pixels.
+QString wrapped_hint(const QString& hint, const QFontMetrics& metrics, int width);
 
 /// Everything over the picture (labels, divider, grid, numbers, marks, hint, note, legend) on a painter whose
 /// unit is a device pixel.

@@ -67,6 +67,12 @@ void paint_dot(QPainter& painter, QPointF at, const QColor& colour, qreal radius
     painter.setBrush(Qt::NoBrush);
 }
 
+/// Of what cannot be moved: a dark dot with a ring.
+void paint_foot(QPainter& painter, QPointF at, qreal ratio) {
+    paint_dot(painter, at, QColor(24, 24, 24), 4, ratio);
+    paint_ring(painter, at, 4 * ratio, lamp_colour, 1.5, ratio);
+}
+
 void paint_arrow(QPainter& painter, QPointF from, QPointF to, const QColor& colour, bool is_held,
                  qreal ratio) {
     paint_line(painter, {from, to}, colour, is_held ? 3 : 2, ratio);
@@ -150,14 +156,15 @@ void paint_light(QPainter& painter, const CanvasState& state, qreal ratio) {
     if (!centre) return;
     painter.save();
     paint_outline(painter, state, handle_length(state, ratio), ratio);
-    if (!state.light->moves()) paint_ring(painter, *centre, 4 * ratio, lamp_colour, 1.5, ratio);
     auto handles = handles_of(*state.light);
     std::reverse(handles.begin(), handles.end());
     // What is a dot lies above all lines.
-    for (const bool dots : {false, true})
+    for (const bool dots : {false, true}) {
         for (const auto handle : handles)
             if (const auto grip = grip_of(state, handle, ratio))
                 paint_handle(painter, *grip, handle, handle == state.light_handle, dots, ratio);
+        if (!dots && !state.light->moves()) paint_foot(painter, *centre, ratio);
+    }
     painter.restore();
 }
 

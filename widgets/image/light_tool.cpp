@@ -14,6 +14,8 @@ namespace {
 
 /// Logical pixels. Lines that look shorter than min_line point at the camera or away from it.
 constexpr double handle_pixels = 64, handle_reach = 8, min_line = 18, ring_radius = 14;
+/// Of a small view's shorter side, that an axis is at most.
+constexpr double max_part = 0.2;
 /// The part of an axis next to the light belongs to the centre.
 constexpr double free_part = 0.25;
 
@@ -38,8 +40,10 @@ double aspect_of(const CanvasState& state) {
 
 double handle_length(const CanvasState& state, qreal pixel_ratio) {
     const double shown = state.transform.image_size().height() * state.transform.zoom();
-    return handle_pixels * pixel_ratio / std::max(1.0, shown) *
-           height_at(state.camera, state.light->position);
+    const QSizeF view = state.transform.view_size();
+    const double pixels =
+        std::min(handle_pixels * pixel_ratio, max_part * std::min(view.width(), view.height()));
+    return pixels / std::max(1.0, shown) * height_at(state.camera, state.light->position);
 }
 
 std::optional<QPointF> seen_at(const CanvasState& state, const glm::dvec3& point) {

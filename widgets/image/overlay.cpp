@@ -17,24 +17,30 @@ void set_font_size(QPainter& painter, qreal size) {
     painter.setFont(font);
 }
 
-/// A text on a dark plate in a corner of `area`. Returns the plate; long texts are shortened in the middle.
+/// A text on a dark plate in a corner of `area`. Returns the plate; long texts are shortened in the middle,
+/// but hints, at the bottom, are wrapped.
 QRectF paint_badge(QPainter& painter, const QRectF& area, const QString& text, Qt::Alignment where,
                    qreal ratio) {
     const qreal gap = 8 * ratio;
     const QRectF room = area.adjusted(gap, gap, -gap, -gap);
     if (text.isEmpty() || room.width() < 24 * ratio) return {};
     set_font_size(painter, 12 * ratio);
-    const QString fitting =
-        painter.fontMetrics().elidedText(text, Qt::ElideMiddle, int(room.width() - 14 * ratio));
-    QRectF box = painter.boundingRect(room, Qt::AlignLeft | Qt::AlignTop, fitting)
-                     .adjusted(-7 * ratio, -4 * ratio, 7 * ratio, 4 * ratio);
+    const bool is_hint = bool(where & Qt::AlignBottom);
+    int flags = int(Qt::AlignLeft | Qt::AlignTop);
+    if (is_hint) flags |= int(Qt::TextWordWrap);
+    const QMarginsF border(7 * ratio, 4 * ratio, 7 * ratio, 4 * ratio);
+    const QRectF inside = room - border;
+    const auto metrics = painter.fontMetrics();
+    const QString fitting = is_hint ? wrapped_hint(text, metrics, int(inside.width()))
+                                    : metrics.elidedText(text, Qt::ElideMiddle, int(inside.width()));
+    QRectF box = painter.boundingRect(inside, flags, fitting) + border;
     box.moveLeft(where & Qt::AlignRight ? room.right() - box.width() : room.left());
     box.moveTop(where & Qt::AlignBottom ? room.bottom() - box.height() : room.top());
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 20, 20, 190));
     painter.drawRoundedRect(box, 4 * ratio, 4 * ratio);
     painter.setPen(QColor(235, 235, 235));
-    painter.drawText(box, Qt::AlignCenter, fitting);
+    painter.drawText(box - border + QMarginsF(0, 0, ratio, ratio), flags, fitting);
     return box;
 }
 
@@ -402,6 +408,21 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
                     ratio);
     if (has_legends) paint_legends(painter, state, view, ratio);
     painter.restore();
+}
+
+QString wrapped_hint(const QString& hint, const QFontMetrics& metrics, int width) {
+    const QString between = QStringLiteral("  ·  ");
+    QString text, line;
+    for (const auto& part : hint.split(between)) {
+        const QString longer = line.isEmpty() ? part : line + between + part;
+        if (!line.isEmpty() && metrics.horizontalAdvance(longer) > width) {
+            text += line + QLatin1Char('\n');
+            line = part;
+        } else {
+            line = longer;
+        }
+    }
+    return text + line;
 }
 
 QWidget* make_overlay(const CanvasState& state, QWidget* parent) {

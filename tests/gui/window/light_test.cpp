@@ -151,7 +151,8 @@ TEST_F(LightTest, OneStandsBeforeTheSurfaceUnderTheCursorAndShinesAtOnce) {
     EXPECT_EQ(renderer.requests.back().experiment.lights.size(), 1u);
     EXPECT_FALSE(renderer.requests.back().experiment.replace_lights);
     EXPECT_EQ(selected(), "light:" + first_lights().id + ":0");
-    EXPECT_TRUE(window.findChild<QWidget*>("light-type")->isVisible());
+    for (const char* value : {"light-type", "light-quantity", "light-amount"})
+        EXPECT_FALSE(window.findChild<QWidget*>(value)->visibleRegion().isEmpty()) << value;
     place("light-here");
     EXPECT_EQ(steps(), before + 2);
     ASSERT_EQ(window.session().document().lights.size(), 1u) << "the set is the experiment's by now";

@@ -101,6 +101,19 @@ TEST_F(SessionTest, LocatingASceneThatIsGoneDoesNothing) {
     EXPECT_TRUE(steps().can_redo()) << "nothing was edited";
 }
 
+TEST_F(SessionTest, ANewProjectIsSavedUnderItsNameAndItsStepsStay) {
+    open_scene();
+    set_notes("x");
+    QString proposed;
+    when_asked_for_a_file(QString::fromStdString(folder.string()), [&proposed] {
+        proposed = QApplication::activeModalWidget()->findChild<QLineEdit*>("fileNameEdit")->text();
+    });
+    window.action("save")->trigger();
+    EXPECT_EQ(proposed, "cornell.interreflect");
+    EXPECT_EQ(session().open_project().folder(), folder);
+    EXPECT_TRUE(steps().can_undo());
+}
+
 TEST_F(SessionTest, TheOpenProjectIsNotLostWhereItCannotBeReadAgain) {
     open_scene();
     session().files().save_as(folder);

@@ -213,6 +213,20 @@ TEST_F(OpenProjectTest, NewProjectsGetTheirFolderLater) {
     EXPECT_EQ(load_project(temporary.path() / "fresh.interreflect", registry()).project.name, "fresh");
 }
 
+TEST_F(OpenProjectTest, StepsBeforeTheFirstSavingCanBeUndone) {
+    OpenProject open(with_absolute_sources(sample_project(), folder), registry());
+    const auto notes = open.project().notes;
+    open.edit(edits::set_notes(open.project(), "n"));
+    open.save_as(temporary.path() / "begun");
+    EXPECT_EQ(open.project().scenes[0].parts[0].source, "../a.interreflect/scenes/church.glb");
+    ASSERT_TRUE(open.undo_stack().can_undo());
+    open.undo();
+    EXPECT_EQ(open.project().notes, notes);
+    EXPECT_TRUE(open.is_dirty());
+    open.redo();
+    EXPECT_FALSE(open.is_dirty());
+}
+
 TEST_F(OpenProjectTest, WhatANewProjectBeginsWithIsUnsavedAndCannotBeUndone) {
     OpenProject open(sample_project(), registry());
     EXPECT_EQ(open.project(), sample_project());

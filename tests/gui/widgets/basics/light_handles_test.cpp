@@ -365,6 +365,32 @@ TEST_F(LightToolTest, NoLineCrossesTheMiddle) {
     EXPECT_EQ(colours.count(view.grab().toImage().pixel(middle)), 0u) << "it is the centre's dot";
 }
 
+TEST_F(LightToolTest, NorDoesASunsLine) {
+    auto sun = spot();
+    sun.shape = PlacedLight::Shape::sun;
+    view.set_light(sun);
+    const auto middle = seen_at(view.state(), light().position)->toPoint();
+    EXPECT_LT(qGray(view.grab().toImage().pixel(middle)), 60) << "dark, not the line's yellow";
+}
+
+TEST_F(LightToolTest, HandlesStayInASmallView) {
+    view.resize(180, 150);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.state().transform.view_size().width() < 400; }));
+    const double ratio = view.devicePixelRatioF();
+    const auto along = place(x) - place(centre);
+    EXPECT_LE(std::hypot(along.x(), along.y()), 31);
+    EXPECT_GE(std::hypot(along.x(), along.y()) * ratio, 18) << "long enough to be held";
+}
+
+TEST(LightHint, IsWrappedBetweenItsParts) {
+    const QFontMetrics metrics{QFont()};
+    const QString hint = QStringLiteral("one part  ·  two  ·  three");
+    EXPECT_EQ(wrapped_hint(hint, metrics, 10000), hint);
+    const auto narrow = wrapped_hint(hint, metrics, metrics.horizontalAdvance("one part  ·  two") + 1);
+    EXPECT_EQ(narrow, QStringLiteral("one part  ·  two\nthree"));
+    EXPECT_EQ(wrapped_hint(hint, metrics, 1).count(u'\n'), 2);
+}
+
 TEST_F(LightToolTest, ASunStandsWhereTheCameraLooksAndOnlyTurns) {
     auto sun = spot();
     sun.shape = PlacedLight::Shape::sun;
