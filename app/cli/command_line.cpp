@@ -51,6 +51,7 @@ void add_commands(CLI::App& app, Run& run) {
     add_scene(app, run);
     add_render(app, run);
     add_compare(app, run);
+    add_profile(app, run);
     add_rerun(app, run);
     add_diff(app, run);
     add_project(app, run);

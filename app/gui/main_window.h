@@ -16,6 +16,7 @@
 #include "app/gui/parameter_dock.h"
 #include "app/gui/plots_dock.h"
 #include "app/gui/preferences.h"
+#include "app/gui/profile_dock.h"
 #include "app/gui/project_banners.h"
 #include "app/gui/report_controller.h"
 #include "app/gui/result_controller.h"
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
     ViewModel& views() { return workspace_.views(); }
     PixelInspector& inspector() { return inspector_; }
     MetricsDock& metrics() { return metrics_; }
+    ProfileDock& profile() { return profile_; }
     DocumentDock& document() { return *document_; }
     ResultsDock& results() { return *results_; }
     PlotsDock& plots() { return *plots_; }
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
     Workspace workspace_;
     PixelInspector inspector_;
     MetricsDock metrics_;
+    ProfileDock profile_;
     widgets::BannerStack* banners_;  ///< as all widgets the window's
     References references_;
     Exports exports_;
