@@ -59,6 +59,7 @@ void add_commands(CLI::App& app, Run& run) {
     add_plot(app, run);
     add_sweep(app, run);
     add_report(app, run);
+    add_figure(app, run);
     add_bench(app, run);
     add_submit(app, run);
     add_thumbnail(app, run);

@@ -75,6 +75,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
       export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
       report_(*this, session_, notices_, actions_),
+      figure_(*this, session_, workspace_, notices_, actions_),
       edits_(session_, *document_, actions_),
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
@@ -169,7 +170,7 @@ void MainWindow::make_docks() {
         results_->set_visible_to_user(docks_.is_seen("results"));
         plots_->set_visible_to_user(docks_.is_seen("plots"));
         metrics_.set_visible(docks_.is_seen("metrics"));
-        profile_.set_visible(docks_.is_seen("profile"));
+        profile_.set_visible(docks_.is_seen("profile"), docks_.is_seen("metrics"));
     });
 }
 
@@ -191,7 +192,7 @@ void MainWindow::make_menus() {
     actions_.fill(file, "| save save-as |");
     actions_.fill(file->addMenu(tr("&Export")),
                   "copy-view export-view export-buffer export-values | export-all");
-    actions_.fill(file, "report | close quit");
+    actions_.fill(file, "report figure | close quit");
     file->setToolTipsVisible(true);
     add_menu(
         tr("&Edit"),
@@ -286,11 +287,7 @@ void MainWindow::join_panels() {
         docks_.raise("project");
         document_->select(light);
     });
-    // A rectangle is measured by the metrics, too.
-    connect(&profile_, &ProfileDock::line_drawn, &joins_, [this] { docks_.raise("profile"); });
-    connect(&profile_, &ProfileDock::rectangle_drawn, &joins_, [this] {
-        if (!docks_.is_seen("metrics")) docks_.raise("profile");
-    });
+    connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise_plot("profile"); });
     connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
@@ -316,6 +313,7 @@ void MainWindow::save_memory() {
     inspector_.save(memory);
     metrics_.save(memory);
     profile_.save(memory);
+    figure_.save(memory);
     plots_->save(memory);
     benchmarks_->save(memory);
     playback_.save(memory);
@@ -328,6 +326,7 @@ void MainWindow::load_memory() {
     inspector_.load(memory);
     metrics_.load(memory);
     profile_.load(memory);
+    figure_.load(memory);
     plots_->load(memory);
     benchmarks_->load(memory);
     playback_.load(memory);
@@ -385,7 +384,7 @@ void MainWindow::go_to(const Message& message) {
 
 bool MainWindow::is_settled() const {
     return live_.is_settled() && !images_.is_reading() && !kept_.is_busy() && workspace_.is_settled() &&
-           metrics_.is_settled() && profile_.is_settled() && plots_->is_settled() &&
+           metrics_.is_settled() && profile_.is_settled() && figure_.is_settled() && plots_->is_settled() &&
            benchmarks_->is_settled();
 }
 

@@ -6,6 +6,7 @@
 #include "app/gui/dock_layout.h"
 #include "app/gui/edit_controller.h"
 #include "app/gui/export_controller.h"
+#include "app/gui/figure_controller.h"
 #include "app/gui/file_controller.h"
 #include "app/gui/finder.h"
 #include "app/gui/frame_lists.h"
@@ -140,6 +141,7 @@ class MainWindow : public QMainWindow {
     FileController files_;
     ExportController export_;
     ReportController report_;
+    FigureController figure_;
     EditController edits_;
     ResultController result_actions_;
     TimelineDock* timeline_;

@@ -1,15 +1,13 @@
 #include "app/gui/profile_dock.h"
 
 #include <algorithm>
-#include <set>
 
 #include "app/gui/json_fields.h"
+#include "app/gui/shown_pictures.h"
 
 namespace ir::gui {
 
 using widgets::ShownPicture;
-using widgets::ViewMode;
-using widgets::ViewPane;
 
 ProfileDock::ProfileDock(Session& session, Workspace& workspace)
     : session_(session), workspace_(workspace), panel_(new widgets::ProfilePanel) {
@@ -29,7 +27,8 @@ ProfileDock::ProfileDock(Session& session, Workspace& workspace)
     });
 }
 
-void ProfileDock::set_visible(bool visible) {
+void ProfileDock::set_visible(bool visible, bool metrics_visible) {
+    metrics_visible_ = metrics_visible;
     if (visible == visible_) return;
     visible_ = visible;
     came_by_drawing_ &= visible;
@@ -41,46 +40,19 @@ void ProfileDock::on_drawn() {
     const bool has_line = !tools.line().isNull(), has_rectangle = !tools.region_size().isEmpty();
     if (!has_line && !has_rectangle) {
         if (std::exchange(came_by_drawing_, false)) emit emptied();
-    } else if (!visible_) {
-        has_line ? emit line_drawn() : emit rectangle_drawn();
+    } else if (!visible_ && (has_line || !metrics_visible_)) {
         came_by_drawing_ = true;
+        emit drawn();
     }
-}
-
-/// Pictures of all open views, each once, under names that tell them apart. `awaits`: of some there is only a
-/// draft.
-std::vector<ShownPicture> ProfileDock::shown_pictures(bool& awaits) const {
-    std::vector<ShownPicture> shown;
-    std::set<const Image*> known;
-    const auto add = [&](const std::shared_ptr<const widgets::Picture>& picture, int view) {
-        if (!picture || !picture->has_image()) return;
-        if (!picture->draft.isEmpty()) return void(awaits = true);
-        if (!known.insert(picture->image.get()).second) return;
-        QString name = picture->label;
-        const auto has = [&](const QString& text) {
-            return std::any_of(shown.begin(), shown.end(),
-                               [&](const ShownPicture& each) { return each.name == text; });
-        };
-        if (has(name)) name = tr("%1 (view %2)").arg(name).arg(view + 1);
-        for (int i = 2; has(name); ++i) name = QStringLiteral("%1 #%2").arg(picture->label).arg(i);
-        shown.push_back({name, picture});
-    };
-    for (const int view : workspace_.area().open_views()) {
-        auto* pane = workspace_.pane(view);
-        if (!pane || pane->content() != ViewPane::Content::picture) continue;
-        const auto& compared = pane->compare().compared();
-        for (const auto& picture : compared.pictures) add(picture, view);
-        if (compared.mode == ViewMode::difference && compared.refusal().isEmpty())
-            add(pane->picture_at(-1), view);
-    }
-    return shown;
 }
 
 void ProfileDock::update() {
     if (!visible_) return panel_->set_fields({.why_empty = tr("No pictures.")});
     const auto& tools = workspace_.tools();
     bool awaits = false;
-    const auto all = session_.has_project() ? shown_pictures(awaits) : std::vector<ShownPicture>();
+    std::vector<ShownPicture> all;
+    if (session_.has_project())
+        for (auto& seen : shown_pictures(workspace_, awaits)) all.push_back(std::move(seen.shown));
     widgets::ProfileFields fields;
     fields.tool = tools.tool();
     fields.line = tools.line();

@@ -15,21 +15,20 @@ class ProfileDock : public QObject {
     ProfileDock(Session& session, Workspace& workspace);
 
     widgets::ProfilePanel& panel() { return *panel_; }
-    void set_visible(bool visible);
+    /// Metrics measure a rectangle, too: seen, they are enough for one.
+    void set_visible(bool visible, bool metrics_visible);
     bool is_settled() const { return !panel_->is_computing(); }
 
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
 
   signals:
-    /// A line was drawn, or a rectangle, and the panel is not seen.
-    void line_drawn();
-    void rectangle_drawn();
+    /// Something was drawn that nobody tells the values of.
+    void drawn();
     /// The panel came with one of them, and none is left.
     void emptied();
 
   private:
-    std::vector<widgets::ShownPicture> shown_pictures(bool& awaits) const;
     void update();
     void on_drawn();
     void mark(QPoint pixel);
@@ -37,7 +36,7 @@ class ProfileDock : public QObject {
     Session& session_;
     Workspace& workspace_;
     widgets::ProfilePanel* panel_;
-    bool visible_ = false, came_by_drawing_ = false;
+    bool visible_ = false, metrics_visible_ = false, came_by_drawing_ = false;
 };
 
 }  // namespace ir::gui

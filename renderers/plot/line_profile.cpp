@@ -55,7 +55,8 @@ PlotData plot_of(const LineProfile& profile, const std::string& value_title) {
                                      .y = curve.values[i],
                                      .label = curve.name + "\nx " + std::to_string(place.x) + "  y " +
                                               std::to_string(place.y) + "\n" +
-                                              shortest_text(float(curve.values[i]))});
+                                              shortest_text(float(curve.values[i])),
+                                     .cells = {}});
         }
         plot.series.push_back(std::move(series));
     }

@@ -51,7 +51,7 @@ QString number(double value) {
 
 ProfilePanel::ProfilePanel(QWidget* parent)
     : QWidget(parent),
-      worker_(new RegionWorker(this)),
+      measuring_(new NewestJob(this)),
       pages_(new QStackedWidget(this)),
       rows_(new QStandardItemModel(this)) {
     auto* column = new QVBoxLayout(this);
@@ -67,7 +67,6 @@ ProfilePanel::ProfilePanel(QWidget* parent)
     empty_->setEnabled(false);
     pages_->addWidget(empty_);
     pages_->addWidget(make_content());
-    connect(worker_, &RegionWorker::measured, this, &ProfilePanel::take);
     set_fields({.why_empty = tr("No pictures.")});
 }
 
@@ -246,8 +245,18 @@ void ProfilePanel::update_region() {
     histograms_->setVisible(shown);
     log_->setEnabled(shown);
     for (auto* action : of_region_) action->setEnabled(shown && within_);
-    if (!shown) return worker_->clear();
-    worker_->request({fields_.within, fields_.rectangle, choices_->currentData().toInt(), log_->isChecked()});
+    if (!shown) {  // keeps no picture
+        requested_.reset();
+        return measuring_->drop_waiting();
+    }
+    const RegionRequest request{fields_.within, fields_.rectangle, choices_->currentData().toInt(),
+                                log_->isChecked()};
+    if (requested_ == request) return;
+    requested_ = request;
+    measuring_->start([this, request](const std::atomic<bool>& cancelled) {
+        auto numbers = std::make_shared<const RegionNumbers>(measure_region(request, cancelled));
+        return [this, numbers] { take(numbers); };
+    });
 }
 
 void ProfilePanel::take(const std::shared_ptr<const RegionNumbers>& numbers) {

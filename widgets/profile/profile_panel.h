@@ -5,6 +5,7 @@
 
 #include "renderers/plot/line_profile.h"
 #include "widgets/image/image_view.h"
+#include "widgets/models/newest_job.h"
 #include "widgets/profile/region_numbers.h"
 
 class QAction;
@@ -47,7 +48,7 @@ class ProfilePanel : public QWidget {
     int choice() const { return wanted_choice_; }
     void set_logarithmic(bool on);
     bool is_logarithmic() const;
-    bool is_computing() const { return worker_->is_computing(); }
+    bool is_computing() const { return measuring_->is_running(); }
 
   signals:
     void tool_chosen(ir::widgets::ImageView::Tool tool);
@@ -73,7 +74,8 @@ class ProfilePanel : public QWidget {
     int wanted_choice_ = one_number;  ///< counts where the pictures have it
     LineProfile along_;
     std::shared_ptr<const RegionNumbers> within_;
-    RegionWorker* worker_;
+    NewestJob* measuring_;
+    std::optional<RegionRequest> requested_;  ///< what is measured, or was
     QComboBox* choices_ = nullptr;
     QCheckBox* log_ = nullptr;
     QToolButton *line_ = nullptr, *rectangle_ = nullptr;

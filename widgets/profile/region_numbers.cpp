@@ -13,7 +13,7 @@
 namespace ir::widgets {
 namespace {
 
-std::string translated(const char* text) {
+std::string region_text(const char* text) {
     return QCoreApplication::translate("Region", text).toStdString();
 }
 
@@ -80,7 +80,7 @@ PlotData histograms_of(std::vector<Values> all, const RegionRequest& request,
                        const std::atomic<bool>& cancelled) {
     PlotData plot;
     plot.title = request.rectangle.isEmpty()
-                     ? translated("All pixels")
+                     ? region_text("All pixels")
                      : QCoreApplication::translate("Region", "%1 × %2 pixels at %3, %4")
                            .arg(request.rectangle.width())
                            .arg(request.rectangle.height())
@@ -88,7 +88,7 @@ PlotData histograms_of(std::vector<Values> all, const RegionRequest& request,
                            .arg(request.rectangle.y())
                            .toStdString();
     plot.x.title = value_title(request.pictures);
-    plot.y.title = translated("Share of the pixels");
+    plot.y.title = region_text("Share of the pixels");
     plot.y.log = request.logarithmic;
     plot.are_curves = true;
     const Counted one_channel{.semantic = Semantic::generic};
@@ -118,7 +118,8 @@ PlotData histograms_of(std::vector<Values> all, const RegionRequest& request,
                                      .y = double(count) / double(image.pixels.size()),
                                      .label = name + "\n" + shortest_text(float(low)) + " … " +
                                               shortest_text(float(low + width)) + "\n" +
-                                              std::to_string(count)});
+                                              std::to_string(count),
+                                     .cells = {}});
         }
         plot.series.push_back(std::move(series));
     }
@@ -137,7 +138,7 @@ std::string value_title(const std::vector<ShownPicture>& pictures) {
     const QString unit = pictures.empty() ? QString() : pictures.front().picture->unit;
     const bool one = std::all_of(pictures.begin(), pictures.end(),
                                  [&](const ShownPicture& each) { return each.picture->unit == unit; });
-    return translated("Value") + (one && !unit.isEmpty() ? " (" + unit.toStdString() + ")" : "");
+    return region_text("Value") + (one && !unit.isEmpty() ? " (" + unit.toStdString() + ")" : "");
 }
 
 RegionNumbers measure_region(const RegionRequest& request, const std::atomic<bool>& cancelled) {
@@ -164,44 +165,6 @@ std::string region_csv(const RegionNumbers& numbers) {
                std::to_string(row.skipped) + "," + text(row.min) + "," + text(row.max) + "," +
                text(row.mean) + "," + text(row.deviation) + "," + text(row.median) + "\n";
     return csv;
-}
-
-RegionWorker::RegionWorker(QObject* parent) : QObject(parent) {
-    pool_.setMaxThreadCount(1);  // renderers want the cores
-}
-
-RegionWorker::~RegionWorker() {
-    cancelled_ = true;
-    pool_.waitForDone();
-}
-
-void RegionWorker::request(const RegionRequest& request) {
-    if (has_wanted_ && request == wanted_) return;
-    wanted_ = request;
-    has_wanted_ = true;
-    running_ ? void(pending_ = true) : start();
-}
-
-void RegionWorker::clear() {
-    wanted_ = {};
-    has_wanted_ = pending_ = false;
-}
-
-void RegionWorker::start() {
-    running_ = true;
-    pending_ = false;
-    pool_.start([this, request = wanted_] {
-        auto numbers = std::make_shared<const RegionNumbers>(measure_region(request, cancelled_));
-        if (cancelled_) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, numbers] {
-                running_ = false;
-                if (pending_) start();
-                emit measured(numbers);
-            },
-            Qt::QueuedConnection);
-    });
 }
 
 }  // namespace ir::widgets

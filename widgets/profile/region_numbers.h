@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QObject>
 #include <QRect>
-#include <QThreadPool>
 #include <atomic>
 #include <memory>
 #include <string>
@@ -47,28 +45,5 @@ struct RegionNumbers {
 /// Not for the window's thread. Returns early, with what it has, once `cancelled`.
 RegionNumbers measure_region(const RegionRequest& request, const std::atomic<bool>& cancelled);
 std::string region_csv(const RegionNumbers& numbers);
-
-/// Measures away from the window's thread. What is under way ends first; of requests that come meanwhile only
-/// the newest counts.
-class RegionWorker : public QObject {
-    Q_OBJECT
-  public:
-    explicit RegionWorker(QObject* parent = nullptr);
-    ~RegionWorker() override;
-    /// Does nothing where the answer is already to that.
-    void request(const RegionRequest& request);
-    void clear();  ///< nothing is asked any more, and no picture kept
-    bool is_computing() const { return running_; }
-
-  signals:
-    void measured(std::shared_ptr<const ir::widgets::RegionNumbers> numbers);
-
-  private:
-    void start();
-    RegionRequest wanted_;
-    std::atomic<bool> cancelled_ = false;
-    bool has_wanted_ = false, running_ = false, pending_ = false;
-    QThreadPool pool_;
-};
 
 }  // namespace ir::widgets

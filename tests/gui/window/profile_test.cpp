@@ -50,6 +50,7 @@ TEST_F(ProfileWindowTest, ADrawnLineBringsTheProfileOfAllViewsAndTakesItAway) {
     QTest::keyClick(&view(0), Qt::Key_N);
     draw(0, {10, 8}, {40, 20});
     ASSERT_TRUE(is_seen());
+    EXPECT_GT(window.findChild<QDockWidget*>("profile")->height(), 200) << "its plot can be read";
     ASSERT_TRUE(QTest::qWaitFor([&] { return panel().profile().data().series.size() == 2; }, 5000));
     const auto& series = panel().profile().data().series;
     EXPECT_EQ(series[0].points.size(), 31u);
