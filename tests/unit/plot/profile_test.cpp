@@ -90,7 +90,7 @@ TEST(LineProfile, WhatHasNoValueBreaksTheCurveAndIsEmptyInTables) {
 }
 
 TEST(LineProfile, GapsOfAnAtlasHaveNoValue) {
-    const auto atlas = make_atlas(8, 8, 1, 2);
+    const auto atlas = make_atlas(8, 8, 1, 4);
     const Image image(atlas.width, atlas.height, 1, 5);
     const std::vector<MeasuredImage> images = {{"slices", &image, nullptr, &atlas, Semantic::generic}};
     const auto profile = line_profile(images, {0, 0, atlas.width - 1, 0}, one_number);
