@@ -51,6 +51,7 @@ void add_commands(CLI::App& app, Run& run) {
     add_scene(app, run);
     add_render(app, run);
     add_compare(app, run);
+    add_profile(app, run);
     add_rerun(app, run);
     add_diff(app, run);
     add_project(app, run);
@@ -58,6 +59,7 @@ void add_commands(CLI::App& app, Run& run) {
     add_plot(app, run);
     add_sweep(app, run);
     add_report(app, run);
+    add_figure(app, run);
     add_bench(app, run);
     add_submit(app, run);
     add_thumbnail(app, run);

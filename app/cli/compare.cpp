@@ -2,11 +2,11 @@
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/cli/command.h"
 #include "app/cli/compare_difference.h"
 #include "app/cli/output_files.h"
+#include "app/cli/pixel_flags.h"
 #include "app/engine/compared_sides.h"
 #include "app/engine/interruption.h"
 #include "app/engine/number_text.h"
@@ -32,33 +32,14 @@ struct CompareFlags {
     bool json = false;
 };
 
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> words;
-    std::stringstream stream(text);
-    for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
-    return words;
-}
-
-std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option,
-                            const std::string& form) {
-    const auto words = split(text);
-    if (words.size() != count) throw UsageError(option + " '" + text + "' is not of the form " + form);
-    std::vector<double> result;
-    for (const auto& word : words) result.push_back(projects::parse_number(word, option));
-    return result;
-}
-
 Rectangle parse_rectangle(const std::string& text) {
-    const auto n = numbers(text, 4, "--rect", "x,y,width,height");
-    for (const double value : n)
-        if (value != std::floor(value) || std::abs(value) > 1e6)
-            throw UsageError("--rect '" + text + "' must hold whole numbers of pixels");
-    return {int(n[0]), int(n[1]), int(n[2]), int(n[3])};
+    const auto n = pixels_of(text, 4, "--rect", "x,y,width,height");
+    return {n[0], n[1], n[2], n[3]};
 }
 
 std::vector<std::string> chosen_metrics(const CompareFlags& flags) {
     if (flags.metrics == "all") return metric_names();
-    auto names = split(flags.metrics);
+    auto names = split_at_commas(flags.metrics);
     if (names.empty())
         throw UsageError("--metric names no metric; give 'all' or some of " + listed(metric_names()));
     for (const auto& name : names) metric(name);
@@ -100,7 +81,7 @@ std::vector<Mismatch> checked_mismatches(const Side& image, const Side& referenc
 }
 
 std::vector<std::string> parse_allowed(const std::string& text) {
-    const auto words = split(text);
+    const auto words = split_at_commas(text);
     const auto& known = mismatch_kinds();
     for (const auto& word : words)
         if (std::find(known.begin(), known.end(), word) == known.end())
@@ -170,7 +151,7 @@ Json write_and_print(const CompareFlags& flags, const Side& image, const Side& r
 
 int compare(CompareFlags flags) {
     if (!flags.range.empty()) {
-        const auto range = numbers(flags.range, 2, "--range", "lo,hi");
+        const auto range = numbers_of(flags.range, 2, "--range", "lo,hi");
         flags.difference.range = {range[0], range[1]};
     }
     OutputFiles files;

@@ -34,6 +34,12 @@ void OutputFiles::writes(const std::string& option, const std::string& file) {
     if (!is_new) refused("is the file of " + known->second);
 }
 
+bool has_picture_ending(const std::string& file) {
+    auto extension = std::filesystem::path(file).extension().string();
+    for (char& letter : extension) letter = static_cast<char>(std::tolower(letter));
+    return extension == ".exr" || extension == ".png" || extension == ".hdr" || extension == ".jpg";
+}
+
 void require_picture(const std::string& file, const std::vector<std::string>& dumps) {
     const auto extension = std::filesystem::path(file).extension();
     if (extension != ".exr" && extension != ".png")

@@ -27,6 +27,9 @@ class OutputFiles {
     const projects::LoadedProject* project_ = nullptr;
 };
 
+/// Whether a name ends as those of pictures that are read.
+bool has_picture_ending(const std::string& file);
+
 /// Before work whose picture goes to --out: throws UsageError for a file that is no .exr or .png, for a .png
 /// that cannot hold `dumps`, and where its folder is missing.
 void require_picture(const std::string& file, const std::vector<std::string>& dumps);

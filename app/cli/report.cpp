@@ -47,7 +47,7 @@ class ReportCommand {
                        : write_sweep();
         if (fs::path(flags_.what).filename() == projects::project_file_name)
             return write_project(flags_.what);
-        if (is_picture())
+        if (has_picture_ending(flags_.what))
             throw UsageError("a report of '" + flags_.what + "' needs a second picture, the reference");
         if (flags_.render)
             throw UsageError("--render keeps what it renders, and '" + flags_.what +
@@ -66,12 +66,6 @@ class ReportCommand {
                                                   : report::Values::automatic;
         if (!flags.limit.empty()) options.limit = engine::parse_bytes(flags.limit);
         return options;
-    }
-
-    bool is_picture() const {
-        auto extension = fs::path(flags_.what).extension().string();
-        for (char& letter : extension) letter = static_cast<char>(std::tolower(letter));
-        return extension == ".exr" || extension == ".png" || extension == ".hdr" || extension == ".jpg";
     }
 
     report::Work work() {

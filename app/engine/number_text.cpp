@@ -20,13 +20,6 @@ double number_from(const projects::Json& json, const std::string& reason,
     reader.fail(key, "must be a number or null");
 }
 
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
-
 std::string csv_value(const projects::Json& value) {
     return value.is_null() ? "" : csv_field(value.is_string() ? value.get<std::string>() : value.dump());
 }

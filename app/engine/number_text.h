@@ -3,6 +3,7 @@
 #include <string>
 
 #include "projects/object_reader.h"
+#include "renderers/core/words.h"
 
 namespace ir::engine {
 
@@ -13,8 +14,6 @@ projects::Json number_json(double value);
 double number_from(const projects::Json& json, const std::string& reason,
                    const projects::ObjectReader& reader, const std::string& key);
 
-/// A field of a table [RFC 4180 §2].
-std::string csv_field(const std::string& text);
 std::string csv_number(double value);
 std::string csv_value(const projects::Json& value);
 

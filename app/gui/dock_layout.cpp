@@ -23,6 +23,9 @@ const QString docks_key = QStringLiteral("window/docks"),
               small_docks_key = QStringLiteral("window/small-docks"),
               geometry_key = QStringLiteral("window/geometry");
 
+/// With title and buttons, logical pixels.
+constexpr int plot_height = 300;
+
 const QString toggle_prefix = QStringLiteral("dock-");
 
 struct Layout {
@@ -34,7 +37,7 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results", "plots", "timeline", "benchmarks"}},
+          "timings", "messages", "results", "plots", "timeline", "benchmarks", "profile"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}},
@@ -42,6 +45,7 @@ const QList<Layout>& layouts() {
         {"plots", {"plots"}},
         {"timeline", {"timeline"}},
         {"benchmarks", {"benchmarks"}},
+        {"profile", {"profile"}},
         {"inspect", {"display", "inspector", "buffers", "explain"}},
         {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
@@ -111,6 +115,19 @@ void DockLayout::raise(const QString& name) const {
     dock(name)->raise();
 }
 
+void DockLayout::raise_plot(const QString& name) const {
+    raise(name);
+    auto* plot = dock(name);
+    const int height = std::min(plot_height, window_.height() / 3);
+    if (!plot->isFloating() && window_.dockWidgetArea(plot) == Qt::BottomDockWidgetArea &&
+        plot->height() < height)
+        window_.resizeDocks({plot}, {height}, Qt::Vertical);
+}
+
+void DockLayout::hide(const QString& name) const {
+    dock(name)->hide();
+}
+
 void DockLayout::fill(QMenu* menu) const {
     for (const auto* each : docks()) menu->addAction(toggle_of(each));
 }
@@ -156,13 +173,15 @@ void DockLayout::arrange() {
     tabify("results", "plots");
     tabify("plots", "timeline");
     tabify("timeline", "benchmarks");
+    tabify("benchmarks", "profile");
     for (auto* each : docks()) each->show();
     for (const char* front : {"display", "buffers", "parameters", "messages"}) dock(front)->raise();
     window_.resizeDocks({dock("parameters"), dock("buffers")}, {300, 340}, Qt::Horizontal);
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.
-    for (const char* quiet : {"messages", "results", "plots", "timeline", "benchmarks"}) dock(quiet)->hide();
+    for (const char* quiet : {"messages", "results", "plots", "timeline", "benchmarks", "profile"})
+        dock(quiet)->hide();
 }
 
 QStringList DockLayout::names() {
@@ -176,7 +195,7 @@ void DockLayout::apply(const QString& name) {
         if (name != QLatin1String(layout.name)) continue;
         restore_default();
         for (auto* each : docks()) each->setVisible(layout.docks.contains(each->objectName()));
-        if (name == QLatin1String("plots") || name == QLatin1String("benchmarks"))
+        if (QStringList{"plots", "benchmarks", "profile"}.contains(name))
             window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);
         return show(has_project_);
     }

@@ -29,7 +29,7 @@ inline constexpr QSize min_size_for_all_panels(1280, 770);
 QRect within(QRect window, const QRect& available, int title_bar);
 
 /// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
-inline constexpr int dock_version = 7;
+inline constexpr int dock_version = 8;
 
 /// The window's docks: how they are arranged, on large and on small screens, and what is remembered of that.
 class DockLayout : public QObject {
@@ -41,6 +41,9 @@ class DockLayout : public QObject {
     /// Shown, and neither hidden nor covered by another tab.
     bool is_seen(const QString& name) const;
     void raise(const QString& name) const;
+    /// The same; along the bottom it gets the height that a plot needs.
+    void raise_plot(const QString& name) const;
+    void hide(const QString& name) const;
     void fill(QMenu* menu) const;  ///< with the actions that show and hide docks
 
     /// The default arrangement, with one view.

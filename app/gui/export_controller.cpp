@@ -1,7 +1,9 @@
 #include "app/gui/export_controller.h"
 
 #include <QAction>
+#include <QClipboard>
 #include <QFileDialog>
+#include <QGuiApplication>
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/text_of.h"
@@ -19,6 +21,8 @@ ExportController::ExportController(QWidget& window, Session& session, Renderer& 
                            [=, this] { export_to(suffix, filter, save); });
     };
     const auto exr = tr("OpenEXR (*.exr)");
+    all << actions.add("copy-view", tr("&Copy the view as shown"), "copy",
+                       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)}, [this] { copy_view(); });
     add("export-view", tr("View as shown, with labels and legend (&PNG) …"), "export", Qt::Key_P, ".png",
         tr("PNG (*.png)"), &Exports::save_view);
     add("export-buffer", tr("Buffer (&EXR) …"), nullptr, Qt::Key_E, ".exr", exr, &Exports::save_buffer);
@@ -33,6 +37,11 @@ ExportController::ExportController(QWidget& window, Session& session, Renderer& 
                 if (error.empty()) return notices_.say(tr("Wrote %1").arg(text_of(file)));
                 notices_.fail(QStringLiteral("file"), "export", text_of(error));
             });
+}
+
+void ExportController::copy_view() {
+    if (notices_.attempt([&] { QGuiApplication::clipboard()->setImage(exports_.view()); }, tr("Cannot copy")))
+        notices_.say(tr("Copied the view"));
 }
 
 void ExportController::export_to(const QString& suffix, const QString& filter, Save save) {

@@ -17,6 +17,7 @@ class ExportController : public QObject {
 
   private:
     using Save = void (Exports::*)(const QString& file) const;
+    void copy_view();
     void export_to(const QString& suffix, const QString& filter, Save save);
 
     QWidget& window_;

@@ -64,11 +64,15 @@ QString Exports::title() const {
                                   workspace_.views().shown_key());
 }
 
-void Exports::save_view(const QString& file) const {
+QImage Exports::view() const {
     check_full();
-    const QImage image = workspace_.active_pane().snapshot(true);
+    QImage image = workspace_.active_pane().snapshot(true);
     if (image.isNull()) throw Error("the view shows nothing to save");
-    write_picture(file, image);
+    return image;
+}
+
+void Exports::save_view(const QString& file) const {
+    write_picture(file, view());
 }
 
 void Exports::save_buffer(const QString& file) const {

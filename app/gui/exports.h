@@ -15,6 +15,7 @@ class Exports {
         : session_(session), live_(live), renderer_(renderer), workspace_(workspace) {}
 
     /// As seen, with labels, legend and marks.
+    QImage view() const;
     void save_view(const QString& file) const;
     /// The buffer's values as they are; for differences those, for pairs A.
     void save_buffer(const QString& file) const;

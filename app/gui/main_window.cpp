@@ -51,6 +51,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       workspace_(session_, live_, renderer, images_, kept_, options.surface),
       inspector_(session_, live_, renderer, workspace_),
       metrics_(session_, live_, workspace_),
+      profile_(session_, workspace_),
       banners_(new widgets::BannerStack),
       references_(session_, live_, views(), *banners_),
       exports_(session_, live_, renderer, workspace_),
@@ -74,6 +75,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
       export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
       report_(*this, session_, notices_, actions_),
+      figure_(*this, session_, workspace_, notices_, actions_),
       edits_(session_, *document_, actions_),
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
@@ -160,6 +162,7 @@ void MainWindow::make_docks() {
     docks_.add("plots", tr("Plots"), scrolled(plots_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
     docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
+    docks_.add("profile", tr("Profile"), scrolled(&profile_.panel()), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     // Panels behind tabs and closed ones ask for nothing.
     connect(&docks_, &DockLayout::seen_changed, &joins_, [this] {
         inspector_.set_visible(docks_.is_seen("inspector"), docks_.is_seen("explain"));
@@ -167,6 +170,7 @@ void MainWindow::make_docks() {
         results_->set_visible_to_user(docks_.is_seen("results"));
         plots_->set_visible_to_user(docks_.is_seen("plots"));
         metrics_.set_visible(docks_.is_seen("metrics"));
+        profile_.set_visible(docks_.is_seen("profile"), docks_.is_seen("metrics"));
     });
 }
 
@@ -186,8 +190,9 @@ void MainWindow::make_menus() {
     auto* file = add_menu(tr("&File"), "new open");
     file->addMenu(files_.recent_menu());
     actions_.fill(file, "| save save-as |");
-    actions_.fill(file->addMenu(tr("&Export")), "export-view export-buffer export-values | export-all");
-    actions_.fill(file, "report | close quit");
+    actions_.fill(file->addMenu(tr("&Export")),
+                  "copy-view export-view export-buffer export-values | export-all");
+    actions_.fill(file, "report figure | close quit");
     file->setToolTipsVisible(true);
     add_menu(
         tr("&Edit"),
@@ -202,7 +207,7 @@ void MainWindow::make_menus() {
     parameters_->set_menu(experiment);
     add_menu(
         tr("&View"),
-        "inspect orbit fly rectangle | fit actual zoom-in zoom-out | grid legend light-handles marks zebra | "
+        "inspect orbit fly rectangle line | fit actual zoom-in zoom-out | grid legend light-handles marks zebra | "
         "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
         "explain explain-nothing pin");
     add_menu(tr("&Compare"),
@@ -210,8 +215,8 @@ void MainWindow::make_menus() {
              "comparison-add");
     picture_menu_ = new QMenu(this);
     actions_.fill(picture_menu_,
-                  "light-here light-camera headlight | explain pin | bookmark | fit actual | "
-                  "export-view export-buffer");
+                  "light-here light-camera headlight | explain pin | rectangle line | bookmark | "
+                  "fit actual | copy-view export-view export-buffer");
     picture_menu_->setToolTipsVisible(true);
     add_menu(tr("&Render"), "cancel rerun shaders | play step-forward step-back | match keep")
         ->setToolTipsVisible(true);
@@ -229,9 +234,10 @@ void MainWindow::make_toolbar() {
     bar->setIconSize(QSize(18, 18));
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    actions_.fill(bar,
-                  "new open save | undo redo | inspect orbit fly rectangle | fit actual zoom-in zoom-out "
-                  "grid | views-1 views-2 views-3 views-4 link | stages explain bookmark | rerun cancel");
+    actions_.fill(
+        bar,
+        "new open save | undo redo | inspect orbit fly rectangle line | fit actual zoom-in zoom-out "
+        "grid | views-1 views-2 views-3 views-4 link | stages explain bookmark | rerun cancel");
 }
 
 void MainWindow::join_session() {
@@ -281,6 +287,8 @@ void MainWindow::join_panels() {
         docks_.raise("project");
         document_->select(light);
     });
+    connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise_plot("profile"); });
+    connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
     connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
@@ -304,6 +312,8 @@ void MainWindow::save_memory() {
     workspace_.save(memory);
     inspector_.save(memory);
     metrics_.save(memory);
+    profile_.save(memory);
+    figure_.save(memory);
     plots_->save(memory);
     benchmarks_->save(memory);
     playback_.save(memory);
@@ -315,6 +325,8 @@ void MainWindow::load_memory() {
     workspace_.load(memory);
     inspector_.load(memory);
     metrics_.load(memory);
+    profile_.load(memory);
+    figure_.load(memory);
     plots_->load(memory);
     benchmarks_->load(memory);
     playback_.load(memory);
@@ -372,7 +384,8 @@ void MainWindow::go_to(const Message& message) {
 
 bool MainWindow::is_settled() const {
     return live_.is_settled() && !images_.is_reading() && !kept_.is_busy() && workspace_.is_settled() &&
-           metrics_.is_settled() && plots_->is_settled() && benchmarks_->is_settled();
+           metrics_.is_settled() && profile_.is_settled() && figure_.is_settled() && plots_->is_settled() &&
+           benchmarks_->is_settled();
 }
 
 void MainWindow::end_work() {
@@ -424,8 +437,9 @@ void MainWindow::show_shortcuts() {
         {tr("Choose two of a row to be compared (Stages)"), tr("1 … 9, 0 for none")},
         {tr("Go on to the next picture (Flip)"), tr("Tab")},
         {tr("Move the divider (Wipe)"), tr("Drag it")},
-        {tr("Move, resize the rectangle (Rectangle)"), tr("Drag, arrows; Shift+arrows")},
-        {tr("Clear the rectangle (Rectangle)"), tr("Esc, Del")},
+        {tr("Move, resize what is drawn (Rectangle, Line)"), tr("Drag, arrows; Shift+arrows")},
+        {tr("Clear it (Rectangle, Line)"), tr("Esc, Del")},
+        {tr("Draw a whole row, a whole column (Line)"), tr("← →, ↑ ↓")},
         {tr("Move, turn the chosen light by its handles"), tr("Drag; Esc takes it back")},
         {tr("Nudge the chosen light; nearer, farther; turn it"), tr("Arrows; Ctrl+↑ ↓; Alt+arrows")},
         {tr("Turn, slide, approach, frame (3D)"), tr("Drag, Shift+drag, wheel, double click")},

@@ -6,6 +6,7 @@
 #include "app/gui/dock_layout.h"
 #include "app/gui/edit_controller.h"
 #include "app/gui/export_controller.h"
+#include "app/gui/figure_controller.h"
 #include "app/gui/file_controller.h"
 #include "app/gui/finder.h"
 #include "app/gui/frame_lists.h"
@@ -16,6 +17,7 @@
 #include "app/gui/parameter_dock.h"
 #include "app/gui/plots_dock.h"
 #include "app/gui/preferences.h"
+#include "app/gui/profile_dock.h"
 #include "app/gui/project_banners.h"
 #include "app/gui/report_controller.h"
 #include "app/gui/result_controller.h"
@@ -51,6 +53,7 @@ class MainWindow : public QMainWindow {
     ViewModel& views() { return workspace_.views(); }
     PixelInspector& inspector() { return inspector_; }
     MetricsDock& metrics() { return metrics_; }
+    ProfileDock& profile() { return profile_; }
     DocumentDock& document() { return *document_; }
     ResultsDock& results() { return *results_; }
     PlotsDock& plots() { return *plots_; }
@@ -113,6 +116,7 @@ class MainWindow : public QMainWindow {
     Workspace workspace_;
     PixelInspector inspector_;
     MetricsDock metrics_;
+    ProfileDock profile_;
     widgets::BannerStack* banners_;  ///< as all widgets the window's
     References references_;
     Exports exports_;
@@ -137,6 +141,7 @@ class MainWindow : public QMainWindow {
     FileController files_;
     ExportController export_;
     ReportController report_;
+    FigureController figure_;
     EditController edits_;
     ResultController result_actions_;
     TimelineDock* timeline_;

@@ -14,8 +14,11 @@ void PictureTools::add(widgets::PaneBoard& panes) {
     panes.set_legend(legend_);
     panes.set_pins(pins_);
     panes.set_region(region_size_, region_);
+    panes.set_line(line_size_, line_);
     connect(&panes, &widgets::PaneBoard::tool_changed, this, &PictureTools::set_tool);
     connect(&panes, &widgets::PaneBoard::region_changed, this, &PictureTools::set_region);
+    connect(&panes, &widgets::PaneBoard::line_changed, this, &PictureTools::set_line);
+    connect(&panes, &widgets::PaneBoard::shape_drawn, this, &PictureTools::shape_drawn);
     connect(&panes, &widgets::PaneBoard::light_moved, this, &PictureTools::light_moved);
     connect(&panes, &widgets::PaneBoard::light_turned, this, &PictureTools::light_turned);
     connect(&panes, &widgets::PaneBoard::light_gesture_finished, this, &PictureTools::light_gesture_finished);
@@ -50,13 +53,23 @@ void PictureTools::set_region(QSize size, const QRect& region) {
     emit region_changed();
 }
 
+void PictureTools::set_line(QSize size, const QLine& line) {
+    line_size_ = line.isNull() ? QSize() : size;
+    line_ = line;
+    for (auto* each : boards_) each->set_line(line_size_, line_);
+    emit line_changed();
+}
+
 void PictureTools::save(projects::Json& memory) const {
     memory["region"] = to_json(region_size_, region_);
+    memory["line"] = to_json(line_size_, line_);
 }
 
 void PictureTools::load(const projects::Json& memory) {
     const auto [size, region] = region_from_json(member_or_null(memory, "region"));
     set_region(size, region);
+    const auto [line_size, line] = line_from_json(member_or_null(memory, "line"));
+    set_line(line_size, line);
 }
 
 }  // namespace ir::gui

@@ -25,6 +25,11 @@ class PictureTools : public QObject {
     /// The rectangle that is measured, in all pictures of one size; empty: none.
     void set_region(QSize size, const QRect& region);
     QRect region(QSize size) const { return size == region_size_ ? region_ : QRect(); }
+    QSize region_size() const { return region_size_; }  ///< of the pictures that it is in; empty: none
+    /// The line whose values are plotted, likewise; null: none.
+    void set_line(QSize size, const QLine& line);
+    QLine line() const { return line_; }
+    QSize line_size() const { return line_size_; }
 
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
@@ -32,6 +37,8 @@ class PictureTools : public QObject {
   signals:
     void tool_changed(ir::widgets::ImageView::Tool tool);
     void region_changed();
+    void line_changed();
+    void shape_drawn();  ///< a hand has drawn, moved or cleared one of them
     // As in widgets::LightTool, of any pane.
     void light_moved(const glm::dvec3& position);
     void light_turned(const glm::dvec3& direction);
@@ -44,6 +51,8 @@ class PictureTools : public QObject {
     std::vector<widgets::PinMark> pins_;
     QSize region_size_;
     QRect region_;
+    QSize line_size_;
+    QLine line_;
 };
 
 }  // namespace ir::gui

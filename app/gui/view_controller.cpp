@@ -191,7 +191,10 @@ void ViewController::add_tool_actions() {
     add_tool("inspect", tr("&Inspect: drag moves the picture, a click marks a pixel"), Qt::Key_I,
              Tool::inspect);
     add_tool("orbit", tr("&Orbit: drag turns the camera about its target"), Qt::Key_O, Tool::orbit);
-    add_tool("rectangle", tr("Re&ctangle: drag draws what metrics measure"), Qt::Key_B, Tool::rectangle);
+    add_tool("rectangle", tr("Re&ctangle: drag draws what metrics and profile measure"), Qt::Key_B,
+             Tool::rectangle);
+    add_tool("line", tr("Li&ne: drag draws where values of all shown pictures are plotted"), Qt::Key_N,
+             Tool::line);
     add_tool("fly", tr("F&ly: drag looks around, W A S D moves"), Qt::Key_T, Tool::fly);
 }
 

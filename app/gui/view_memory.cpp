@@ -114,6 +114,19 @@ Inspection inspection_from_json(const Json& json) {
     return inspection;
 }
 
+namespace {
+
+/// Empty where odd.
+QSize size_from_json(const Json& of) {
+    if (!of.is_array() || of.size() != 2 || !of[0].is_number() || !of[1].is_number()) return {};
+    const auto side = [&](std::size_t i) {
+        return int(std::clamp<double>(of[i].get<double>(), 0, max_image_side));
+    };
+    return {side(0), side(1)};
+}
+
+}  // namespace
+
 Json to_json(QSize size, const QRect& region) {
     if (region.isEmpty()) return nullptr;
     return {{"of", {size.width(), size.height()}},
@@ -124,16 +137,29 @@ Json to_json(QSize size, const QRect& region) {
 }
 
 std::pair<QSize, QRect> region_from_json(const Json& json) {
-    const auto& of = member_or_null(json, "of");
-    if (!of.is_array() || of.size() != 2 || !of[0].is_number() || !of[1].is_number()) return {};
-    const auto side = [&](std::size_t i) {
-        return int(std::clamp<double>(of[i].get<double>(), 0, max_image_side));
-    };
-    const QSize size(side(0), side(1));
+    const QSize size = size_from_json(member_or_null(json, "of"));
     const QRect region(field_or(json, "x", 0), field_or(json, "y", 0), field_or(json, "width", 0),
                        field_or(json, "height", 0));
     const QRect inside = region & QRect(QPoint(0, 0), size);
     return inside.isEmpty() ? std::pair<QSize, QRect>() : std::pair(size, inside);
+}
+
+Json to_json(QSize size, const QLine& line) {
+    if (line.isNull()) return nullptr;
+    return {{"of", {size.width(), size.height()}},
+            {"x1", line.x1()},
+            {"y1", line.y1()},
+            {"x2", line.x2()},
+            {"y2", line.y2()}};
+}
+
+std::pair<QSize, QLine> line_from_json(const Json& json) {
+    const QSize size = size_from_json(member_or_null(json, "of"));
+    const QLine line(field_or(json, "x1", 0), field_or(json, "y1", 0), field_or(json, "x2", 0),
+                     field_or(json, "y2", 0));
+    const QRect picture(QPoint(0, 0), size);
+    const bool fits = !line.isNull() && picture.contains(line.p1()) && picture.contains(line.p2());
+    return fits ? std::pair(size, line) : std::pair<QSize, QLine>();
 }
 
 Json to_json(const widgets::CameraPose& pose) {

@@ -18,6 +18,9 @@ Inspection inspection_from_json(const projects::Json& json);
 /// The rectangle that is measured, with the size of the pictures that it is of.
 projects::Json to_json(QSize size, const QRect& region);
 std::pair<QSize, QRect> region_from_json(const projects::Json& json);  ///< empty where odd
+/// Likewise the line whose values are plotted.
+projects::Json to_json(QSize size, const QLine& line);
+std::pair<QSize, QLine> line_from_json(const projects::Json& json);
 
 projects::Json to_json(const widgets::CameraPose& pose);
 std::optional<widgets::CameraPose> pose_from_json(const projects::Json& json);

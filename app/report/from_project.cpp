@@ -64,12 +64,17 @@ class ProjectReport {
           now_(projects::with_contents(project, contents_)),
           index_(projects::ResultIndex::load(folder)) {}
 
-    Report make() {
+    Report make_pictures() {
         report_.title = project_.name.empty() ? folder_.stem().string() : project_.name;
         report_.kind = "Project";
         report_.notes = project_.notes;
         read_pictures();
         make_galleries();
+        return std::move(report_);
+    }
+
+    Report make() {
+        report_ = make_pictures();
         for (auto& gallery : report_.galleries) {
             work_.tell("Measuring " + gallery.title, 0.6);
             auto table = measure(gallery, work_.cancel);
@@ -263,6 +268,10 @@ class ProjectReport {
 
 Report report_of(const projects::Project& project, const fs::path& folder, const Work& work) {
     return ProjectReport(project, folder, work).make();
+}
+
+Report pictures_of(const projects::Project& project, const fs::path& folder, const Work& work) {
+    return ProjectReport(project, folder, work).make_pictures();
 }
 
 }  // namespace ir::report

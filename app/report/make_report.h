@@ -25,6 +25,10 @@ struct Work {
 Report report_of(const projects::Project& project, const std::filesystem::path& folder,
                  const Work& work = {});
 
+/// Its pictures alone, with what is missing or stale.
+Report pictures_of(const projects::Project& project, const std::filesystem::path& folder,
+                   const Work& work = {});
+
 /// `image` against `reference`, two picture files.
 Report report_of(const std::filesystem::path& image, const std::filesystem::path& reference,
                  const Work& work = {});

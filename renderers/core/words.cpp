@@ -34,6 +34,13 @@ std::string known_are(const std::string& word, const std::vector<std::string>& k
     return did_you_mean(word, known) + (known.empty() ? "; there are none" : "; known are " + listed(known));
 }
 
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
     constexpr std::size_t longest_word = 64, shortest_part = 3;
     if (word.size() > longest_word) return {};

@@ -17,6 +17,9 @@ std::vector<std::string> words_of(const Items& items, Word word) {
     return words;
 }
 
+/// A field of a table [RFC 4180 §2].
+std::string csv_field(const std::string& text);
+
 /// How a message ends that says that nobody knows `word`: " (did you mean 'b'?); known are a, b, c". The
 /// question is asked where one of them is spelt nearly so, or begins or ends so.
 std::string known_are(const std::string& word, const std::vector<std::string>& known);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ir {
 namespace {
 
 constexpr int tick_width = 64, tick_height = 30;  ///< logical pixels that a label wants
 constexpr double farthest_level = 30;             ///< below the least value, as a factor
+constexpr std::size_t marks_of_curve = 8;         ///< about
 
 int max_ticks(double pixels, int each) {
     return std::clamp(int(pixels) / each, 3, 10);
@@ -58,17 +60,25 @@ PlacedPlot place_plot(const PlotData& data, double width, double height) {
         plot.remarks.push_back(data.level->label + ": " + plot_number(data.level->y) +
                                ", far below all points");
     int displaced = 0, unknown = 0;
-    for (std::size_t s = 0; s < data.series.size(); ++s)
-        for (const auto& point : data.series[s].points) {
+    for (std::size_t s = 0; s < data.series.size(); ++s) {
+        const auto& points = data.series[s].points;
+        const std::size_t every = data.are_curves ? points.size() / marks_of_curve + 1 : 1;
+        // Marks of curves that lie upon each other stand beside each other.
+        const std::size_t first = every * (2 * s + 1) / (2 * data.series.size()) % every;
+        bool begins = true;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto& point = points[i];
             if (!has_place(point)) {
                 ++unknown;
+                begins |= data.are_curves;
                 continue;
             }
             const bool is_displaced = plot.x.is_displaced(point.x) || plot.y.is_displaced(point.y);
             displaced += is_displaced ? 1 : 0;
-            plot.marks.push_back(
-                {point.id, int(s), plot.x.place(point.x), plot.y.place(point.y), point.ring, is_displaced});
+            plot.marks.push_back({point.id, int(s), plot.x.place(point.x), plot.y.place(point.y), point.ring,
+                                  is_displaced, i % every == first, std::exchange(begins, false)});
         }
+    }
     add_remark(plot, displaced, " point is zero or infinite, and stands hollow at the edge",
                " points are zero or infinite, and stand hollow at the edge");
     add_remark(plot, unknown, " point has no such number", " points have no such number");

@@ -16,6 +16,8 @@ struct PlacedPlot {
         int series = 0;
         double x = 0, y = 0;  ///< places on the axes
         bool ring = false, displaced = false;
+        bool shown = true;    ///< false: a line alone passes here
+        bool begins = false;  ///< no line comes from the point before
     };
     PlotScale x, y;
     std::vector<Mark> marks;  ///< points that have a place, in the order of series, then points

@@ -50,8 +50,11 @@ struct PlotData {
     PlotAxis x, y;
     std::vector<PlotSeries> series;
     std::optional<PlotLevel> level;
-    std::string ring_name;              ///< of the marked points, in the legend
-    bool join_rings = false;            ///< a line through them, from left to right
+    std::string ring_name;    ///< of the marked points, in the legend
+    bool join_rings = false;  ///< a line through them, from left to right
+    /// Each series is a function read at many places: only some points have marks, and the line breaks where
+    /// a point has no number.
+    bool are_curves = false;
     std::vector<std::string> headings;  ///< of the points' cells
     std::vector<std::string> problems;  ///< points that are none, and why: a line each
     std::vector<std::string> notes;     ///< what a reader should know, a line each

@@ -69,7 +69,8 @@ class Drawing {
         draw_axes();
         draw_level();
         draw_lines();
-        for (const auto& mark : plot_.marks) draw_mark(mark);
+        for (const auto& mark : plot_.marks)
+            if (mark.shown) draw_mark(mark);
         return out_.close().str();
     }
 
@@ -184,14 +185,15 @@ class Drawing {
     }
 
     void draw_lines() {
-        std::vector<std::vector<std::pair<double, double>>> lines(data_.series.size());
-        std::vector<std::pair<double, double>> front;
-        for (const auto& mark : plot_.marks) {
-            lines[std::size_t(mark.series)].emplace_back(mark.x, mark.y);
+        std::vector<std::pair<double, double>> line, front;
+        for (std::size_t i = 0; i < plot_.marks.size(); ++i) {
+            const auto& mark = plot_.marks[i];
+            line.emplace_back(mark.x, mark.y);
             if (mark.ring) front.emplace_back(mark.x, mark.y);
+            if (i + 1 < plot_.marks.size() && !plot_.marks[i + 1].begins) continue;
+            if (line.size() > 1) polyline(line, style_.series(mark.series), line_class(mark.series), nullptr);
+            line.clear();
         }
-        for (std::size_t s = 0; s < lines.size(); ++s)
-            if (lines[s].size() > 1) polyline(lines[s], style_.series(int(s)), line_class(int(s)), nullptr);
         std::sort(front.begin(), front.end());
         if (data_.join_rings && front.size() > 1) polyline(front, style_.front, "front", "2 3");
     }

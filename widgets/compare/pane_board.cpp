@@ -56,6 +56,11 @@ ImageView& PaneBoard::pane(int index) {
             set_region(view->transform().image_size().toSize(), region);
             emit region_changed(region_size_, region);
         });
+        connect(view, &ImageView::line_changed, this, [this, view](QLine line) {
+            set_line(view->transform().image_size().toSize(), line);
+            emit line_changed(line_size_, line);
+        });
+        connect(view, &ImageView::shape_drawn, this, &PaneBoard::shape_drawn);
         connect(view, &ImageView::tool_changed, this, [this](ImageView::Tool tool) {
             if (tool == tool_) return;
             set_tool(tool);
@@ -126,12 +131,19 @@ void PaneBoard::set_region(QSize size, const QRect& region) {
     update_marks();
 }
 
+void PaneBoard::set_line(QSize size, const QLine& line) {
+    line_size_ = size;
+    line_ = line;
+    update_marks();
+}
+
 void PaneBoard::update_marks() {
     for (auto* view : panes_) {
         const auto& picture = view->picture();
         view->set_mark(&Marks::picked, picture ? picked_in(*picture, picked_, picked_size_) : picked_);
-        const bool fits = picture && picture->size() == region_size_;
-        view->set_mark(&Marks::region, fits ? region_ : QRect());
+        const auto fits = [&](QSize size) { return picture && picture->size() == size; };
+        view->set_mark(&Marks::region, fits(region_size_) ? region_ : QRect());
+        view->set_mark(&Marks::line, fits(line_size_) ? line_ : QLine());
     }
 }
 

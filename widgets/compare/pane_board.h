@@ -43,6 +43,7 @@ class PaneBoard : public QScrollArea {
     void set_picked(QPoint pixel, QSize size = {});
     /// A rectangle of all pictures that have this size; empty: none.
     void set_region(QSize size, const QRect& region);
+    void set_line(QSize size, const QLine& line);  ///< likewise; null: none
     /// A light of a pane's scene, with handles; none: no handles.
     void set_light(int pane, const std::optional<PlacedLight>& light) { this->pane(pane).set_light(light); }
 
@@ -63,6 +64,8 @@ class PaneBoard : public QScrollArea {
     void picked_changed(int pane, QPoint pixel);
     /// Drawn, moved, resized or (empty) cleared by hand, in pictures of that size.
     void region_changed(QSize size, QRect region);
+    void line_changed(QSize size, QLine line);
+    void shape_drawn();  ///< the hand let go of one of them
     void tool_changed(ir::widgets::ImageView::Tool tool);
     // As in LightTool, of any pane.
     void light_moved(const glm::dvec3& position);
@@ -92,8 +95,9 @@ class PaneBoard : public QScrollArea {
     double fly_speed_ = 1;
     std::vector<PinMark> pins_;
     QPoint picked_{-1, -1};
-    QSize picked_size_, region_size_;
+    QSize picked_size_, region_size_, line_size_;
     QRect region_;
+    QLine line_;
     int active_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QFontMetrics>
+#include <QLine>
 #include <QWidget>
 #include <array>
 #include <vector>
@@ -29,6 +30,7 @@ struct Marks {
     std::vector<PinMark> pins;  ///< pixels that are kept in sight
     QPoint picked{-1, -1};      ///< negative: none
     QRect region;               ///< pixels that are measured; empty: none
+    QLine line;                 ///< from the middle of a pixel to that of another one; null: none
     QPoint cursor{-1, -1};      ///< where the cursor is in a linked view; negative: nowhere
 };
 
@@ -45,6 +47,7 @@ struct CanvasState {
     bool stale = false;           ///< a newer picture is being rendered
     Marks marks;
     bool region_edited = false;                    ///< the marked one has handles and shows its size
+    bool line_edited = false;                      ///< likewise
     CameraPose camera;                             ///< of the picture, for what is drawn in its space
     std::optional<PlacedLight> light;              ///< has handles
     LightHandle light_handle = LightHandle::none;  ///< that the cursor is over or holds

@@ -24,10 +24,28 @@ constexpr double divider_reach = 7;
 /// Room for a legend beside an exported picture: all that it needs.
 constexpr qreal whole_legend = 10000;
 
+/// How a tool is used; empty: it explains itself.
+QString hint_of(ImageView::Tool tool) {
+    switch (tool) {
+        case ImageView::Tool::orbit:
+            return ImageView::tr("Orbit: drag to turn  ·  Shift-drag to slide  ·  Ctrl+wheel for distance");
+        case ImageView::Tool::fly:
+            return ImageView::tr(
+                "Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster");
+        case ImageView::Tool::rectangle:
+            return ImageView::tr("Rectangle: drag to draw, move or resize  ·  arrows nudge  ·  Esc clears");
+        case ImageView::Tool::line:
+            return ImageView::tr("Line: drag to draw, move it or an end  ·  arrows nudge  ·  Esc clears");
+        case ImageView::Tool::inspect:
+            break;
+    }
+    return {};
+}
+
 }  // namespace
 
 ImageView::ImageView(QWidget* parent, Surface surface)
-    : QWidget(parent), region_tool_(state_, *this), light_tool_(state_, *this) {
+    : QWidget(parent), region_tool_(state_, *this), line_tool_(state_, *this), light_tool_(state_, *this) {
     canvas_ = surface == Surface::raster ? make_raster_canvas(state_, this) : make_canvas(state_, this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -53,6 +71,12 @@ ImageView::ImageView(QWidget* parent, Surface surface)
         set_mark(&Marks::region, region);
         emit region_changed(region);
     });
+    connect(&line_tool_, &LineTool::changed, this, [this](const QLine& line) {
+        set_mark(&Marks::line, line);
+        emit line_changed(line);
+    });
+    for (const auto* tool : {static_cast<ShapeTool*>(&region_tool_), static_cast<ShapeTool*>(&line_tool_)})
+        connect(tool, &ShapeTool::finished, this, &ImageView::shape_drawn);
     update_cursor_shape();
 }
 
@@ -155,7 +179,7 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     CanvasState drawn = state_;
     drawn.hint.clear();
     drawn.marks.cursor = {-1, -1};
-    drawn.region_edited = false;
+    drawn.region_edited = drawn.line_edited = false;
     drawn.light.reset();
     drawn.stale = false;
     drawn.legend = legend;
@@ -202,15 +226,10 @@ void ImageView::set_tool(Tool tool) {
 }
 
 void ImageView::update_hint() {
-    state_.hint = light_tool_.is_over_handle() ? light_tool_.hint()
-                  : tool_ == Tool::orbit
-                      ? tr("Orbit: drag to turn  ·  Shift-drag to slide  ·  Ctrl+wheel for distance")
-                  : tool_ == Tool::fly
-                      ? tr("Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster")
-                  : tool_ == Tool::rectangle
-                      ? tr("Rectangle: drag to draw, move or resize  ·  arrows nudge  ·  Esc clears")
-                      : light_tool_.hint();
+    const QString hint = light_tool_.is_over_handle() ? QString() : hint_of(tool_);
+    state_.hint = hint.isEmpty() ? light_tool_.hint() : hint;
     state_.region_edited = tool_ == Tool::rectangle;
+    state_.line_edited = tool_ == Tool::line;
     repaint_all();
 }
 
@@ -221,8 +240,8 @@ void ImageView::update_cursor_shape() {
         setCursor(Qt::SizeAllCursor);
     else if (drag_ == Drag::pan || space_)
         setCursor(drag_ == Drag::pan ? Qt::ClosedHandCursor : Qt::OpenHandCursor);
-    else if (tool_ == Tool::rectangle)
-        setCursor(region_tool_.cursor());
+    else if (auto* shape = shape_tool())
+        setCursor(shape->cursor());
     else
         setCursor(tool_ == Tool::inspect ? Qt::CrossCursor : Qt::SizeAllCursor);
 }
@@ -276,12 +295,16 @@ void ImageView::changeEvent(QEvent* event) {
         state_.transform.set_view_size(QSizeF(size()) * devicePixelRatioF());
 }
 
+ShapeTool* ImageView::shape_tool() {
+    if (tool_ == Tool::rectangle) return &region_tool_;
+    return tool_ == Tool::line ? &line_tool_ : nullptr;
+}
+
 ImageView::Drag ImageView::drag_for(const QMouseEvent& event) {
     if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) return Drag::pan;
     if (event.button() == Qt::LeftButton && light_tool_.is_over_handle()) return Drag::light;
     if (event.button() == Qt::LeftButton && is_over_divider(event.position())) return Drag::wipe;
-    if (tool_ == Tool::rectangle && event.button() == Qt::LeftButton)
-        return state_.has_image() ? Drag::region : Drag::pan;
+    if (shape_tool() && event.button() == Qt::LeftButton) return state_.has_image() ? Drag::shape : Drag::pan;
     if (!moves_camera())
         return event.button() == Qt::LeftButton    ? Drag::pick
                : event.button() == Qt::RightButton ? Drag::pan
@@ -298,7 +321,7 @@ void ImageView::mousePressEvent(QMouseEvent* event) {
     light_tool_.hover(event->position());
     drag_ = drag_for(*event);
     last_position_ = press_position_ = event->position();
-    if (drag_ == Drag::region) region_tool_.press(event->position());
+    if (drag_ == Drag::shape) shape_tool()->press(event->position());
     if (drag_ == Drag::light) light_tool_.press(event->position());
     update_cursor_shape();
 }
@@ -314,8 +337,8 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     } else if (drag_ == Drag::pan) {
         state_.transform.pan(device(delta));
         finish_transform();
-    } else if (drag_ == Drag::region) {
-        region_tool_.drag(event->position(), event->modifiers());
+    } else if (drag_ == Drag::shape) {
+        if (auto* shape = shape_tool()) shape->drag(event->position(), event->modifiers());
     } else if (drag_ == Drag::light) {
         light_tool_.drag(event->position());
     } else if (drag_ == Drag::camera) {
@@ -331,18 +354,18 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
         over_divider_ = over;
         update_cursor_shape();
     }
-    if (drag_ == Drag::none && tool_ == Tool::rectangle) {
-        region_tool_.hover(event->position());
+    if (auto* shape = shape_tool(); shape && drag_ == Drag::none) {
+        shape->hover(event->position());
         update_cursor_shape();
     }
     emit cursor_moved(pixel_at(event->position()));
 }
 
 bool ImageView::event(QEvent* event) {
-    // Escape clears the rectangle, or takes a light back, before it is the window's key.
+    // Escape clears a shape, or takes a light back, before it is the window's key.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
-        if (region_tool_.takes(key) || takes_light_key(key)) {
+        if ((shape_tool() && shape_tool()->takes(key)) || takes_light_key(key)) {
             event->accept();
             return true;
         }
@@ -385,6 +408,7 @@ void ImageView::mouseReleaseEvent(QMouseEvent* event) {
         if (event->modifiers() == Qt::ShiftModifier && picked.x() >= 0) emit explain_wanted(picked);
     }
     region_tool_.release();
+    line_tool_.release();
     light_tool_.release();
     if (std::exchange(drag_, Drag::none) == Drag::camera) camera_.finish();
     update_cursor_shape();
@@ -413,7 +437,7 @@ void ImageView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-/// The divider has the arrows before a light, the rectangle before both.
+/// The divider has the arrows before a light, a shape before both.
 bool ImageView::takes_light_key(const QKeyEvent& event) const {
     const bool moves_divider =
         state_.has_divider() && (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right);
@@ -429,7 +453,7 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
     if (tool_ == Tool::fly && CameraController::is_fly_key(event->key()) &&
         !(event->modifiers() & Qt::ControlModifier))
         return camera_.press_key(*event);
-    if (region_tool_.takes(*event)) return region_tool_.press_key(*event);
+    if (auto* shape = shape_tool(); shape && shape->takes(*event)) return shape->press_key(*event);
     const bool sideways = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
     if (state_.has_divider() && sideways) {
         const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;

@@ -6,6 +6,7 @@
 #include "widgets/image/camera_controller.h"
 #include "widgets/image/canvas.h"
 #include "widgets/image/light_tool.h"
+#include "widgets/image/line_tool.h"
 #include "widgets/image/region_tool.h"
 
 namespace ir::widgets {
@@ -16,7 +17,7 @@ namespace ir::widgets {
 class ImageView : public QWidget {
     Q_OBJECT
   public:
-    enum class Tool { inspect, orbit, fly, rectangle };
+    enum class Tool { inspect, orbit, fly, rectangle, line };
     enum class Surface { best, raster };
     Q_ENUM(Tool)
 
@@ -79,6 +80,8 @@ class ImageView : public QWidget {
     void explain_wanted(QPoint pixel);
     /// Drawn, moved or resized with the rectangle tool, at each step; empty: cleared.
     void region_changed(QRect region);
+    void line_changed(QLine line);  ///< likewise with the line's tool; null: cleared
+    void shape_drawn();             ///< the hand let go of one of them
     void zoom_changed(double zoom);
     /// A person (or a slot above) zoomed or panned.
     void transform_changed(const ir::widgets::ViewTransform& transform);
@@ -112,7 +115,8 @@ class ImageView : public QWidget {
     void changeEvent(QEvent*) override;
 
   private:
-    enum class Drag { none, pan, camera, pick, wipe, region, light };
+    enum class Drag { none, pan, camera, pick, wipe, shape, light };
+    ShapeTool* shape_tool();  ///< null: this tool draws none
     Drag drag_for(const QMouseEvent& event);
     bool moves_camera() const { return tool_ == Tool::orbit || tool_ == Tool::fly; }
     void finish_transform();
@@ -134,6 +138,7 @@ class ImageView : public QWidget {
     QWidget* overlay_;
     CameraController camera_;
     RegionTool region_tool_;
+    LineTool line_tool_;
     LightTool light_tool_;
     Tool tool_ = Tool::inspect;
     Drag drag_ = Drag::none;

@@ -310,9 +310,9 @@ void paint_handles(QPainter& painter, const QRectF& box, qreal ratio) {
     painter.setBrush(Qt::NoBrush);
 }
 
-void paint_size(QPainter& painter, const CanvasState& state, const QRectF& box, qreal ratio) {
-    const QString text =
-        QStringLiteral("%1 × %2").arg(state.marks.region.width()).arg(state.marks.region.height());
+/// A text below a shape, or above it where the view ends.
+void paint_measure(QPainter& painter, const CanvasState& state, const QRectF& box, const QString& text,
+                   qreal ratio) {
     QFont font = painter.font();
     font.setPixelSize(std::max(1, int(11 * ratio)));
     painter.setFont(font);
@@ -348,8 +348,37 @@ void paint_region(QPainter& painter, const CanvasState& state, qreal ratio) {
     painter.drawRect(box);
     if (state.region_edited) {
         paint_handles(painter, box, ratio);
-        paint_size(painter, state, box, ratio);
+        paint_measure(
+            painter, state, box,
+            QStringLiteral("%1 × %2").arg(state.marks.region.width()).arg(state.marks.region.height()),
+            ratio);
     }
+    painter.restore();
+}
+
+/// The line whose values are plotted: its start is a square, its end a disc.
+void paint_line(QPainter& painter, const CanvasState& state, qreal ratio) {
+    const QLine& line = state.marks.line;
+    if (line.isNull()) return;
+    const auto view_of = [&](QPoint pixel) {
+        return state.transform.view_from_image(QPointF(pixel) + QPointF(0.5, 0.5));
+    };
+    const QPointF start = view_of(line.p1()), end = view_of(line.p2());
+    painter.save();
+    painter.setPen(QPen(QColor(0, 0, 0, 190), 3 * ratio));
+    painter.drawLine(start, end);
+    painter.setPen(QPen(Qt::white, ratio));
+    painter.drawLine(start, end);
+    const qreal radius = (state.line_edited ? 4 : 3) * ratio;
+    painter.setPen(QPen(Qt::black, ratio));
+    painter.setBrush(Qt::white);
+    painter.drawRect(QRectF(start - QPointF(radius, radius), 2 * QSizeF(radius, radius)));
+    painter.drawEllipse(end, radius, radius);
+    if (state.line_edited)
+        paint_measure(
+            painter, state, QRectF(start, end).normalized(),
+            QStringLiteral("%1, %2 → %3, %4").arg(line.x1()).arg(line.y1()).arg(line.x2()).arg(line.y2()),
+            ratio);
     painter.restore();
 }
 
@@ -392,6 +421,7 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     if (state.has_image()) {
         paint_tiles(painter, state, ratio);
         paint_region(painter, state, ratio);
+        paint_line(painter, state, ratio);
         if (state.has_divider()) paint_divider(painter, state, view, ratio);
         for (const auto& pin : state.marks.pins) paint_pin(painter, state, pin, ratio);
         const QRectF picked = pixel_box(state, state.marks.picked, ratio);

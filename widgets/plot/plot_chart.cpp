@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ir::widgets {
 namespace {
@@ -174,16 +175,15 @@ void PlotChart::add_line(const std::vector<QPointF>& points, const QPen& pen) {
 }
 
 void PlotChart::make_lines() {
-    std::vector<std::vector<QPointF>> lines(data_.series.size());
-    std::vector<QPointF> front;
-    for (const auto& mark : marks()) {
-        lines[std::size_t(mark.series)].push_back({mark.x, mark.y});
+    std::vector<QPointF> line, front;
+    for (std::size_t i = 0; i < marks().size(); ++i) {
+        const auto& mark = marks()[i];
+        line.push_back({mark.x, mark.y});
         if (mark.ring) front.push_back({mark.x, mark.y});
-    }
-    for (std::size_t s = 0; s < lines.size(); ++s) {
-        QColor colour = colour_of(style_.series(int(s)));
+        if (i + 1 < marks().size() && !marks()[i + 1].begins) continue;
+        QColor colour = colour_of(style_.series(mark.series));
         colour.setAlphaF(0.75f);
-        add_line(lines[s], QPen(colour, 1.5));
+        add_line(std::exchange(line, {}), QPen(colour, 1.5));
     }
     std::sort(front.begin(), front.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
     QPen pen(colour_of(style_.front), 1.2);
@@ -262,6 +262,7 @@ void PlotChart::paint_points(QPainter& painter) const {
         painter.drawEllipse(position(mark), radius, radius);
     };
     for (const auto& mark : marks()) {
+        if (!mark.shown) continue;
         draw_mark(painter, position(mark), mark.series, size, style_, mark.displaced);
         if (mark.ring) ring(mark, size + 3, QPen(colour_of(style_.front), 1.5));
     }

@@ -26,6 +26,9 @@ constexpr Drawing drawings[] = {
      "<path d='M3 4.5h10v8H3z' stroke-dasharray='2.2 1.6'/><path d='M2 3.5h2v2H2z M12 3.5h2v2h-2z M2 "
      "11.5h2v2H2z M12 "
      "11.5h2v2h-2z' fill='#808080'/>"},
+    {"line",
+     "<path d='M3.5 12.5l9-9'/><path d='M2 11h3v3H2z' fill='#808080'/><circle cx='13' cy='3' r='1.6' "
+     "fill='#808080'/>"},
     {"orbit",
      "<circle cx='8' cy='8' r='2'/><path d='M1.5 8c0-2 2.9-3.6 6.5-3.6S14.5 6 14.5 8 11.6 11.6 8 11.6 M8 "
      "11.6l2-2 M8 11.6l2 2'/>"},

@@ -12,7 +12,7 @@
 namespace ir::widgets {
 namespace {
 
-constexpr double margin = 12, ruler_height = 22, track_height = 16, key_radius = 4;
+constexpr double margin = 12, ruler_height = 22, lane_height = 16, key_radius = 4;
 /// Further ones are not told apart by eye anyway.
 constexpr std::size_t max_tracks = 8;
 
@@ -50,7 +50,7 @@ void TimeBar::show_state(const TimelineState& state) {
 
 QSize TimeBar::sizeHint() const {
     const auto lines = std::max<std::size_t>(1, std::min(state_.tracks.size(), max_tracks));
-    return {400, int(ruler_height + double(lines) * track_height + 6)};
+    return {400, int(ruler_height + double(lines) * lane_height + 6)};
 }
 
 QSize TimeBar::minimumSizeHint() const {
@@ -68,7 +68,7 @@ double TimeBar::time_at(double x) const {
 }
 
 double TimeBar::line_of(std::size_t track) const {
-    return ruler_height + (double(track) + 0.5) * track_height;
+    return ruler_height + (double(track) + 0.5) * lane_height;
 }
 
 void TimeBar::paintEvent(QPaintEvent*) {
@@ -182,7 +182,7 @@ void TimeBar::keyPressEvent(QKeyEvent* event) {
 
 QString TimeBar::tip_at(const QPointF& place) const {
     for (std::size_t i = 0; i < std::min(state_.tracks.size(), max_tracks); ++i) {
-        if (std::abs(place.y() - line_of(i)) > track_height / 2) continue;
+        if (std::abs(place.y() - line_of(i)) > lane_height / 2) continue;
         const auto& track = state_.tracks[i];
         const QString what =
             tr("%1 moves %2%3").arg(track.name, track.what, track.loop ? tr(", in a loop") : QString());

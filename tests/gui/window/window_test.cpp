@@ -289,7 +289,7 @@ TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
     }
     window.action("layout-default")->trigger();
     QApplication::processEvents();
-    const QStringList quiet{"messages", "results", "plots", "timeline", "benchmarks"};
+    const QStringList quiet{"messages", "results", "plots", "timeline", "benchmarks", "profile"};
     for (auto* dock : docks)
         EXPECT_EQ(dock->isHidden(), quiet.contains(dock->objectName())) << dock->objectName().toStdString();
     window.action("dock-messages")->trigger();

@@ -40,7 +40,7 @@ bool may_include(const std::string& from, const std::string& to) {
         {"renderers/gl", {"renderers/core"}},
         {"renderers/scene", {"renderers/image", "renderers/core"}},
         {"renderers/image", {"renderers/core"}},
-        {"renderers/plot", {"renderers/core"}},
+        {"renderers/plot", {"renderers/core", "renderers/image"}},
         {"renderers/core", {}}};
     if (from == to) return true;
     if (from == "app") return !to.starts_with("renderers/methods/") && to != "tests";

@@ -1,0 +1,121 @@
+#include <QSignalSpy>
+
+#include "tests/gui/widgets/metrics/pictures.h"
+#include "widgets/compare/compare_view.h"
+
+namespace ir::widgets {
+namespace {
+
+using Tool = ImageView::Tool;
+
+QPoint middle_of(const ImageView& view, QPointF pixel) {
+    return (view.transform().view_from_image(pixel + QPointF(0.5, 0.5)) / view.devicePixelRatioF()).toPoint();
+}
+
+void draw_from(ImageView& view, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
+    const QPoint first = middle_of(view, from), last = middle_of(view, to);
+    QTest::mousePress(&view, Qt::LeftButton, modifiers, first);
+    for (int i = 1; i <= 4; ++i) {
+        const QPoint at = first + (last - first) * i / 4;
+        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                         modifiers);
+        QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, modifiers, last);
+}
+
+class LineTest : public testing::TestWithParam<double> {
+  protected:
+    void SetUp() override {
+        view.set_picture(make_picture(ramp(64, 48), Semantic::radiance));
+        show(view, {600, 440});
+        view.look_at({32, 24}, GetParam());
+        view.set_tool(Tool::line);
+    }
+    const QLine& line() const { return view.state().marks.line; }
+    ImageView view{nullptr, ImageView::Surface::raster};
+};
+
+INSTANTIATE_TEST_SUITE_P(Zoom, LineTest, testing::Values(2.0, 8.0));
+
+TEST_P(LineTest, IsDrawnMovedAndTurnedByMouse) {
+    QSignalSpy changed(&view, &ImageView::line_changed), picked(&view, &ImageView::picked_changed);
+    QSignalSpy drawn(&view, &ImageView::shape_drawn), region(&view, &ImageView::region_changed);
+    draw_from(view, {10, 8}, {41, 31});
+    EXPECT_EQ(line(), QLine(10, 8, 41, 31));
+    EXPECT_GE(changed.count(), 1);
+    EXPECT_EQ(drawn.count(), 1);
+    draw_from(view, {41, 31}, {50, 20});  // its end
+    EXPECT_EQ(line(), QLine(10, 8, 50, 20));
+    draw_from(view, {10, 8}, {10, 20});  // its start
+    EXPECT_EQ(line(), QLine(10, 20, 50, 20));
+    draw_from(view, {30, 20}, {33, 26});  // all of it
+    EXPECT_EQ(line(), QLine(13, 26, 53, 26));
+    draw_from(view, {33, 26}, {60, 28}, Qt::ShiftModifier);  // along one axis, and not out of the picture
+    EXPECT_EQ(line(), QLine(23, 26, 63, 26));
+    draw_from(view, {3, 3}, {20, 5}, Qt::ShiftModifier);  // elsewhere: a new one, straight
+    EXPECT_EQ(line(), QLine(3, 3, 20, 3));
+    draw_from(view, {3, 40}, {20, 20}, Qt::ShiftModifier);
+    EXPECT_EQ(line(), QLine(3, 40, 23, 20)) << "diagonal";
+    EXPECT_EQ(picked.count() + region.count(), 0);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, middle_of(view, {50, 40}));
+    EXPECT_EQ(line(), QLine(3, 40, 23, 20)) << "a click draws nothing";
+}
+
+TEST_P(LineTest, IsDrawnNudgedAndClearedByKeys) {
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_Escape);
+    QTest::keyClick(&view, Qt::Key_Right);
+    EXPECT_EQ(line(), QLine(0, 24, 63, 24)) << "the middle row";
+    QTest::keyClick(&view, Qt::Key_Down);
+    QTest::keyClick(&view, Qt::Key_Right);  // it is as wide as the picture
+    EXPECT_EQ(line(), QLine(0, 25, 63, 25));
+    QTest::keyClick(&view, Qt::Key_Up, Qt::ShiftModifier);
+    QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
+    EXPECT_EQ(line(), QLine(0, 25, 62, 24));
+    QTest::keyClick(&view, Qt::Key_Delete);
+    EXPECT_TRUE(line().isNull());
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_EQ(line(), QLine(32, 0, 32, 47)) << "the middle column";
+    QTest::mousePress(&view, Qt::LeftButton, {}, middle_of(view, {10, 10}));
+    QTest::mouseMove(&view, middle_of(view, {40, 30}));
+    EXPECT_NE(line(), QLine(32, 0, 32, 47));
+    QTest::keyClick(&view, Qt::Key_Escape);  // takes the drag back
+    EXPECT_EQ(line(), QLine(32, 0, 32, 47));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, middle_of(view, {40, 30}));
+    EXPECT_EQ(line(), QLine(32, 0, 32, 47));
+    view.set_tool(Tool::inspect);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_FALSE(line().isNull()) << "another tool's keys";
+}
+
+TEST_P(LineTest, IsPartOfWhatIsSeenButNotOfThePicture) {
+    const auto plain = view.snapshot(true, false);
+    view.set_mark(&Marks::line, {10, 8, 41, 31});
+    const auto with = view.snapshot(true, false);
+    EXPECT_NE(with, plain);
+    EXPECT_EQ(view.snapshot(false, false), [&] {
+        view.set_mark(&Marks::line, {});
+        return view.snapshot(false, false);
+    }());
+}
+
+TEST(LineOfPanes, IsInAllPicturesOfItsSizeAlone) {
+    CompareView compare(nullptr, ImageView::Surface::raster);
+    compare.set_pictures({radiance(ramp(64, 48)), radiance(ramp(64, 48))});
+    compare.set_mode(CompareView::Mode::side_by_side);
+    show(compare, {900, 440});
+    QSignalSpy changed(&compare.panes(), &PaneBoard::line_changed);
+    compare.panes().set_tool(Tool::line);
+    draw_from(compare.panes().pane(0), {10, 8}, {40, 30});
+    ASSERT_GE(changed.count(), 1);
+    EXPECT_EQ(changed.back()[0].toSize(), QSize(64, 48));
+    EXPECT_EQ(compare.panes().pane(1).state().marks.line, QLine(10, 8, 40, 30));
+    compare.set_pictures({radiance(ramp(32, 24)), radiance(ramp(32, 24))});
+    EXPECT_TRUE(compare.panes().pane(1).state().marks.line.isNull());
+    compare.set_pictures({radiance(ramp(64, 48)), radiance(ramp(64, 48))});
+    EXPECT_EQ(compare.panes().pane(1).state().marks.line, QLine(10, 8, 40, 30));
+}
+
+}  // namespace
+}  // namespace ir::widgets

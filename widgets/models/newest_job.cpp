@@ -1,0 +1,36 @@
+#include "widgets/models/newest_job.h"
+
+#include <utility>
+
+namespace ir::widgets {
+
+NewestJob::NewestJob(QObject* parent) : QObject(parent) {
+    pool_.setMaxThreadCount(1);  // renderers want the cores
+}
+
+NewestJob::~NewestJob() {
+    cancelled_ = true;
+    pool_.waitForDone();
+}
+
+void NewestJob::start(Job job) {
+    running_ ? void(waiting_ = std::move(job)) : run(std::move(job));
+}
+
+void NewestJob::run(Job job) {
+    running_ = true;
+    pool_.start([this, job = std::move(job)] {
+        auto finish = job(cancelled_);
+        if (cancelled_) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, finish = std::move(finish)] {
+                running_ = false;
+                if (waiting_) run(std::exchange(waiting_, nullptr));
+                finish();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,170 @@
+#include "widgets/profile/region_numbers.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "renderers/core/value.h"
+#include "renderers/core/words.h"
+#include "widgets/inspect/histogram.h"
+
+namespace ir::widgets {
+namespace {
+
+std::string region_text(const char* text) {
+    return QCoreApplication::translate("Region", text).toStdString();
+}
+
+/// Values of the pixels that count, and how many do not.
+struct Values {
+    std::string name;
+    std::vector<float> finite;
+    std::size_t skipped = 0;
+};
+
+Values values_of(const MeasuredImage& image, const PixelNumber& number, const QRect& rectangle,
+                 const std::atomic<bool>& cancelled) {
+    Values values{number.name.empty() ? image.label : image.label + "  " + number.name, {}, 0};
+    for (int y = rectangle.top(); y <= rectangle.bottom() && !cancelled; ++y)
+        for (int x = rectangle.left(); x <= rectangle.right(); ++x) {
+            const double value = image.has_value(x, y)
+                                     ? number.of(&image.image->pixels[image.image->index(x, y)])
+                                     : std::numeric_limits<double>::quiet_NaN();
+            std::isfinite(value) ? values.finite.push_back(float(value)) : void(++values.skipped);
+        }
+    return values;
+}
+
+RegionNumbers::Row row_of(const std::string& picture, const std::string& channel, Values& values) {
+    RegionNumbers::Row row{picture, channel, values.finite.size(), values.skipped};
+    if (values.finite.empty()) {
+        row.min = row.max = row.mean = row.deviation = row.median = std::nan("");
+        return row;
+    }
+    auto& finite = values.finite;
+    const auto [min, max] = std::minmax_element(finite.begin(), finite.end());
+    row.min = *min;
+    row.max = *max;
+    const double count = double(finite.size());
+    row.mean = std::accumulate(finite.begin(), finite.end(), 0.0) / count;
+    double squares = 0;
+    for (const float value : finite) squares += (value - row.mean) * (value - row.mean);
+    row.deviation = std::sqrt(squares / count);
+    const auto middle = finite.begin() + std::ptrdiff_t(finite.size() / 2);
+    std::nth_element(finite.begin(), middle, finite.end());
+    row.median = *middle;
+    if (finite.size() % 2 == 0) row.median = (row.median + *std::max_element(finite.begin(), middle)) / 2;
+    return row;
+}
+
+/// A row of pixels, as histogram() counts them.
+Image as_image(Values values) {
+    Image image;
+    image.width = int(values.finite.size());
+    image.height = image.channels = 1;
+    image.pixels = std::move(values.finite);
+    return image;
+}
+
+/// Neighbours of a histogram's bins are joined until a bin has some tens of pixels.
+int joined_bins(std::size_t pixels) {
+    constexpr double fewest = 8;  // bins
+    int joined = 1;
+    while (Histogram::bins / joined > std::max(fewest, 2 * std::sqrt(double(pixels)))) joined *= 2;
+    return joined;
+}
+
+PlotData histograms_of(std::vector<Values> all, const RegionRequest& request,
+                       const std::atomic<bool>& cancelled) {
+    PlotData plot;
+    plot.title = request.rectangle.isEmpty()
+                     ? region_text("All pixels")
+                     : QCoreApplication::translate("Region", "%1 × %2 pixels at %3, %4")
+                           .arg(request.rectangle.width())
+                           .arg(request.rectangle.height())
+                           .arg(request.rectangle.x())
+                           .arg(request.rectangle.y())
+                           .toStdString();
+    plot.x.title = value_title(request.pictures);
+    plot.y.title = region_text("Share of the pixels");
+    plot.y.log = request.logarithmic;
+    plot.are_curves = true;
+    const Counted one_channel{.semantic = Semantic::generic};
+    std::vector<std::pair<std::string, Image>> images;
+    std::optional<Axis> axis;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    for (auto& values : all) {
+        if (values.finite.empty() || cancelled) continue;
+        const auto name = values.name;
+        fewest = std::min(fewest, values.finite.size());
+        images.emplace_back(name, as_image(std::move(values)));
+        const auto own = histogram(images.back().second, 0, {}, one_channel, &cancelled).axis;
+        axis = axis ? Axis{std::min(axis->low, own.low), std::max(axis->high, own.high)} : own;
+    }
+    const int joined = joined_bins(fewest), bins = Histogram::bins / joined;
+    for (std::size_t s = 0; s < images.size() && !cancelled; ++s) {
+        const auto& [name, image] = images[s];
+        const auto counted = histogram(image, 0, axis, one_channel, &cancelled);
+        PlotSeries series{name, {}};
+        const double width = (axis->high - axis->low) / bins;
+        for (int bin = 0; bin < bins; ++bin) {
+            const double low = axis->low + bin * width;
+            const auto first = counted.counts.front().begin() + std::ptrdiff_t(bin) * joined;
+            const auto count = std::accumulate(first, first + joined, std::uint64_t(0));
+            series.points.push_back({.id = std::to_string(s) + ":" + std::to_string(bin),
+                                     .x = low + width / 2,
+                                     .y = double(count) / double(image.pixels.size()),
+                                     .label = name + "\n" + shortest_text(float(low)) + " … " +
+                                              shortest_text(float(low + width)) + "\n" +
+                                              std::to_string(count),
+                                     .cells = {}});
+        }
+        plot.series.push_back(std::move(series));
+    }
+    return plot;
+}
+
+}  // namespace
+
+MeasuredImage measured(const ShownPicture& shown) {
+    const Picture& picture = *shown.picture;
+    return {shown.name.toStdString(), picture.image.get(), picture.valid.get(), &picture.atlas,
+            picture.semantic};
+}
+
+std::string value_title(const std::vector<ShownPicture>& pictures) {
+    const QString unit = pictures.empty() ? QString() : pictures.front().picture->unit;
+    const bool one = std::all_of(pictures.begin(), pictures.end(),
+                                 [&](const ShownPicture& each) { return each.picture->unit == unit; });
+    return region_text("Value") + (one && !unit.isEmpty() ? " (" + unit.toStdString() + ")" : "");
+}
+
+RegionNumbers measure_region(const RegionRequest& request, const std::atomic<bool>& cancelled) {
+    RegionNumbers numbers;
+    std::vector<Values> all;
+    for (const auto& shown : request.pictures) {
+        const auto image = measured(shown);
+        const QRect whole(QPoint(0, 0), shown.picture->size());
+        const QRect rectangle = request.rectangle.isEmpty() ? whole : request.rectangle & whole;
+        for (const auto& number : pixel_numbers(image.semantic, image.image->channels, request.choice)) {
+            all.push_back(values_of(image, number, rectangle, cancelled));
+            numbers.rows.push_back(row_of(image.label, number.name, all.back()));
+        }
+    }
+    numbers.histograms = histograms_of(std::move(all), request, cancelled);
+    return numbers;
+}
+
+std::string region_csv(const RegionNumbers& numbers) {
+    const auto text = [](double value) { return std::isnan(value) ? "" : shortest_text(value); };
+    std::string csv = "picture,channel,pixels,skipped,min,max,mean,deviation,median\n";
+    for (const auto& row : numbers.rows)
+        csv += csv_field(row.picture) + "," + row.channel + "," + std::to_string(row.pixels) + "," +
+               std::to_string(row.skipped) + "," + text(row.min) + "," + text(row.max) + "," +
+               text(row.mean) + "," + text(row.deviation) + "," + text(row.median) + "\n";
+    return csv;
+}
+
+}  // namespace ir::widgets
