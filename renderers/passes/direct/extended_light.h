@@ -30,10 +30,12 @@ struct ExtendedSources {
 };
 ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options);
 
-/// What rays ask of them, made anew in each frame: it points into scene and world.
+/// What rays ask of them, with either model of materials, made anew in each frame: it points into scene and
+/// world.
 struct ExtendedEmitters {
     ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options)
-        : surfaces(*inputs.scene, *inputs.world, false, Panes::any_in(*inputs.scene)),
+        : surfaces(*inputs.scene, *inputs.world, false,
+                   Panes::any_in(*inputs.scene, Transport::Materials::gltf)),
           lights(surfaces, options) {}
     SurfaceLookup surfaces;
     LightSampler lights;

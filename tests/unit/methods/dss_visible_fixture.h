@@ -44,7 +44,7 @@ class VisibleTest : public DeepScreenSpaceTest {
             const auto& parameters = run.parameters;
             const auto scene = passes::upload_scene(builder);
             const auto gbuffer = passes::gbuffer(builder, scene);
-            const auto shadow = passes::shadow_maps(builder, scene, 256);
+            const auto shadow = passes::shadow_maps(builder, scene, 256, Transport::Materials::lambert);
             const bool light = parameters.transport.paths != Transport::Paths::ao;
             const auto directions = passes::bounce::directions(
                 builder, scene, gbuffer,
