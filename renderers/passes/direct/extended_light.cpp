@@ -15,6 +15,7 @@
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/scene/stands_still.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::passes {
 namespace {
@@ -304,9 +305,7 @@ void note_left_out(graph::GraphBuilder& builder, const ExtendedSources& left_out
 
 ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options) {
     ExtendedSources found;
-    for (const auto& light : inputs.world->lights)
-        found.flat_lights +=
-            light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
+    for (const auto& light : inputs.world->lights) found.flat_lights += scene::is_flat(light);
     if (options.emissive_meshes)
         for (const auto& range : inputs.world->ranges)
             if (inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission != glm::vec3(0))
