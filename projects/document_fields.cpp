@@ -64,10 +64,14 @@ const Fields<MaterialOverride>& material_fields() {
           "Emission",
           "W/(m² sr)",
           "Radiance that it emits: red, green, blue in W/(m² sr)",
-          {0, 1e9}}},
+          {0, max_emission}}},
         {&Change::normal_scale,
-         {"normal_scale", "Bumps", "", "Strength of the normal map; 0: none", {-100, 100}}},
-        {&Change::ior, {"ior", "IOR", "", "Index of refraction, 1 … 10", {1, 10}}},
+         {"normal_scale",
+          "Bumps",
+          "",
+          "Strength of the normal map; 0: none",
+          {-max_normal_scale, max_normal_scale}}},
+        {&Change::ior, {"ior", "IOR", "", "Index of refraction, 1 … 10", {min_ior, max_ior}}},
         {&Change::transmission, {"transmission", "Transmission", "", "0: opaque, 1: glass", {0, 1}}}};
     return fields;
 }

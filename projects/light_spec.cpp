@@ -144,8 +144,7 @@ void validate_places(const LightSpec& light, const std::string& where) {
 }  // namespace
 
 std::string to_string(LightSpec::Type type) {
-    static constexpr std::array names{"point", "spot", "directional", "rect", "disk"};
-    return names.at(static_cast<std::size_t>(type));
+    return LightSpec::type_names.at(static_cast<std::size_t>(type));
 }
 
 std::optional<Type> light_type_of(std::string_view name) {

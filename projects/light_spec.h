@@ -12,7 +12,12 @@ namespace ir::projects {
 /// One light as `--light` and the project file give it. Numbers in metres, degrees and radiometric units.
 struct LightSpec {
     enum class Type { point, spot, directional, rect, disk };
-    static constexpr std::array types{Type::point, Type::spot, Type::directional, Type::rect, Type::disk};
+    static constexpr std::array type_names{"point", "spot", "directional", "rect", "disk"};
+    static constexpr auto types = [] {
+        std::array<Type, type_names.size()> all{};
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Type>(i);
+        return all;
+    }();
     /// What `amount` is: W/sr, W, W/m², W/(m² sr).
     enum class Quantity { intensity, flux, irradiance, radiance };
 
@@ -46,7 +51,7 @@ std::string to_string(const LightSpec& light);
 /// Throws UsageError for numbers that make no sense (negative amount, target at the position, inner > outer).
 void validate(const LightSpec& light);
 
-std::string to_string(LightSpec::Type type);  ///< "point", "spot", "directional", "rect", "disk"
+std::string to_string(LightSpec::Type type);                          ///< of LightSpec::type_names
 std::optional<LightSpec::Type> light_type_of(std::string_view name);  ///< of one of these names
 std::string light_type_names();                       ///< "point, spot, directional, rect or disk"
 std::string to_string(LightSpec::Quantity quantity);  ///< "intensity", "flux", "irradiance", "radiance"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <initializer_list>
 #include <string>
 
 #include "app/engine/machine_settings.h"
@@ -63,6 +64,13 @@ inline CLI::Validator no_scene() {
             ""};
 }
 inline constexpr const char* method_doc = "Id, as `list` prints it";
+
+/// Of a command with subcommands, which CLI11 lets a place take for its value where it knows that the place
+/// is required: so that is said of none, and this is called where the command itself runs.
+inline void require_places(std::initializer_list<const CLI::Option*> places) {
+    for (const auto* place : places)
+        if (place->count() == 0) throw CLI::RequiredError(place->get_name());
+}
 
 /// As CLI::Range, which lets NaN pass.
 inline CLI::Validator within(double min, double max) {

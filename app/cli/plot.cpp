@@ -54,7 +54,6 @@ void add_plot(CLI::App& app, Run& run) {
         "plot",
         "Carry out plots of a project: error against time, frames or a parameter (also: bench error); `plot "
         "merge` joins shards");
-    // Required below, or the required place would take "merge".
     const auto* place = command->add_option("PROJECT", job.project, "Project folder")->check(no_scene());
     add_output_flags(*command, *flags);
     command->add_option("--repeats", job.repeats, "Runs of which the median time counts (default 1)")
@@ -64,7 +63,7 @@ void add_plot(CLI::App& app, Run& run) {
     add_plot_merge(*command, run);
     command->callback([flags, command, place, &run] {
         if (command->got_subcommand("merge")) return;
-        if (place->count() == 0) throw CLI::RequiredError(place->get_name());
+        require_places({place});
         set_run(flags, *command, run);
     });
 }

@@ -337,7 +337,6 @@ void add_reference(CLI::App& app, Run& run) {
         "reference",
         "Match a project's experiments with their ground truth, compute it and keep it; `reference merge` "
         "joins shards");
-    // Required below, or the required place would take "merge".
     const auto* place = command->add_option("PROJECT", flags->project, "Project folder or its project.json")
                             ->check(no_scene());
     add_project_flags(*command, *flags);
@@ -346,7 +345,7 @@ void add_reference(CLI::App& app, Run& run) {
     add_reference_merge(*command, run);
     command->callback([flags, command, place, &run] {
         if (command->got_subcommand("merge")) return;
-        if (place->count() == 0) throw CLI::RequiredError(place->get_name());
+        require_places({place});
         run = [flags] { return References(*flags).run(); };
     });
 }

@@ -303,10 +303,9 @@ void add_sweep(CLI::App& app, Run& run) {
     auto flags = std::make_shared<SweepFlags>();
     auto* command = app.add_subcommand(
         "sweep", "Render all variations of a project's sweep; `sweep merge` joins its shards");
-    // Required below, or a required place would take "merge".
-    const std::vector<CLI::Option*> places{
-        command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene()),
-        command->add_option("NAME", flags->name, "Id or name of the sweep")};
+    const auto* project =
+        command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene());
+    const auto* name = command->add_option("NAME", flags->name, "Id or name of the sweep");
     command
         ->add_option("--out", flags->out,
                      "Folder for ID-0001.exr, …, the list sweep.json, and sweep.jsonl with a line for each "
@@ -336,10 +335,9 @@ void add_sweep(CLI::App& app, Run& run) {
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
     add_sweep_merge(*command, run);
-    command->callback([flags, command, reference, places, &run] {
+    command->callback([flags, command, reference, project, name, &run] {
         if (command->got_subcommand("merge")) return;
-        for (const auto* place : places)
-            if (place->count() == 0) throw CLI::RequiredError(place->get_name());
+        require_places({project, name});
         if (command->count("--json") && flags->json.empty()) flags->json = "-";
         flags->is_judged = reference->count() > 0;
         run = [flags] { return SweepCommand(*flags).run(); };

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/engine/division.h"
 #include "app/engine/execution.h"
 #include "projects/document.h"
 
@@ -30,17 +31,16 @@ class PictureParts {
     /// Error where parts are missing, damaged or do not belong together.
     StoredState joined(const Execution& whole) const;
     /// Once the whole is kept.
-    void remove() const;
+    void remove() const { parts_.remove(); }
 
   private:
-    std::filesystem::path file(int index) const;
+    PictureParts(Division::Place place, int count);
 
-    const std::filesystem::path folder_;  ///< of the project
-    const std::string key_;               ///< state_key()
-    const int count_;
+    const std::string key_;  ///< state_key()
+    const Division parts_;
 };
 
-/// Into how many parts the picture is divided that has some in results/parts (division_of()).
+/// Into how many parts the picture is divided that has some in results/parts (Division::count_at()).
 int parts_of_picture(const projects::Project& project, const projects::Experiment& experiment,
                      const std::filesystem::path& folder);
 

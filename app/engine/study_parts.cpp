@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/engine/division.h"
 #include "app/engine/kept_study.h"
 #include "app/engine/moving.h"
 #include "app/engine/study_plan.h"
@@ -16,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *parts_name = "parts", *study_extension = ".json";
+constexpr const char* parts_name = "parts";
 
-fs::path study_parts_folder(const fs::path& folder) {
-    return study_file(folder, parts_name).parent_path() / parts_name;
+Division::Place place_of(const fs::path& folder, const std::string& plot) {
+    return {folder, study_file(folder, parts_name).parent_path() / parts_name, plot, ".json"};
 }
 
 std::string part_name_of(const std::string& plot, int index, int count) {
@@ -28,45 +27,43 @@ std::string part_name_of(const std::string& plot, int index, int count) {
 
 }  // namespace
 
-StudyParts::StudyParts(const projects::Project& project, const projects::ErrorPlot& plot, fs::path folder,
-                       int count)
-    : project_(project), plot_(plot), folder_(std::move(folder)), count_(count) {
+StudyParts::StudyParts(const projects::Project& project, const projects::ErrorPlot& plot,
+                       const fs::path& folder, int count)
+    : project_(project), plot_(plot), parts_(place_of(folder, plot.id), count) {
     // By its name, as a plot's place among others may change while it is divided.
     first_ = static_cast<int>(std::stoul(hash_bytes(plot.id).substr(0, 8), nullptr, 16) %
                               static_cast<unsigned long>(count));
 }
 
 Shard StudyParts::runs_of(const Shard& shard) const {
-    return {(shard.index - 1 + count_ - first_) % count_ + 1, count_};
+    return {(shard.index - 1 + parts_.count() - first_) % parts_.count() + 1, parts_.count()};
 }
 
 void StudyParts::keep(const ErrorStudy& study, const Shard& shard) const {
-    keep_study(project_, plot_, folder_, study, part_name_of(plot_.id, shard.index, count_));
+    keep_study(project_, plot_, parts_.project(), study, part_name_of(plot_.id, shard.index, parts_.count()));
 }
 
 /// What was made of another state of the project does not count.
 std::optional<ErrorStudy> StudyParts::part(int index) const {
-    const auto kept = load_study(folder_, part_name_of(plot_.id, index, count_));
-    if (!kept || is_stale(*kept, project_, plot_, projects::read_contents(project_, folder_))) return {};
+    const auto kept = load_study(parts_.project(), part_name_of(plot_.id, index, parts_.count()));
+    if (!kept || is_stale(*kept, project_, plot_, projects::read_contents(project_, parts_.project())))
+        return {};
     return kept->study;
 }
 
 std::vector<std::string> StudyParts::missing() const {
-    std::vector<std::string> missing;
-    for (int index = 1; index <= count_; ++index)
-        if (!part(index)) missing.push_back(part_text(index, count_) + " is not there");
-    return missing;
+    return parts_.missing([&](int index) { return part(index) ? "" : "is not there"; });
 }
 
 std::optional<ErrorStudy> StudyParts::joined(Machine& machine) const {
     std::vector<ErrorStudy> parts;
-    for (int index = 1; index <= count_; ++index) {
+    for (int index = 1; index <= parts_.count(); ++index) {
         auto found = part(index);
         if (!found) return {};
         parts.push_back(std::move(*found));
     }
-    const auto now = projects::with_contents(project_, projects::read_contents(project_, folder_));
-    const auto runs = plan_study(now, plot_, scene_facts(machine.scenes(), now, folder_));
+    const auto now = projects::with_contents(project_, projects::read_contents(project_, parts_.project()));
+    const auto runs = plan_study(now, plot_, scene_facts(machine.scenes(), now, parts_.project()));
     ErrorStudy study;
     study.plot = plot_.id;
     std::vector<std::size_t> taken(parts.size());
@@ -77,9 +74,8 @@ std::optional<ErrorStudy> StudyParts::joined(Machine& machine) const {
             const auto next = taken[from]++;
             if (next >= points.size() || points[next].experiment != runs[run].experiment ||
                 points[next].value != runs[run].points[i].value)
-                throw Error(
-                    study_file(folder_, part_name_of(plot_.id, static_cast<int>(from) + 1, count_)).string() +
-                    ": has other points than the plot; run its shard again");
+                throw Error(parts_.file(static_cast<int>(from) + 1).string() +
+                            ": has other points than the plot; run its shard again");
             study.points.push_back(points[next]);
         }
     }
@@ -96,13 +92,8 @@ std::optional<ErrorStudy> StudyParts::joined(Machine& machine) const {
     return study;
 }
 
-void StudyParts::remove() const {
-    const projects::ResultsGuard guard(folder_);  // others may be about to write there
-    remove_parts(study_parts_folder(folder_), plot_.id, count_, study_extension);
-}
-
 int parts_of_plot(const fs::path& folder, const std::string& plot) {
-    return division_of(study_parts_folder(folder), plot, study_extension);
+    return Division::count_at(place_of(folder, plot));
 }
 
 }  // namespace ir::engine

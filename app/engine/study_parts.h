@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/engine/division.h"
 #include "app/engine/error_study.h"
 #include "renderers/core/shard.h"
 
@@ -16,7 +17,7 @@ class StudyParts {
   public:
     /// The project, with its plot, outlives this.
     StudyParts(const projects::Project& project, const projects::ErrorPlot& plot,
-               std::filesystem::path folder, int count);
+               const std::filesystem::path& folder, int count);
 
     /// Which runs of this plot the shard has. Plots begin with others, by a hash of their id, so that shards
     /// are about equally busy where a project has many plots of few points.
@@ -28,19 +29,18 @@ class StudyParts {
     /// The study that one machine would have. Nothing where one of the parts is missing.
     std::optional<ErrorStudy> joined(Machine& machine) const;
     /// Once the whole is kept.
-    void remove() const;
+    void remove() const { parts_.remove(); }
 
   private:
     std::optional<ErrorStudy> part(int index) const;
 
     const projects::Project& project_;
     const projects::ErrorPlot& plot_;
-    const std::filesystem::path folder_;  ///< of the project
-    const int count_;
+    const Division parts_;
     int first_;  ///< index of the shard that has the first run, from 0 on
 };
 
-/// Into how many parts the plot is divided that has some (division_of()).
+/// Into how many parts the plot is divided that has some (Division::count_at()).
 int parts_of_plot(const std::filesystem::path& folder, const std::string& plot);
 
 }  // namespace ir::engine

@@ -4,6 +4,7 @@
 #include <regex>
 #include <set>
 
+#include "app/engine/division.h"
 #include "app/engine/measure.h"
 #include "app/engine/number_text.h"
 #include "projects/hash.h"
@@ -165,8 +166,7 @@ std::vector<fs::path> sweep_lists(const fs::path& folder) {
 }
 
 std::string table_name(const Shard& shard) {
-    if (shard.count == 1) return "sweep";
-    return "sweep-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
+    return shard.count == 1 ? "sweep" : part_name("sweep", shard.index, shard.count);
 }
 
 std::string sweep_plan(const std::vector<SweepRow>& rows) {

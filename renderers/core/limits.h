@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-/// Limits of a document's values, the same for file, window and command line.
+/// Limits of what people give, the same for file, window and command line.
 namespace ir {
 
 /// Pixels on a side that a document may ask for; devices may offer less.
@@ -15,6 +15,12 @@ inline constexpr std::int64_t max_samples = 1'000'000'000;
 inline constexpr double max_seconds = 1e9;
 /// Of a perspective camera's vertical field of view.
 inline constexpr double min_fov_degrees = 0.001, max_fov_degrees = 179.999;
+/// Of a material's factors; those that are fractions lie between 0 and 1.
+inline constexpr double max_emission = 1e9;      ///< W/(m² sr)
+inline constexpr double max_normal_scale = 100;  ///< on either side
+inline constexpr double min_ior = 1, max_ior = 10;
+/// Texels on a side that images of any device may have. [OpenGL 4.5, table 23.53]
+inline constexpr int max_texture_side = 16384;
 /// Runs of which a measurement takes the median.
 inline constexpr int max_repeats = 1000;
 

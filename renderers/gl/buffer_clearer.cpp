@@ -12,10 +12,10 @@ layout(local_size_x = 256) in;
 layout(std430, binding = 0) writeonly buffer Words { uint words[]; };
 layout(location = 0) uniform uint count;
 void main() {
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * 256u) words[i] = 0u;
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) words[i] = 0u;
 }
 )";
-constexpr std::uint64_t group = 256, max_groups = 4096;
+constexpr std::uint64_t max_groups = 4096;
 
 /// Of any device, as the specification promises.
 constexpr std::uint64_t alignment = 256;
@@ -49,7 +49,8 @@ void BufferClearer::clear(Name buffer, std::uint64_t offset, std::uint64_t bytes
                        static_cast<GLsizeiptr>(bytes));
     gl.ProgramUniform1ui(program_, 0, static_cast<GLuint>(bytes / 4));
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-    gl.DispatchCompute(static_cast<GLuint>(std::min((bytes / 4 + group - 1) / group, max_groups)), 1, 1);
+    const auto groups = (bytes / 4 + group_size_ - 1) / group_size_;
+    gl.DispatchCompute(static_cast<GLuint>(std::min(groups, max_groups)), 1, 1);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     gl.UseProgram(deleted ? 0 : static_cast<GLuint>(program));
     if (size > 0)
@@ -63,7 +64,12 @@ void BufferClearer::make_program() {
     program_ = gl.CreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source);
     GLint linked = 0;
     gl.GetProgramiv(program_, GL_LINK_STATUS, &linked);
-    if (linked) return;
+    if (linked) {
+        GLint size[3];
+        gl.GetProgramiv(program_, GL_COMPUTE_WORK_GROUP_SIZE, size);
+        group_size_ = static_cast<std::uint64_t>(size[0]);
+        return;
+    }
     gl.DeleteProgram(program_);
     program_ = 0;
     throw Error("the driver refuses the program that clears buffers; update it");

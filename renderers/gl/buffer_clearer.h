@@ -26,6 +26,7 @@ class BufferClearer {
 
     Context& context_;
     GLuint program_ = 0;
+    std::uint64_t group_size_ = 0;  ///< of the program
 };
 
 }  // namespace ir::gl

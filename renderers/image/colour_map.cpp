@@ -141,4 +141,9 @@ float linear_from_srgb(float encoded) {
     return std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
+glm::vec3 linear_from_srgb(const Tint& tint) {
+    const auto linear = [&](std::size_t c) { return linear_from_srgb(tint[c] / 255.0f); };
+    return {linear(0), linear(1), linear(2)};
+}
+
 }  // namespace ir

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,6 @@ StepMap step_map(const std::vector<Category>& categories);
 /// sRGB transfer function of a linear value in [0,1] and its inverse [IEC 61966-2-1].
 float srgb_from_linear(float linear);
 float linear_from_srgb(float encoded);
+glm::vec3 linear_from_srgb(const Tint& tint);
 
 }  // namespace ir

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "renderers/image/luminance.h"
+
 namespace ir {
 namespace {
 
@@ -24,7 +26,7 @@ double automatic_exposure(const Image& image) {
     double sum = 0;
     for (std::size_t i = 0; i < pixels; i += step) {
         const float* p = &image.pixels[i * channels];
-        const double luminance = channels < 3 ? p[0] : 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
+        const double luminance = channels < 3 ? p[0] : ir::luminance<double>(p[0], p[1], p[2]);
         if (!(luminance > 0) || !std::isfinite(luminance)) continue;
         stops.push_back(std::log2(luminance));
         sum += stops.back();

@@ -7,6 +7,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/hash.h"
+#include "renderers/core/limits.h"
 #include "renderers/core/words.h"
 #include "renderers/scene/opening_camera.h"
 #include "renderers/scene/part_motion.h"
@@ -36,28 +37,28 @@ class Overrider {
         set(given.base_colour, material.base_colour, "base_colour", 0, 1);
         set(given.metallic, material.metallic, "metallic", 0, 1);
         set(given.roughness, material.roughness, "roughness", 0, 1);
-        set(given.emission, material.emission, "emission", 0, 1e9f);
-        set(given.normal_scale, material.normal_scale, "normal_scale", -100, 100);
-        set(given.ior, material.ior, "ior", 1, 10);
+        set(given.emission, material.emission, "emission", 0, max_emission);
+        set(given.normal_scale, material.normal_scale, "normal_scale", -max_normal_scale, max_normal_scale);
+        set(given.ior, material.ior, "ior", min_ior, max_ior);
         set(given.transmission, material.transmission, "transmission", 0, 1);
     }
 
   private:
-    static bool is_within(double number, float min, float max) { return number >= min && number <= max; }
+    static bool is_within(double number, double min, double max) { return number >= min && number <= max; }
     template <class Vector>
-    static bool is_within(const Vector& vector, float min, float max) {
+    static bool is_within(const Vector& vector, double min, double max) {
         for (int i = 0; i < Vector::length(); ++i)
             if (!is_within(vector[i], min, max)) return false;
         return true;
     }
-    static std::string text(float number) {
+    static std::string text(double number) {
         char digits[32];
-        std::snprintf(digits, sizeof digits, "%g", static_cast<double>(number));
+        std::snprintf(digits, sizeof digits, "%g", number);
         return digits;
     }
     template <class Given, class Member>
-    void set(const std::optional<Given>& given, Member& member, const char* name, float min,
-             float max) const {
+    void set(const std::optional<Given>& given, Member& member, const char* name, double min,
+             double max) const {
         if (!given) return;
         if (!is_within(*given, min, max))
             throw UsageError(where_ + name + " must lie between " + text(min) + " and " + text(max));

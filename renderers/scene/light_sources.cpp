@@ -13,8 +13,7 @@ std::string named(const std::string& what, const std::string& name, std::size_t 
 }
 
 LightSource source_of(const Light& light, std::size_t index) {
-    const bool is_lamp = light.type == LightType::rectangle || light.type == LightType::disk;
-    return {is_lamp ? LightKind::lamp : LightKind::punctual,
+    return {is_flat(light) ? LightKind::lamp : LightKind::punctual,
             named(type_names[static_cast<std::size_t>(light.type)], light.name, index)};
 }
 

@@ -8,6 +8,11 @@
 
 namespace ir::scene {
 
+/// Rectangles and disks, the lights that have an extent.
+inline bool is_flat(const Light& light) {
+    return light.type == LightType::rectangle || light.type == LightType::disk;
+}
+
 /// All that emits: the lights, then emissive materials that some mesh has, then the environment. Lights and
 /// environment are the scene's, or stand for them. What is black is none. `visit` gets the index of the light
 /// or the material, too.

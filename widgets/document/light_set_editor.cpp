@@ -43,7 +43,7 @@ ItemRef LightSetEditor::light(int index) const {
 
 QMenu* LightSetEditor::make_add_menu() {
     auto* menu = new QMenu(this);
-    for (const Type type : {Type::point, Type::spot, Type::directional, Type::rect, Type::disk}) {
+    for (const auto type : projects::LightSpec::types) {
         auto* action = menu->addAction(icon("light"), light_name(type));
         action->setObjectName(QStringLiteral("add-light:") + QString::fromStdString(to_string(type)));
         connect(action, &QAction::triggered, this, [this, type] {

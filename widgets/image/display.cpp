@@ -129,8 +129,9 @@ QString channel_name(Semantic semantic, int channels, int channel) {
 
 bool shows(const float* pixel, int channels, const Category& category) {
     if (channels < 3) return std::abs(pixel[0] - static_cast<float>(category.value)) <= 0.5f;
-    for (std::size_t c = 0; c < 3; ++c)
-        if (std::abs(pixel[c] - linear_from_srgb(category.colour[c] / 255.0f)) > 0.01f) return false;
+    const auto colour = linear_from_srgb(category.colour);
+    for (int c = 0; c < 3; ++c)
+        if (std::abs(pixel[c] - colour[c]) > 0.01f) return false;
     return true;
 }
 

@@ -172,11 +172,11 @@ class Adder {
             const auto x = points.at(static_cast<int>(i));
             const float f =
                 form_factor({v.corners[0] - x, v.corners[1] - x, v.corners[2] - x}, points.normal[i]);
-            sums[i] += v.coverage * weight(v, height[i], x) * (height[i] < 0 ? -f : f);
+            sums[i] += v.coverage * falloff_weight(v, height[i], x) * (height[i] < 0 ? -f : f);
         }
     }
 
-    float weight(const Volume& v, float height, glm::vec3 x) const {
+    float falloff_weight(const Volume& v, float height, glm::vec3 x) const {
         if (is_hard_) return 1;
         float g = 1 - std::abs(height) / reach_;
         for (int i = 0; i < 3; ++i)

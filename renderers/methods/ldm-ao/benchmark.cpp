@@ -62,7 +62,7 @@ const std::vector<std::string> all_passes{
 
 /// Choices of parameter "storage".
 std::vector<Choice> storages() {
-    const auto descriptions = ldm::map_parameters(ldm::QueriedHits::any).descriptions();
+    const auto descriptions = ldm::map_parameters({.outermost = true, .sloped = true}).descriptions();
     return find(descriptions, "storage")->choices;
 }
 

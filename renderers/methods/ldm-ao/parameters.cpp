@@ -19,7 +19,7 @@ void add_nodes(ParameterTable<Parameters>& table) {
                       "the point by its depth at the texel's centre, and by its slopes at the point's own "
                       "place. Of the slope tolerance 0.3 are enough then."}},
          .on_change = OnChange::reallocate,
-         .active_when = {"storage", {std::string("arrays"), std::string("packed-arrays")}},
+         .active_when = passes::ldm::keeps_slopes(),
          .since_version = 2,
          .value_in_older_projects = std::string("plain")});
 }
@@ -61,7 +61,7 @@ ParameterText ambient_text() {
 
 ParameterTable<Parameters> parameter_table() {
     ParameterTable<Parameters> table;
-    table.include(&Parameters::maps, passes::ldm::map_parameters(passes::ldm::QueriedHits::any));
+    table.include(&Parameters::maps, passes::ldm::map_parameters({.outermost = true, .sloped = true}));
     table.include(
         &Parameters::transport,
         transport_parameters({.paths = {"ao"}, .keys = {"max_distance", "falloff", "normal_maps"}}));

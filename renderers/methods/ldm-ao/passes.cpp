@@ -87,7 +87,7 @@ bool has_host_body(const Parameters& parameters) {
 void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
                    const Images& images, const ldm::Sky* sky, const Parameters& parameters) {
     const auto meshlets = ldm::declare_meshlets(builder);
-    const auto rule = ldm::self_hit_rule(parameters.maps, maps->options.nodes);
+    const auto rule = ldm::self_hit_rule(parameters.maps, maps->layout.nodes);
     ldm::trace_on_host(builder, gbuffer, meshlets, maps, rule, visibility_of(parameters.transport),
                        !parameters.progressive, images.sums);
     if (sky) ldm::trace_sky_on_host(builder, gbuffer, meshlets, maps, *sky, rule);

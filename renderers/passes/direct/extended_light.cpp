@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderers/core/half_float.h"
+#include "renderers/core/limits.h"
 #include "renderers/core/parallel_for.h"
 #include "renderers/passes/a_trous/a_trous.h"
 #include "renderers/passes/direct/device/sample_on_device.h"
@@ -16,6 +17,7 @@
 #include "renderers/passes/scene/stands_still.h"
 #include "renderers/passes/surface/host_surfaces.h"
 #include "renderers/passes/surface/host_texture.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::passes {
 namespace {
@@ -221,15 +223,11 @@ void sample_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, const 
         2);
 }
 
-/// Texels along a side that images of any device may have. [OpenGL 4.5, table 23.53]
-constexpr int max_image_side_of_all = 16384;
-
 bool has_wide_map(graph::GraphBuilder& builder, const ExtendedLightOptions& options) {
     const auto& map = builder.inputs().scene->environment.map;
-    if (!options.environment || !map || std::max(map->width, map->height) <= max_image_side_of_all)
-        return false;
+    if (!options.environment || !map || std::max(map->width, map->height) <= max_texture_side) return false;
     builder.note("the environment map has " + std::to_string(map->width) + " x " +
-                 std::to_string(map->height) + " texels, more than " + std::to_string(max_image_side_of_all) +
+                 std::to_string(map->height) + " texels, more than " + std::to_string(max_texture_side) +
                  " a side: its light is sampled on the host");
     return true;
 }
@@ -309,9 +307,7 @@ void note_left_out(graph::GraphBuilder& builder, const ExtendedSources& left_out
 
 ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options) {
     ExtendedSources found;
-    for (const auto& light : inputs.world->lights)
-        found.flat_lights +=
-            light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
+    for (const auto& light : inputs.world->lights) found.flat_lights += scene::is_flat(light);
     if (options.emissive_meshes)
         for (const auto& range : inputs.world->ranges)
             if (inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission != glm::vec3(0))

@@ -30,12 +30,12 @@ struct ExtendedSources {
 };
 ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options);
 
-/// What rays ask of them. It does not need scene and world once it is made.
+/// What rays ask of them, with either model of materials. It does not need scene and world once it is made.
 struct ExtendedEmitters {
     ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options,
                      SurfaceLookup::Textures textures)
         : surfaces(*inputs.scene, *inputs.world, false, std::move(textures),
-                   Panes::any_in(inputs.scene->materials)),
+                   Panes::any_in(inputs.scene->materials, Transport::Materials::gltf)),
           lights(surfaces, options) {}
     SurfaceLookup surfaces;
     LightSampler lights;

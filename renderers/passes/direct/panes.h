@@ -21,8 +21,7 @@ class Panes {
     bool any() const { return any_; }
     /// Textures only lower what makes a material one.
     static bool may_be(const scene::Material& material);
-    static bool any_in(std::span<const scene::Material> materials,
-                       Transport::Materials model = Transport::Materials::gltf);
+    static bool any_in(std::span<const scene::Material> materials, Transport::Materials model);
 
     /// A ray as far as it goes. The pane behind max_panes ends it.
     class Sight {

@@ -8,20 +8,17 @@
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/lights/environment_light.h"
 #include "renderers/passes/lights/flat_light.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::passes {
 namespace {
-
-bool has_shape(const scene::Light& light) {
-    return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
-}
 
 /// Rays through the pixels' centres, up to the surface.
 class SeenAlongRays {
   public:
     SeenAlongRays(const graph::FrameInputs& inputs, bool map) : rays_(pixel_rays(inputs.view)) {
         for (const auto& light : inputs.world->lights)
-            if (has_shape(light)) lights_.emplace_back(light);
+            if (scene::is_flat(light)) lights_.emplace_back(light);
         if (map) environment_.emplace(inputs.scene->environment);
     }
 
@@ -78,7 +75,7 @@ SeenLight seen_light(graph::GraphBuilder& builder, const GBuffer& gbuffer, const
     SeenLight seen;
     const bool map = transport.environment_light && environment.map;
     if (transport.environment_light && !map) seen.background = environment.constant;
-    if (map || std::ranges::any_of(inputs.world->lights, has_shape))
+    if (map || std::ranges::any_of(inputs.world->lights, scene::is_flat))
         seen.image = draw_seen(builder, gbuffer, map);
     return seen;
 }

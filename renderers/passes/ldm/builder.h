@@ -19,13 +19,15 @@ namespace ir::passes::ldm {
 /// Counts from 0 in the order of the choices of parameter "builder".
 enum class BuilderKind { raster, compute };
 
-/// Which maps are built, and how; MapParameters says what each member is.
+/// Which maps are built, and how; map_parameters() say what the first members are. Maps::layout says what
+/// they then are.
 struct Options {
     int directions = 128;
     int resolution = 200;
     StorageKind storage = StorageKind::arrays;
     BuilderKind builder = BuilderKind::compute;
     int fixed_layers = 16;
+    // What methods make of their own parameters:
     NodeKind nodes = NodeKind::plain;
     glm::dmat3 rotation{1};  ///< of the whole set of directions
 };

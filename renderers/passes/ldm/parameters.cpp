@@ -6,14 +6,14 @@ namespace {
 const Condition tangent_plane{"self_hit", {std::string("tangent-plane")}};
 const Condition normal_offset{"self_hit", {std::string("normal-offset")}};
 
-std::vector<Choice> storages(QueriedHits hits) {
+std::vector<Choice> storages(const MapChoices& choices) {
     std::vector<Choice> result{
         {"linked-lists", "Linked lists",
          "Pre-sorted per-pixel singly linked lists, as published: 8 bytes per fragment.", Effect::cost},
         {"arrays", "Arrays",
          "Contiguous sorted arrays (count, prefix sum, scatter, sort): 2 bytes per fragment. The "
          "default: smaller and, measured on a software rasteriser, faster than lists.",
-         hits == QueriedHits::any ? Effect::image : Effect::cost},  // nodes with slopes give another picture
+         choices.sloped ? Effect::image : Effect::cost},  // nodes with slopes give another picture
         {"sparse-arrays", "Sparsity-aware arrays",
          "Contiguous sorted arrays whose offsets are kept, and summed, for texels with fragments "
          "alone (S-buffer).",
@@ -39,7 +39,7 @@ std::vector<Choice> storages(QueriedHits hits) {
          "Layer by layer, each the nearest beyond the one before: slow and exact, what the others "
          "are tested against.",
          Effect::cost}};
-    if (hits == QueriedHits::any)
+    if (choices.outermost)
         result.push_back({"outermost", "Outermost depths",
                           "The first and the last depth of a texel, without lists: 4 bytes per texel. They "
                           "answer hits at any distance by the rule tangent-plane as lists do; for anything "
@@ -48,7 +48,7 @@ std::vector<Choice> storages(QueriedHits hits) {
     return result;
 }
 
-void add_maps(ParameterTable<MapParameters>& table, QueriedHits hits) {
+void add_maps(ParameterTable<MapParameters>& table, const MapChoices& choices) {
     table
         .add(
             &MapParameters::directions,
@@ -73,7 +73,7 @@ void add_maps(ParameterTable<MapParameters>& table, QueriedHits hits) {
                                        .label = "Storage",
                                        .doc = "How a map keeps the sorted depths of its texels.",
                                        .citation = "Aalund15 §2.1",
-                                       .choices = storages(hits),
+                                       .choices = storages(choices),
                                        .on_change = OnChange::reallocate})
         .add(&MapParameters::fixed_layers,
              {.key = "fixed_layers",
@@ -155,10 +155,18 @@ void add_self_hits(ParameterTable<MapParameters>& table) {
 
 }  // namespace
 
-ParameterTable<MapParameters> map_parameters(QueriedHits hits) {
+ParameterTable<MapParameters> map_parameters(const MapChoices& choices) {
     ParameterTable<MapParameters> table;
-    add_maps(table, hits);
+    add_maps(table, choices);
     return table;
+}
+
+Condition keeps_slopes() {
+    Condition condition{"storage", {}};
+    const auto kinds = storages({.outermost = true});
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+        if (may_keep_slopes(static_cast<StorageKind>(kind))) condition.values.push_back(kinds[kind].key);
+    return condition;
 }
 
 ParameterTable<MapParameters> self_hit_parameters() {

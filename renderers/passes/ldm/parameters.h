@@ -17,14 +17,16 @@ struct MapParameters : Options {
     float normal_offset = 1;
 };
 
-/// Which hits a method queries.
-enum class QueriedHits {
-    nearest,  ///< what lies first along a ray
-    any       ///< also whether anything lies there at all, for which storage "outermost" is enough
+/// What a method offers beside lists of plain nodes.
+struct MapChoices {
+    bool outermost = false;  ///< storage "outermost": it also asks whether anything lies along a ray at all
+    bool sloped = false;     ///< nodes with slopes, in storages that may keep them
 };
 
 /// Directions, resolution, storage and builder.
-ParameterTable<MapParameters> map_parameters(QueriedHits hits = QueriedHits::nearest);
+ParameterTable<MapParameters> map_parameters(const MapChoices& choices = {});
+/// When a parameter of slopes counts: where the storage may keep them.
+Condition keeps_slopes();
 /// The self-hit rule: what shaders/passes/ldm/self_hit.glsl reads.
 ParameterTable<MapParameters> self_hit_parameters();
 

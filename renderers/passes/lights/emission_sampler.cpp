@@ -15,16 +15,13 @@
 #include "renderers/passes/raytracing/ray_offset.h"
 #include "renderers/passes/scattering/microfacets.h"
 #include "renderers/scene/frame.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::passes {
 namespace {
 
 /// The environment is chosen at most so many times as often as all other emitters.
 constexpr float max_environment = 3;
-
-bool has_area(const scene::Light& light) {
-    return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
-}
 
 glm::vec3 cosine_about(glm::vec3 normal_ws, glm::vec2 u) {
     return glm::normalize(scene::frame_around(normal_ws) * sample_cosine_ts(u));
@@ -117,7 +114,7 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_light(std::size_t i, glm
         return emitted;
     }
     EmittedLight emitted;
-    if (has_area(light)) {
+    if (scene::is_flat(light)) {
         const FlatLight shape(light);
         emitted.normal_ws = shape.normal_ws();
         emitted.origin_ws = offset_origin(shape.point_ws(place), emitted.normal_ws);
@@ -193,7 +190,7 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_sky(glm::vec2 place, glm
 
 float EmissionSampler::Impl::light_density(const scene::Light& light, glm::vec3 direction_ws,
                                            float distance) const {
-    if (has_area(light)) {
+    if (scene::is_flat(light)) {
         const FlatLight shape(light);
         return glm::dot(shape.normal_ws(), direction_ws) > 0 ? 1 / (pi * shape.area()) : 0;
     }

@@ -7,6 +7,7 @@
 #include "renderers/passes/lights/flat_light.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/lights/punctual.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::passes {
 namespace {
@@ -21,8 +22,7 @@ LightBounds bounds_of_flat(const FlatLight& light) {
 
 LightBounds bounds_of(const scene::Light& light) {
     if (light.type == scene::LightType::directional) return {};  // not in the tree
-    if (light.type == scene::LightType::rectangle || light.type == scene::LightType::disk)
-        return bounds_of_flat(FlatLight(light));
+    if (scene::is_flat(light)) return bounds_of_flat(FlatLight(light));
     LightBounds bounds{light.position, light.position, light.direction};
     bounds.intensity = luminance(light.colour * light.intensity);
     if (light.type == scene::LightType::spot) {
@@ -62,7 +62,7 @@ float tree_power(const std::vector<scene::Light>& lights, const TriangleLights* 
     double power = 0;
     for (const auto& light : lights) {
         const float intensity = luminance(light.colour * light.intensity);
-        if (light.type == scene::LightType::rectangle || light.type == scene::LightType::disk)
+        if (scene::is_flat(light))
             power += pi * intensity * FlatLight(light).area();
         else if (light.type != scene::LightType::directional)
             power += intensity * punctual_solid_angle(light);

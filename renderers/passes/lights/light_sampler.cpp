@@ -12,19 +12,16 @@
 #include "renderers/passes/lights/light_choice.h"
 #include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/lights/triangle_lights.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::passes {
 namespace {
-
-bool is_flat(const scene::Light& light) {
-    return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
-}
 
 /// Numbers of the world's.
 std::vector<int> sampled_lights(const scene::World& world, const LightSamplerOptions& options) {
     std::vector<int> numbers;
     for (std::size_t i = 0; i < world.lights.size(); ++i)
-        if (is_flat(world.lights[i]) ? options.lamps : options.punctual)
+        if (scene::is_flat(world.lights[i]) ? options.lamps : options.punctual)
             numbers.push_back(static_cast<int>(i));
     return numbers;
 }
@@ -68,7 +65,7 @@ LightSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
     for (const int i : numbers) lights.push_back(surfaces.world().lights[static_cast<std::size_t>(i)]);
     flat_of.assign(lights.size(), -1);
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (!is_flat(lights[i])) continue;
+        if (!scene::is_flat(lights[i])) continue;
         flat_of[i] = static_cast<int>(flat.size());
         flat.push_back({FlatLight(lights[i]), static_cast<int>(i)});
     }

@@ -1,5 +1,6 @@
 #include "renderers/passes/sampling/point_sequence.h"
 
+#include "renderers/passes/sampling/pcg.h"
 #include "renderers/passes/sampling/scrambled_points.h"
 
 namespace ir::passes {
@@ -32,15 +33,10 @@ std::uint32_t reversed_sobol_second(std::uint32_t index) {
     return index ^ ((index >> 1) & 0x55555555u);
 }
 
-/// The upper 24 bits: what a float holds without rounding up to 1.
-float unit(std::uint32_t bits) {
-    return static_cast<float>(bits >> 8) * 0x1p-24f;
-}
-
 /// The first dimension is the reversed index, which the scramble wants reversed again.
 glm::vec2 scrambled_point(std::uint32_t index, std::uint32_t seed_x, std::uint32_t seed_y) {
-    return {unit(reversed(scrambled(index, seed_x))),
-            unit(reversed(scrambled(reversed_sobol_second(index), seed_y)))};
+    return {unit_float(reversed(scrambled(index, seed_x))),
+            unit_float(reversed(scrambled(reversed_sobol_second(index), seed_y)))};
 }
 
 }  // namespace

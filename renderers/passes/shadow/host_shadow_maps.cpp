@@ -22,6 +22,18 @@ float receiver_depth(const ShadowViewData& view, glm::vec2 ndc, glm::vec3 positi
     return std::clamp(glm::dot(normal_ws, position_ws - origin) / slope, depth - limit, depth + limit);
 }
 
+/// `place`: from the upper left corner, 0 to 1.
+glm::vec2 texel_at(glm::vec2 place, int resolution) {
+    const auto size = static_cast<float>(resolution);
+    // The order of arguments makes 0 of what is no number.
+    return glm::min(glm::max(glm::vec2(0), glm::floor(place * size)), glm::vec2(size - 1));
+}
+
+std::size_t index_of(glm::vec2 texel, int resolution) {
+    return static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(resolution) +
+           static_cast<std::size_t>(texel.x);
+}
+
 }  // namespace
 
 HostShadowMaps::HostShadowMaps(const graph::PassContext& context, const ShadowMaps& shadow)
@@ -40,14 +52,9 @@ int HostShadowMaps::layer_of(const LightData& light, glm::vec3 position_ws) cons
     return light.shadow_layer + 2 * axis + (offset[axis] < 0 ? 1 : 0);
 }
 
-/// `place`: from the upper left corner, 0 to 1.
 glm::vec3 HostShadowMaps::passed_panes(std::size_t layer, glm::vec2 place) const {
-    const auto texel =
-        glm::min(glm::max(glm::vec2(0), glm::floor(place * static_cast<float>(pane_resolution_))),
-                 glm::vec2(static_cast<float>(pane_resolution_ - 1)));
-    const auto at = static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(pane_resolution_) +
-                    static_cast<std::size_t>(texel.x);
-    return glm::vec3(unpack_halves(panes_[layer][at]));
+    const auto texel = texel_at(place, pane_resolution_);
+    return glm::vec3(unpack_halves(panes_[layer][index_of(texel, pane_resolution_)]));
 }
 
 glm::vec3 HostShadowMaps::visibility(std::size_t light, glm::vec3 position_ws, glm::vec3 normal_ws,
@@ -72,15 +79,12 @@ glm::vec3 HostShadowMaps::visibility(std::size_t light, glm::vec3 position_ws, g
         scale * glm::vec2(glm::dot(offset, view.right_ws) / glm::dot(view.right_ws, view.right_ws),
                           glm::dot(offset, view.up_ws) / glm::dot(view.up_ws, view.up_ws));
     const auto place = ndc * glm::vec2(0.5f, -0.5f) + 0.5f;
-    // The order of arguments makes 0 of what is no number.
-    const auto texel =
-        glm::min(glm::max(glm::vec2(0), glm::floor(place * resolution)), glm::vec2(resolution - 1));
+    const auto texel = texel_at(place, resolution_);
     const auto texel_ndc = ((texel + 0.5f) / resolution * 2.0f - 1.0f) * glm::vec2(1, -1);
     const float expected =
         receiver_depth(view, texel_ndc, receiver_ws, normal_ws, depth, shadow_steepest_slope * texel_m);
-    const auto at = static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(resolution_) +
-                    static_cast<std::size_t>(texel.x);
-    if (layers_[layer][at] * view.far < expected - shadow_rounding * view.far) return glm::vec3(0);
+    if (layers_[layer][index_of(texel, resolution_)] * view.far < expected - shadow_rounding * view.far)
+        return glm::vec3(0);
     return passed_panes(layer, place);
 }
 

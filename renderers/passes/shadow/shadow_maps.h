@@ -38,6 +38,6 @@ struct ShadowMaps {
 /// stay while world and resolution (texels, square) stay; without lights there is one empty layer. Lambert's
 /// materials know no glass.
 ShadowMaps shadow_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, int resolution,
-                       Transport::Materials model = Transport::Materials::lambert);
+                       Transport::Materials model);
 
 }  // namespace ir::passes

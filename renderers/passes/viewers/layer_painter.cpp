@@ -139,9 +139,7 @@ gl::Name LayerPainter::map_texture(const LayerPlan& plan) {
     if (known != maps_.end()) return known->second;
     const ColourMap colours = plan.categories.empty() ? colour_map(name) : step_map(plan.categories).colours;
     std::vector<glm::vec4> texels;
-    for (const auto& entry : colours)
-        texels.emplace_back(linear_from_srgb(entry[0] / 255.0f), linear_from_srgb(entry[1] / 255.0f),
-                            linear_from_srgb(entry[2] / 255.0f), 1);
+    for (const auto& entry : colours) texels.emplace_back(linear_from_srgb(entry), 1);
     const auto texture = tools_.device.create_image(map_shape(), "colour map " + name);
     tools_.device.write_image(texture, map_shape(), 0, 0, std::as_bytes(std::span(texels)));
     return maps_[name] = texture;

@@ -120,11 +120,10 @@ bool place_fields(LayerPlan& plan, const std::vector<Field>& fields) {
 }
 
 void choose_colour(LayerPlan& plan, const std::vector<Field>& fields, std::size_t index) {
-    const auto& srgb = layer_colours[index % layer_colours.size()];
-    const auto linear = [&](std::size_t c) { return linear_from_srgb(srgb[c] / 255.0f); };
-    plan.block.red = linear(0);
-    plan.block.green = linear(1);
-    plan.block.blue = linear(2);
+    const auto colour = linear_from_srgb(layer_colours[index % layer_colours.size()]);
+    plan.block.red = colour.r;
+    plan.block.green = colour.g;
+    plan.block.blue = colour.b;
     const auto& wanted = plan.wanted;
     if (wanted.colour_by.empty()) return;
     const auto place = find(fields, wanted.colour_by);

@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/image/codecs/codecs.h"
 
 namespace ir::scene::gltf {
 namespace {
 
-constexpr int max_side = 16384;                           // what OpenGL implementations offer
 constexpr std::size_t max_texels = std::size_t{1} << 26;  // 8192 x 8192
 
 int big_endian(const Bytes& bytes, std::size_t offset, int count) {
@@ -111,7 +111,7 @@ ImageSize probe_image(const std::string& file, const std::string& place, const B
     if (!size) throw InputError(file, place, "neither a PNG, a JPEG nor a WebP image; convert it to one");
     if (size->width < 1 || size->height < 1)
         throw InputError(file, place, "an image without texels; replace it");
-    if (size->width > max_side || size->height > max_side || size->texels() > max_texels)
+    if (size->width > max_texture_side || size->height > max_texture_side || size->texels() > max_texels)
         throw InputError(file, place,
                          "an image of " + std::to_string(size->width) + "x" + std::to_string(size->height) +
                              " texels; scale it to 8192x8192 or less");

@@ -10,6 +10,10 @@
 // C++: ir::passes::ldm::*
 const float LDM_SLOPE_STEPS = 127.0, LDM_MAX_SLOPE_CODE = 126.0;
 
+/// Larger slopes, of surfaces that a map sees edge-on, are kept as this.
+// C++: ir::passes::ldm::*
+const float LDM_MAX_KEPT_SLOPE = 1e6;
+
 /// Largest slope that queries reckon with, in quanta per texel: the host holds twice as many in 16 bits.
 // C++: ir::passes::ldm::max_slope_quanta
 const float LDM_MAX_SLOPE = 16383.0;
@@ -35,7 +39,7 @@ struct LdmSlopeTest {
 
 /// Codes of both slopes, in quanta per texel, that of the columns in the lower half of 16 bits.
 uint ldm_slope_codes(vec2 slope, float texel_quanta) {
-    vec2 s = clamp(slope / texel_quanta, -1e6, 1e6);
+    vec2 s = clamp(slope / texel_quanta, -LDM_MAX_KEPT_SLOPE, LDM_MAX_KEPT_SLOPE);
     ivec2 code = ivec2(clamp(round(LDM_SLOPE_STEPS * s / (1.0 + abs(s))), -LDM_MAX_SLOPE_CODE, LDM_MAX_SLOPE_CODE));
     return uint(code.x & 0xff) | uint(code.y & 0xff) << 8;
 }

@@ -205,39 +205,6 @@ TEST_F(LightTest, ExperimentsThatAreComparedStayComparable) {
         EXPECT_EQ(each.lights, first_lights().id);
 }
 
-TEST_F(LightTest, TheMenuOfAPictureIsAboutThePixelThatWasClicked) {
-    open_scene();
-    auto& view = window.view();
-    const QPoint at(view.width() / 2 + 40, view.height() / 2 - 30);
-    QTest::mouseClick(&view, Qt::RightButton, {}, at);
-    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-    ASSERT_NE(menu, nullptr);
-    EXPECT_TRUE(menu->actions().contains(window.action("light-here")));
-    EXPECT_TRUE(menu->actions().contains(window.action("explain")));
-    menu->close();
-    const auto picked = view.state().marks.picked;
-    ASSERT_GE(picked.x(), 0);
-    QTest::mouseMove(window.findChild<QWidget*>("project-tree"), {5, 5});
-    QEvent leave(QEvent::Leave);
-    QApplication::sendEvent(&view, &leave);  // as the menu makes it
-    trigger("light-here");
-    ASSERT_EQ(renderer.surfaces.size(), 1u);
-    const auto expected = widgets::sight_through(
-        *window.session().camera().pose(), 1,
-        {(picked.x() + 0.5) / view.image().width, (picked.y() + 0.5) / view.image().height});
-    EXPECT_NEAR(glm::length(renderer.surfaces[0].direction - expected.direction), 0, 1e-9);
-    // A drag with the right button moves the picture, as before.
-    QTest::mousePress(&view, Qt::RightButton, {}, at);
-    for (int x = 5; x < 30; x += 5) QTest::mouseMove(&view, at + QPoint(x, 0));
-    QTest::mouseRelease(&view, Qt::RightButton, {}, at + QPoint(30, 0));
-    EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
-    // The keyboard has a key for it.
-    QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
-    QApplication::sendEvent(&view, &key);
-    ASSERT_NE(QApplication::activePopupWidget(), nullptr);
-    QApplication::activePopupWidget()->close();
-}
-
 TEST_F(LightTest, LightsComeFromTheCamera) {
     open_scene();
     place("light-camera");

@@ -50,6 +50,7 @@ class Slurm(unittest.TestCase):
         self.folder = Path(folder.name)
         self.cluster = small_slurm.Cluster(self.folder / "slurm", nodes=3)
         self.addCleanup(self.cluster.stop)
+        self.cluster.begin()
         self.project = self.make("divided")
 
     def make(self, name):

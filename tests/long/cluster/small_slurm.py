@@ -64,15 +64,18 @@ def end(process):
 
 class Cluster:
     def __init__(self, folder, nodes):
-        self.folder, self.daemons = Path(folder), {}
-        for name in ["state"] + [f"spool-n{i}" for i in range(nodes)]:
+        self.folder, self.nodes, self.daemons = Path(folder), [f"n{i}" for i in range(nodes)], {}
+        for name in ["state"] + [f"spool-{node}" for node in self.nodes]:
             (self.folder / name).mkdir(parents=True)
         text = CONFIGURATION.format(folder=self.folder, port=free_port())
-        for i in range(nodes):
-            text += f"NodeName=n{i} NodeHostname=localhost Port={free_port()} CPUs=2 RealMemory=1500\n"
+        for node in self.nodes:
+            text += f"NodeName={node} NodeHostname=localhost Port={free_port()} CPUs=2 RealMemory=1500\n"
         text += "PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP\n"
         (self.folder / "slurm.conf").write_text(text)
         os.environ["SLURM_CONF"] = str(self.folder / "slurm.conf")
+
+    def begin(self):
+        """Whoever makes a cluster calls stop(), whether this succeeds or not."""
         key = self.folder / "munge.key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
@@ -81,9 +84,9 @@ class Cluster:
                    f"--seed-file={self.folder}/munged.seed")
         self.wait(lambda: (self.folder / "munge.socket").exists())
         self.start("slurmctld", "slurmctld", "-D", "-c")
-        for i in range(nodes):
-            self.start(f"n{i}", "slurmd", "-D", "-N", f"n{i}")
-        self.wait(lambda: all(self.state(f"n{i}") == "idle" for i in range(nodes)))
+        for node in self.nodes:
+            self.start(node, "slurmd", "-D", "-N", node)
+        self.wait(lambda: all(self.state(node) == "idle" for node in self.nodes))
 
     def start(self, name, *words):
         with open(self.folder / f"{name}.out", "w") as log:

@@ -42,8 +42,10 @@ class AdditiveTest : public DeepScreenSpaceTest {
             const auto scene = passes::upload_scene(builder);
             const auto gbuffer = passes::gbuffer(builder, scene);
             const auto hierarchy = dss::shuffle(builder, gbuffer, run.parameters);
-            dss::splat_additive(builder, scene, gbuffer, passes::shadow_maps(builder, scene, 256), hierarchy,
-                                upload(builder, run.surfels), run.parameters, {"result", "Result"});
+            dss::splat_additive(builder, scene, gbuffer,
+                                passes::shadow_maps(builder, scene, 256, Transport::Materials::lambert),
+                                hierarchy, upload(builder, run.surfels), run.parameters,
+                                {"result", "Result"});
         });
     }
 

@@ -44,7 +44,7 @@ class VisibleTest : public DeepScreenSpaceTest {
             const auto& parameters = run.parameters;
             const auto scene = passes::upload_scene(builder);
             const auto gbuffer = passes::gbuffer(builder, scene);
-            const auto shadow = passes::shadow_maps(builder, scene, 256);
+            const auto shadow = passes::shadow_maps(builder, scene, 256, Transport::Materials::lambert);
             const auto hierarchy = dss::shuffle(builder, gbuffer, parameters);
             passes::bounce::Batches batches(builder, parameters.directions.samples);
             const auto visible = dss::declare_visible(builder, scene, gbuffer, shadow, hierarchy,

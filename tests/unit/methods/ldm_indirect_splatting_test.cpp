@@ -117,10 +117,11 @@ TEST_F(IndirectSplatting, WaysAgreeAndOrdersAreFixed) {
         EXPECT_EQ(read("indirect.irradiance").pixels, pictures.back().pixels);
     }
     double lit = 0;
+    const float rounding = device().software() ? 1e-4f : 1e-3f;
     for (std::size_t way : {1u, 2u, 3u})
         for (std::size_t i = 0; i < pictures[0].pixels.size(); ++i) {
             const float expected = pictures[0].pixels[i];
-            ASSERT_NEAR(pictures[way].pixels[i], expected, 1e-3f * expected + 1e-6f) << way << " at " << i;
+            ASSERT_NEAR(pictures[way].pixels[i], expected, rounding * expected + 1e-6f) << way << " at " << i;
             lit += expected > 0;
         }
     EXPECT_GT(lit, 0.5 * 3 * double(pictures[0].pixels.size()));

@@ -111,8 +111,8 @@ TEST_F(PhotonRecords, ThreeMillionPhotonsKeepPowerAndDirection) {
         ASSERT_EQ(host.below, t.below != 0);
         ASSERT_EQ(unpacked_power(t.power_bits), t.power_out);
         const auto out = unpacked_stereographic(t.direction_bits, t.below != 0);
-        // a driver may unpack what it packed a moment ago without rounding to halves as the other does
-        ASSERT_LT(glm::distance(out, t.direction_out), 1e-3f);
+        // A card's driver may unpack what it packed a moment ago without rounding it to halves.
+        ASSERT_LT(glm::distance(out, t.direction_out), device().software() ? 1e-6f : 1e-3f);
         worst_host_direction = std::max(
             worst_host_direction, angle_degrees(t.direction, unpacked_stereographic(host.xy, host.below)));
     }

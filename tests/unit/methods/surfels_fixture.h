@@ -33,7 +33,7 @@ class SurfelTest : public PassTest {
         method.description.outputs = dss::surfel_outputs();
         method.setup = [&](graph::GraphBuilder& builder, const Settings&) {
             const auto scene = passes::upload_scene(builder);
-            const auto shadow = passes::shadow_maps(builder, scene, 256);
+            const auto shadow = passes::shadow_maps(builder, scene, 256, Transport::Materials::lambert);
             dss::make_surfels(builder, scene, shadow, run.reach, run.parameters);
         };
         graph::FrameOptions options;

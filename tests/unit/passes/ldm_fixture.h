@@ -105,7 +105,8 @@ inline constexpr StorageKind all_storages[] = {
 inline std::string key_of(StorageKind storage) {
     MapParameters parameters;
     parameters.storage = storage;
-    return std::get<std::string>(map_parameters(QueriedHits::any).settings(parameters).at("storage"));
+    return std::get<std::string>(
+        map_parameters({.outermost = true, .sloped = true}).settings(parameters).at("storage"));
 }
 
 /// Constants of ldm_lists.comp.

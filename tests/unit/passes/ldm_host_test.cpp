@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/gtc/packing.hpp>
 
+#include "instruction_sets.h"
 #include "ldm_oracle.h"
 #include "renderers/passes/ldm/host/first_hit.h"
 #include "renderers/passes/ldm/host/streamed_map.h"

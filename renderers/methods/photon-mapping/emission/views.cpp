@@ -149,10 +149,8 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
             const auto radius = std::min(max_radius, std::sqrt(area / pi));
             // One colour after the other: where dots meet, the order of points does not show.
             for (const auto& fate : fates("").values) {
-                glm::vec3 colour;
-                for (int c = 0; c < 3; ++c)
-                    colour[c] = linear_from_srgb(fate.colour[static_cast<std::size_t>(c)] / 255.0f);
-                dots.set(ShowPoints{constants, fate.value == 1, colour, static_cast<float>(radius)});
+                dots.set(ShowPoints{constants, fate.value == 1, linear_from_srgb(fate.colour),
+                                    static_cast<float>(radius)});
                 gl::dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points));
                 p.barrier();
             }

@@ -33,8 +33,7 @@ struct Overlay {
 std::array<glm::vec4, 8> linear(const Categories& named) {
     std::array<glm::vec4, 8> colours{};
     for (std::size_t i = 0; i < colours.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            colours[i][c] = linear_from_srgb(named.values.at(i).colour[static_cast<std::size_t>(c)] / 255.0f);
+        colours[i] = glm::vec4(linear_from_srgb(named.values.at(i).colour), 0);
     return colours;
 }
 

@@ -50,21 +50,22 @@ std::span<const std::uint16_t> PointTracer::list(int column, int row,
     return std::span(values).subspan(map_.begins[texel], map_.begins[texel + 1] - map_.begins[texel]);
 }
 
-int PointTracer::next_by_slopes(int column, int row, int key, bool forward, const Slant& x) const {
+bool PointTracer::lies_before(const SlopeTest& test, int depth, unsigned codes) const {
+    const int ahead = test.forward ? depth - test.key : test.key - depth;
+    if (ahead > slope_reach_quanta(texel_quanta_)) return true;
+    const auto slope = 0.5f * glm::vec2(map_.slope_of[codes & 0xffu], map_.slope_of[codes >> 8]);
+    const float here = static_cast<float>(depth) + glm::dot(slope, test.place);
+    return (test.forward ? here - test.depth : test.depth - here) > test.tolerance;
+}
+
+int PointTracer::next_by_slopes(int column, int row, const SlopeTest& test) const {
     const auto depths = list(column, row, map_.depths), codes = list(column, row, map_.slopes);
-    const auto reach = static_cast<int>(std::min(slope_reach * texel_quanta_, 65534.0f));
-    const float tolerance = rule_.quanta + slope_tolerance(x.slope, x.place, texel_quanta_);
-    const float along = forward ? 1.0f : -1.0f;
-    const auto is_before = [&](int depth, unsigned code) {
-        const auto slope = 0.5f * glm::vec2(map_.slope_of[code & 0xffu], map_.slope_of[code >> 8]);
-        const float here = static_cast<float>(depth) + glm::dot(slope, x.place);
-        return along * (here - x.depth) > tolerance;
-    };
-    int found = forward ? ldm_none_behind : ldm_none_before;
+    int found = test.forward ? ldm_none_behind : ldm_none_before;
     for (std::size_t i = 0; i < depths.size(); ++i) {
-        const int depth = depths[i], ahead = forward ? depth - key : key - depth;
-        if (ahead <= 0 || (forward ? depth >= found : depth <= found)) continue;
-        if (ahead > reach || is_before(depth, codes[i])) found = depth;
+        const int depth = depths[i];
+        if (test.forward ? depth <= test.key || depth >= found : depth >= test.key || depth <= found)
+            continue;
+        if (lies_before(test, depth, codes[i])) found = depth;
     }
     return found;
 }
@@ -101,11 +102,13 @@ FirstHit PointTracer::trace_tangent(const glm::vec3& position_ws, const glm::vec
     const float along = forward ? 1.0f : -1.0f;
     const float plane = depth + along * gain, start = depth + along * std::max(gain + tolerance, 0.0f);
     const int key = forward ? quantum(start) : -quantum(-start);  // down along ω
-    const Slant x{{slope_x * along, slope_y * along},
-                  {u - static_cast<float>(column) - 0.5f, v - static_cast<float>(row) - 0.5f},
-                  depth};
+    const auto next_by_slopes_too = [&] {
+        const glm::vec2 place(u - static_cast<float>(column) - 0.5f, v - static_cast<float>(row) - 0.5f);
+        const float wide = rule_.quanta + slope_tolerance({slope_x, slope_y}, place, texel_quanta_);
+        return next_by_slopes(column, row, {place, depth, wide, key, forward});
+    };
     const int found = map_.holds == Holds::sloped_lists
-                          ? next_by_slopes(column, row, key, forward, x)
+                          ? next_by_slopes_too()
                           : next_beyond(list(column, row, map_.depths), key, forward);
     return {true, is_entry(found), along * (static_cast<float>(found) - plane), column, row, found};
 }

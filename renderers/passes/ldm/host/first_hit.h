@@ -54,13 +54,17 @@ class PointTracer {
     }
     /// Of a texel, of values that each entry has.
     std::span<const std::uint16_t> list(int column, int row, const std::vector<std::uint16_t>& values) const;
-    /// How a point's surface lies to the map: quanta per texel; texels from the centre; depth.
-    struct Slant {
-        glm::vec2 slope, place;
-        float depth;
+    /// As LdmSlopeTest of node.glsl.
+    struct SlopeTest {
+        glm::vec2 place;  ///< of the point, texels from the centre
+        float depth, tolerance;
+        int key;
+        bool forward;
     };
-    /// The nearest entry beyond `key` along ω that lies before the point by its slopes, too.
-    int next_by_slopes(int column, int row, int key, bool forward, const Slant& x) const;
+    /// ldm_lies_before() of node.glsl
+    bool lies_before(const SlopeTest& test, int depth, unsigned codes) const;
+    /// The nearest entry beyond the key along ω that lies before the point by its slopes, too.
+    int next_by_slopes(int column, int row, const SlopeTest& test) const;
     /// Where the point is outside of the map the first band answers.
     FirstHit beside() const { return {map_.first_row == 0, false}; }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "shaders/passes/ldm/fragments.glsl.h"
 #include "shaders/passes/ldm/node.glsl.h"
 
 namespace ir::passes::ldm {
@@ -13,7 +14,7 @@ namespace ir::passes::ldm {
 /// ldm_slope_codes(): slopes in quanta per texel.
 inline std::uint16_t slope_codes(glm::dvec2 slope, double texel_quanta) {
     const auto code = [&](double s) {
-        s = std::clamp(s / texel_quanta, -1e6, 1e6);
+        s = std::clamp(s / texel_quanta, -double{ldm_max_kept_slope}, double{ldm_max_kept_slope});
         const double steps = std::nearbyint(double{ldm_slope_steps} * s / (1 + std::abs(s)));
         const double most = double{ldm_max_slope_code};
         return static_cast<unsigned>(static_cast<int>(std::clamp(steps, -most, most))) & 0xffu;
@@ -32,6 +33,11 @@ inline SlopeTable slope_table(float texel_quanta) {
         table[code] = static_cast<std::int16_t>(2 * std::clamp(slope, -max_slope_quanta, max_slope_quanta));
     }
     return table;
+}
+
+/// Whole quanta beyond the key up to which slopes count, of 16 bits. [ldm_lies_before()]
+inline int slope_reach_quanta(float texel_quanta) {
+    return static_cast<int>(std::min(slope_reach * texel_quanta, ldm_last_depth));
 }
 
 /// ldm_slope_tolerance()

@@ -190,7 +190,7 @@ class SlopeQuestion {
         most_ = hn::Max(most_, hn::IfThenElse(queries, start, most_));
     }
     void finish() {
-        q_.reach = static_cast<int>(std::min(slope_reach * queried_.texel_quanta, 65534.0f));
+        q_.reach = slope_reach_quanta(queried_.texel_quanta);
         const auto reach = static_cast<float>(q_.reach + 2);
         q_.first_queried =
             static_cast<int>(std::clamp(hn::GetLane(hn::MinOfLanes(f, least_)) - reach, 0.0f, 65535.0f));
@@ -294,6 +294,12 @@ bool find_in_lists(TileState& state, const PixelTiles& tiles, std::size_t tile, 
     return (state.q.queries | state.open) != 0;
 }
 
+/// From the plane to what was found, `beyond` the key; quanta along ω.
+Floats distance_of(const TileState& state, int first, Floats beyond) {
+    const auto key = load_halves(state.q.key + first), plane = hn::Load(f, state.plane + first);
+    return hn::Sub(hn::Add(hn::Add(key, beyond), hn::Set(f, 1)), plane);
+}
+
 /// Visibility of what was found.
 void add_answers(const TileState& state, const QueriedMap& queried, const Visibility& visibility, float scale,
                  std::uint32_t* sums) {
@@ -303,8 +309,7 @@ void add_answers(const TileState& state, const QueriedMap& queried, const Visibi
     for (int i = 0; i < pixels; i += lanes) {
         const auto counts = lanes_of(state.q.queries | state.open, i);
         if (hn::AllFalse(f, counts)) continue;
-        const auto beyond = load_halves(state.q.beyond + i), key = load_halves(state.q.key + i);
-        const auto distance = hn::Sub(hn::Add(hn::Add(key, beyond), one), hn::Load(f, state.plane + i));
+        const auto beyond = load_halves(state.q.beyond + i), distance = distance_of(state, i, beyond);
         const auto found =
             hn::And(lanes_of(state.q.queries, i),
                     hn::And(hn::Ne(beyond, hn::Set(f, none)), hn::Lt(distance, hn::Set(f, queried.reach))));

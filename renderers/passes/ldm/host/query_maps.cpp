@@ -60,10 +60,8 @@ void seen_distances(const PixelTiles& tiles, std::size_t first, std::size_t end,
         find_in_lists(state, tiles, tile, queried, rule);
         const auto found = tiles.valid[tile] & state.q.queries, open = tiles.valid[tile] & state.open;
         for (int i = 0; i < pixels; i += lanes) {
-            const auto beyond = load_halves(state.q.beyond + i), key = load_halves(state.q.key + i);
-            const auto distance =
-                hn::Max(hn::Sub(hn::Add(hn::Add(key, beyond), hn::Set(f, 1)), hn::Load(f, state.plane + i)),
-                        hn::Zero(f));
+            const auto beyond = load_halves(state.q.beyond + i);
+            const auto distance = hn::Max(distance_of(state, i, beyond), hn::Zero(f));
             const auto far = hn::Set(f, std::numeric_limits<float>::infinity());
             const auto is_hit = hn::And(lanes_of(found, i), hn::Ne(beyond, hn::Set(f, none)));
             const auto seen = hn::IfThenElse(lanes_of(found | open, i), far, hn::Set(f, -1));

@@ -168,7 +168,7 @@ class Rasteriser {
     /// Of slopes in quanta per texel: slope_codes() of many.
     Ints codes_of(Floats per_column, Floats per_row) const {
         const auto code = [&](Floats slope) {
-            const auto most = hn::Set(f, 1e6f), last = hn::Set(f, ldm_max_slope_code);
+            const auto most = hn::Set(f, ldm_max_kept_slope), last = hn::Set(f, ldm_max_slope_code);
             const auto s =
                 hn::Min(hn::Max(hn::Mul(slope, hn::Set(f, 1 / texel_quanta_)), hn::Neg(most)), most);
             const auto steps =

@@ -3,10 +3,6 @@
 #include <bit>
 #include <cmath>
 
-#include "renderers/passes/vectors/targets.h"
-
-#include <hwy/highway.h>
-
 namespace ir::passes::ldm {
 
 std::array<StreamedMap::Level, StreamedMap::level_count> StreamedMap::levels_of(int resolution, int rows) {
@@ -30,23 +26,6 @@ void SelfHitCounts::resize(std::size_t pixels) {
 void SelfHitCounts::add(const SelfHitCounts& other) {
     for (const auto counts : {&SelfHitCounts::own, &SelfHitCounts::queried, &SelfHitCounts::rejected})
         for (std::size_t i = 0; i < (this->*counts).size(); ++i) (this->*counts)[i] += (other.*counts)[i];
-}
-
-std::string instruction_set() {
-    const auto sets = instruction_sets();
-    return sets.empty() ? "" : hwy::TargetName(sets.front());
-}
-
-std::vector<std::int64_t> instruction_sets() {
-    std::vector<std::int64_t> sets;  // better ones have lower bits
-    for (auto left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
-        sets.push_back(left & -left);
-    return sets;
-}
-
-void force_instruction_set(std::int64_t set) {
-    hwy::SetSupportedTargetsForTest(set);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 }  // namespace ir::passes::ldm

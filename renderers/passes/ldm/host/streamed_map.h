@@ -144,11 +144,4 @@ void count_self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps,
 void sum_cosines(const PixelTiles& tiles, std::size_t first, std::size_t end,
                  std::span<const MapFrame> frames, float scale, std::span<std::uint32_t> sums);
 
-/// The instruction set that runs, "AVX3", "AVX2", "SSE4" or "SCALAR", and those that this machine has, as
-/// bits.
-std::string instruction_set();
-std::vector<std::int64_t> instruction_sets();
-/// For tests: from now on the functions above use only this set; 0: the best again.
-void force_instruction_set(std::int64_t set);
-
 }  // namespace ir::passes::ldm

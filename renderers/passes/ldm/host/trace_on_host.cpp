@@ -231,7 +231,7 @@ class Stream {
 };
 
 Holds lists_of(const Maps& maps) {
-    return maps.options.nodes == NodeKind::sloped ? Holds::sloped_lists : Holds::lists;
+    return maps.layout.keeps_slopes() ? Holds::sloped_lists : Holds::lists;
 }
 
 /// Declares a pass that streams all maps.

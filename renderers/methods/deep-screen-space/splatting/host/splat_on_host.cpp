@@ -57,9 +57,8 @@ class HostSplats {
         if (!device_) throw Error("deep screen space: Embree does not start; --processor gl does without");
     }
 
-    /// Stratified, all samples have the same discs, only in other sub-images.
+    /// Stratified, all samples have the same discs, only in other sub-images: it is called once then.
     void begin_sample(int sample) {
-        if (!levels_.empty() && is_stratified()) return;
         const auto& hierarchy = visible_.splats.hierarchy;
         levels_.clear();
         levels_.resize(static_cast<std::size_t>(hierarchy.levels));
@@ -323,10 +322,10 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
         return [=, directions = graph::layers<const glm::vec4>(p, visible.directions.directions)](
                    const HostSplats& splats, Samples samples, int, std::int64_t tile) {
             const auto& hierarchy = visible.splats.hierarchy;
-            const auto fill = [&](std::size_t index, glm::uvec2 pixel, int sample) {
+            const auto fill = [&](const HostSplats::Origin& from, std::size_t index, glm::uvec2 pixel,
+                                  int sample) {
                 const auto& direction = directions[static_cast<std::size_t>(sample)][index];
-                if (!splats.is_surface(index) || direction == glm::vec4(0)) return;
-                const auto from = splats.origin(index);
+                if (direction == glm::vec4(0)) return;
                 const auto hit = splats.exact_hit_of(from, direction);
                 for (int level = 0; level < hierarchy.levels && !hit.is_hit(); ++level) {
                     DiscRay ray(from.receiver, direction);
@@ -341,7 +340,10 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
                 }
             };
             splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {
-                for (int sample = samples.first; sample < samples.end; ++sample) fill(index, pixel, sample);
+                if (!splats.is_surface(index)) return;
+                const auto from = splats.origin(index);
+                for (int sample = samples.first; sample < samples.end; ++sample)
+                    fill(from, index, pixel, sample);
             });
         };
     });

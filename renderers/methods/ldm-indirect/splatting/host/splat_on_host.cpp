@@ -39,12 +39,12 @@ class HostSplat {
         if (!task.photons.looks) return;
         looks_.maps = static_cast<std::size_t>(task.photons.parameters.maps.directions);
         looks_.units_per_metre = units_per_metre(*p.inputs().world);
-        see(p, task);
+        find_looks(p, task);
         arena_.execute([&] { find_ranges(tiles_, groups_, looks_); });
     }
 
     /// Contents may move from slice to slice.
-    void see(const graph::PassContext& p, const SplatTask& task) {
+    void find_looks(const graph::PassContext& p, const SplatTask& task) {
         if (task.photons.looks) looks_.looks = p.elements<const std::uint8_t>(*task.photons.looks);
     }
 
@@ -119,7 +119,7 @@ void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
             if (slice.first)
                 splat->begin(p, task, gbuffer);
             else
-                splat->see(p, task);
+                splat->find_looks(p, task);
             passes::add_stored<Photon>(p, task.photons, slice, KernelRound::kernels,
                                        [&](auto photons) { splat->add(photons); });
             if (!slice.last) return;

@@ -44,8 +44,8 @@ bool LandingView::shown_at(const glm::vec3& position_ws, std::size_t& pixel) con
     return clip.w > 0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-bool LandingView::may_reach(const glm::vec3& position_ws, const glm::vec3& first_ws, const glm::vec3& last_ws,
-                            float longer, float thicker) const {
+bool LandingView::may_reach_view(const glm::vec3& position_ws, const glm::vec3& first_ws,
+                                 const glm::vec3& last_ws, float longer, float thicker) const {
     const float least =
         c_.shortest_axis * std::max(glm::dot(depth_row_, glm::vec4(position_ws, 1)), c_.nearest_w);
     const float radius =
@@ -71,7 +71,7 @@ Landing LandingView::unseen(const Arrival& a, bool is_inside, float distance, co
         longer /= std::max(-glm::dot(normal, a.direction), min_facing);
         thicker = 1 / std::min(c_.topological_bias, 1.0f);
     }
-    if (!may_reach(position, first, last, longer, thicker)) return {Cause::outside, distance, {}};
+    if (!may_reach_view(position, first, last, longer, thicker)) return {Cause::outside, distance, {}};
     return {Cause::stored_hidden, distance, normal};
 }
 

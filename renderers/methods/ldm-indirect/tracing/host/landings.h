@@ -43,8 +43,8 @@ class LandingView {
 
   private:
     bool shown_at(const glm::vec3& position_ws, std::size_t& pixel) const;
-    bool may_reach(const glm::vec3& position_ws, const glm::vec3& first_ws, const glm::vec3& last_ws,
-                   float longer, float thicker) const;
+    bool may_reach_view(const glm::vec3& position_ws, const glm::vec3& first_ws, const glm::vec3& last_ws,
+                        float longer, float thicker) const;
     Landing unseen(const Arrival& a, bool is_inside, float distance, const glm::vec3& normal) const;
 
     LandingConstants c_;

@@ -102,7 +102,7 @@ class HostSplit {
     }
 
     /// What looks start from. They are asked for on the side of the geometric normal.
-    void see(const ldm::SurfaceImages& images) {
+    void take_pixels(const ldm::SurfaceImages& images) {
         arena_.execute([&] { ldm::fill_pixel_tiles(tiles_, images); });
         for (int axis = 0; axis < 3; ++axis) tiles_.normal[axis] = tiles_.geometric_normal[axis];
     }
@@ -352,9 +352,9 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         HostSplit::Looks to;
         if (looks) to = {context.elements<std::uint8_t>(*looks), units_per_metre(*context.inputs().world)};
         if (looks && slice.first)
-            split->see({view.width, view.height, context.pixels<const glm::vec4>(gbuffer.position),
-                        context.pixels<const std::uint64_t>(gbuffer.normal),
-                        context.pixels<const glm::vec4>(gbuffer.geometric_normal)});
+            split->take_pixels({view.width, view.height, context.pixels<const glm::vec4>(gbuffer.position),
+                                context.pixels<const std::uint64_t>(gbuffer.normal),
+                                context.pixels<const glm::vec4>(gbuffer.geometric_normal)});
         split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, to, all, slice);
         if (!slice.last) return;
         split->write_shares(context.elements<Shares>(primaries.shares));

@@ -17,9 +17,12 @@ int clamped(float value, int end) {
     return static_cast<int>(std::min(std::max(0.0f, value), static_cast<float>(end)));
 }
 
-/// surface_area of tile_area of kernel.glsl.
-float surface_area(float depth, float constant, bool perspective, float facing) {
-    return (perspective ? depth * depth * constant : constant) / std::max(facing, least_facing);
+// As in kernel.glsl:
+float tile_area(float depth, float c_tile, bool perspective) {
+    return perspective ? depth * depth * c_tile : c_tile;
+}
+float surface_area(float area, float facing) {
+    return area / std::max(facing, least_facing);
 }
 
 /// Unit: stretched_direction of kernel.glsl.
@@ -66,11 +69,11 @@ float KernelMaker::radius(const Photon& photon, glm::vec3 n) const {
     const float depth = glm::dot(photon.position_ws - view.eye_ws, view.view_axis_ws);
     const float facing =
         glm::dot(n, view.perspective ? (view.eye_ws - photon.position_ws) / depth : -view.view_axis_ws);
-    const float share =
-        surface_area(depth, r_.c_tile, view.perspective, facing) / photons_of_tile(photon.position_ws);
+    const float tile = surface_area(tile_area(depth, r_.c_tile, view.perspective), facing);
+    const float share = tile / photons_of_tile(photon.position_ws);
     const float s_l = std::clamp(photon.ray_length / r_.l_max, r_.min_ray_length_scale, 1.0f);
     const float s_d = std::clamp(std::sqrt(share / pi), r_.r_min, r_.r_max) * std::sqrt(r_.n_tile);
-    const float texel = std::sqrt(surface_area(depth, r_.c_texel, view.perspective, facing));
+    const float texel = std::sqrt(surface_area(tile_area(depth, r_.c_texel, view.perspective), facing));
     return r_.shrinking * std::max(s_l * s_d, r_.min_radius_texels * texel);
 }
 
