@@ -303,8 +303,7 @@ void add_sweep(CLI::App& app, Run& run) {
     auto flags = std::make_shared<SweepFlags>();
     auto* command = app.add_subcommand(
         "sweep", "Render all variations of a project's sweep; `sweep merge` joins its shards");
-    const auto* project =
-        command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene());
+    const auto* project = command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene());
     const auto* name = command->add_option("NAME", flags->name, "Id or name of the sweep");
     command
         ->add_option("--out", flags->out,
