@@ -12,6 +12,7 @@ namespace {
 
 using namespace ir;
 using test::GltfBuilder;
+using test::Json;
 using test::load;
 
 /// A curved strip of squares along x.
