@@ -1,4 +1,3 @@
-#include <QMenu>
 #include <QTemporaryDir>
 
 #include "app/gui/light_offer.h"

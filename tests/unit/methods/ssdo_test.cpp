@@ -156,7 +156,8 @@ TEST_F(SsdoTest, TheHostGathersAsTheDevice) {
             const auto difference = apart(device[key], host);
             EXPECT_GT(difference.sum, 0) << key;
             EXPECT_LT(difference.part, 0.03) << key;
-            EXPECT_NEAR(difference.other_sum / difference.sum, 1, device().software() ? 5e-3 : 1e-2) << key;
+            EXPECT_NEAR(difference.other_sum / difference.sum, 1, this->device().software() ? 5e-3 : 1e-2)
+                << key;
         }
     }
 }
