@@ -35,8 +35,7 @@ void add_exact(ParameterTable<Parameters>& table) {
                   "to the self-hit rule, and the rest to the texels.",
               .choices = {{"none", "None", "All hits come from the maps: the method itself."},
                           {"near", "Near hits",
-                           "Hits up to a few texels away are exact, those beyond come "
-                           "from the maps."},
+                           "Hits up to a few texels away are exact, those beyond come from the maps."},
                           {"all", "All hits", "The maps are not queried."}}})
         .add(&Parameters::exact_texels,
              {.key = "exact_texels",

@@ -23,8 +23,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::glyphs,
          .doc = "Discs, as large as they were tested, of surfels that were splatted onto the pixel; found by "
                 "a search over all surfels, and those of outcome 1 left out. surfel: 1 + index; sample, "
-                "level: where it was splatted; shell: which its disc was enlarged for. "
-                "distance: m along the ray to the disc's plane; z: what the depth test compares.",
+                "level: where it was splatted; shell: which its disc was enlarged for. distance: m along the "
+                "ray to the disc's plane; z: what the depth test compares.",
          .categories = {{"outcome", outcomes}},
          .when_empty = no_surface,
          .explains = true},
