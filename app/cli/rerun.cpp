@@ -94,8 +94,7 @@ void move_files(const RerunFlags& flags, Original& original) {
         if (!projects::is_builtin(source) && !std::filesystem::exists(source))
             throw InputError(flags.file, "",
                              "was rendered from " + source +
-                                 ", which is not there; --scene and --env say "
-                                 "where it is now");
+                                 ", which is not there; --scene and --env say where it is now");
     });
 }
 

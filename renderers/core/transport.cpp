@@ -81,8 +81,7 @@ void add_surfaces(ParameterTable<Transport>& table) {
         .add(&Transport::normal_maps,
              {.key = "normal_maps",
               .label = "Normal maps",
-              .doc = "Take cosines with the normal-mapped shading normal instead of the "
-                     "interpolated one."});
+              .doc = "Take cosines with the normal-mapped shading normal instead of the interpolated one."});
 }
 
 void add_sources(ParameterTable<Transport>& table, int emitters_since) {

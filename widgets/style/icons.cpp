@@ -24,8 +24,7 @@ constexpr Drawing drawings[] = {
     {"inspect", "<path d='M8 1.5v4 M8 10.5v4 M1.5 8h4 M10.5 8h4'/><circle cx='8' cy='8' r='.8'/>"},
     {"rectangle",
      "<path d='M3 4.5h10v8H3z' stroke-dasharray='2.2 1.6'/><path d='M2 3.5h2v2H2z M12 3.5h2v2h-2z M2 "
-     "11.5h2v2H2z M12 "
-     "11.5h2v2h-2z' fill='#808080'/>"},
+     "11.5h2v2H2z M12 11.5h2v2h-2z' fill='#808080'/>"},
     {"line",
      "<path d='M3.5 12.5l9-9'/><path d='M2 11h3v3H2z' fill='#808080'/><circle cx='13' cy='3' r='1.6' "
      "fill='#808080'/>"},

@@ -17,12 +17,11 @@ MethodDescription description() {
     d.summary =
         "Extrudes every triangle by the maximum distance into a volume and draws it over the picture; each "
         "pixel in it decides exactly how the triangle occludes its point, seen by the camera or not. With "
-        "visibility, samples of a pixel keep the nearest triangle along directions of their own: exact "
-        "rays, found by a depth test, or traced where the processor is the host. Without, form factors of "
-        "all triangles add up and occlude too much where things lie behind each other; the host goes through "
-        "them by tiles of the picture. The time grows with "
-        "the number of volumes that cover a pixel: with triangles and with the cube of the maximum "
-        "distance. Fall-off: with visibility as everywhere; "
+        "visibility, samples of a pixel keep the nearest triangle along directions of their own: exact rays, "
+        "found by a depth test, or traced where the processor is the host. Without, form factors of all "
+        "triangles add up and occlude too much where things lie behind each other; the host goes through "
+        "them by tiles of the picture. The time grows with the number of volumes that cover a pixel: with "
+        "triangles and with the cube of the maximum distance. Fall-off: with visibility as everywhere; "
         "without, smooth is the published product of distances to the volume's planes, and a triangle that "
         "occludes counts as a whole.";
     d.version = 2;

@@ -35,8 +35,7 @@ void add_exact(ParameterTable<Parameters>& table) {
                   "to the self-hit rule, and the rest to the texels. Or for the pixels that need them.",
               .choices = {{"none", "None", "All hits come from the maps: the method itself."},
                           {"near", "Near hits",
-                           "Hits up to a few texels away are exact, those beyond come "
-                           "from the maps."},
+                           "Hits up to a few texels away are exact, those beyond come from the maps."},
                           {"all", "All hits", "The maps are not queried."},
                           {"selected", "All hits of some pixels",
                            "Of pixels that have much within a texel or two, by 16 short rays. The others "

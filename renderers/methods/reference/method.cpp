@@ -17,8 +17,8 @@ ParameterTable<Parameters> parameter_table() {
         .add(&Parameters::samples,
              {.key = "samples",
               .label = "Paths per pixel",
-              .doc = "Traced in each frame; frames add up: after F frames a pixel is the "
-                     "mean of F times as many. Raising it goes on from what is there.",
+              .doc = "Traced in each frame; frames add up: after F frames a pixel is the mean of F times as "
+                     "many. Raising it goes on from what is there.",
               .hard = {1, 1e6},
               .soft = {1, 1024},
               .on_change = OnChange::nothing,
@@ -52,14 +52,13 @@ void add_main_outputs(MethodDescription& d) {
                          .semantic = Semantic::radiance,
                          .unit = "W/(m² sr)",
                          .doc =
-                             "Light towards the camera that the chosen paths bring; the mean of all "
-                             "samples so far. Light over mirrors, through glass and over sharp surfaces is "
-                             "also traced from its sources. That of point, spot and directional lights over "
-                             "mirrors or through glass is missing where the camera sees "
-                             "it in a mirror or through glass; a note says when a scene has such. Paths that "
-                             "meet more than 32 mirrors or "
-                             "panes of glass are cut and counted as reference.cut_paths; samples that "
-                             "are no finite number count as black, as reference.bad_samples, and a "
+                             "Light towards the camera that the chosen paths bring; the mean of all samples "
+                             "so far. Light over mirrors, through glass and over sharp surfaces is also "
+                             "traced from its sources. That of point, spot and directional lights over "
+                             "mirrors or through glass is missing where the camera sees it in a mirror or "
+                             "through glass; a note says when a scene has such. Paths that meet more than 32 "
+                             "mirrors or panes of glass are cut and counted as reference.cut_paths; samples "
+                             "that are no finite number count as black, as reference.bad_samples, and a "
                              "warning says so.",
                          .active_when = only_light});
     d.outputs.push_back({.key = "direct",

@@ -19,10 +19,9 @@ std::vector<Choice> storages(const MapChoices& choices) {
          "alone (S-buffer).",
          Effect::cost},
         {"packed-arrays", "Packed arrays",
-         "Contiguous sorted arrays of 11-bit depths and one byte of offsets per texel: the least "
-         "memory, 1.5 bytes per fragment on Sponza. Depths are rounded to 32 quanta (1/2044 of the "
-         "scene), so that hits move by up to 16; entries equal after that are one; self-hit "
-         "tolerances are at least 17 quanta."},
+         "Contiguous sorted arrays of 11-bit depths and one byte of offsets per texel: the least memory, 1.5 "
+         "bytes per fragment on Sponza. Depths are rounded to 32 quanta (1/2044 of the scene), so that hits "
+         "move by up to 16; entries equal after that are one; self-hit tolerances are at least 17 quanta."},
         {"lists-then-sort", "Linked lists, sorted after",
          "Per-pixel singly linked lists in order of arrival, and a pass that sorts them.", Effect::cost},
         {"pages", "Linked pages",
@@ -136,9 +135,9 @@ void add_self_hits(ParameterTable<MapParameters>& table) {
         .add(&MapParameters::max_dip, {.key = "max_dip",
                                        .label = "Maximum dip",
                                        .doc = "A ray through the texel's centre may run below the point's "
-                                              "surface for this much depth; beyond "
-                                              "it, the centre on the point's other side is queried. Up to 1, "
-                                              "closed walls of two texels do not leak.",
+                                              "surface for this much depth; beyond it, the centre on the "
+                                              "point's other side is queried. Up to 1, closed walls of two "
+                                              "texels do not leak.",
                                        .unit = "texels",
                                        .hard = {0, 64},
                                        .soft = {0, 4},

@@ -169,7 +169,9 @@ TEST_F(ExtendedLightTest, TheFilterTakesNoiseAndKeepsTheLight) {
                 sum += std::pow(image.pixels[i] - expected.radiance.pixels[i], 2);
             return sum;
         };
-        EXPECT_LT(squared_error(after), 0.85 * squared_error(before)) << static_cast<int>(source);
+        // Measured: 0.82 for the rectangle, 0.17 for the sky (2026-11-27).
+        const double most = source == Source::rectangle ? 0.85 : 0.2;
+        EXPECT_LT(squared_error(after), most * squared_error(before)) << static_cast<int>(source);
         EXPECT_NEAR(mean_of(after) / mean_of(expected.radiance), 1, 0.06) << static_cast<int>(source);
     }
 }

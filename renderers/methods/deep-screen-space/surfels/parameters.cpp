@@ -8,8 +8,8 @@ void add_sizes(ParameterTable<Parameters>& table) {
         .add(&Parameters::surfel_radius, {.key = "surfel_radius",
                                           .label = "Surfel radius",
                                           .doc = "Of the ideal surfel, seen face on: surfels cover as many "
-                                                 "pixels at every distance. Twice the "
-                                                 "radius needs a quarter of the surfels.",
+                                                 "pixels at every distance. Twice the radius needs a quarter "
+                                                 "of the surfels.",
                                           .unit = "pixels",
                                           .citation = "Nalbach15 §4.1",
                                           .hard = {0.1, 100},
@@ -48,8 +48,7 @@ void add_thinning(ParameterTable<Parameters>& table) {
         .add(&Parameters::thinning, {.key = "thinning",
                                      .label = "Thinning",
                                      .doc = "Fine surfels are discarded at random until those left have the "
-                                            "ideal area; together they keep "
-                                            "the surface's area, on average.",
+                                            "ideal area; together they keep the surface's area, on average.",
                                      .citation = "Nalbach15 §4.3",
                                      .active_when = {"placement", {std::string("random")}}})
         .add(&Parameters::discard,
@@ -102,9 +101,9 @@ void add_light(ParameterTable<Parameters>& table) {
               .value_in_older_projects = std::int64_t{0}})
         .add(&Parameters::glossy_senders, {.key = "glossy_senders",
                                            .label = "Glossy senders",
-                                           .doc = "Surfels also send the highlights of their direct "
-                                                  "light, each towards the surface that it "
-                                                  "lights. Off: their diffuse part alone.",
+                                           .doc = "Surfels also send the highlights of their direct light, "
+                                                  "each towards the surface that it lights. Off: their "
+                                                  "diffuse part alone.",
                                            .citation = "Nalbach15 §3.2",
                                            .active_when = only_indirect})
         .add(

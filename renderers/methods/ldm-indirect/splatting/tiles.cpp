@@ -90,8 +90,8 @@ graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons&
     const auto kernels = builder.buffer(
         {.text = {.key = "splat.kernels",
                   .label = "Kernels of photons",
-                  .doc = "Place and filter of each photon as tiles read them: "
-                         "centre, three rows of M, E_p π; to_source and 1 over the cosine to it in w."},
+                  .doc = "Place and filter of each photon as tiles read them: centre, three rows of M, E_p "
+                         "π; to_source and 1 over the cosine to it in w."},
          .fields = {{"rows", graph::FieldType::f32, 20}},
          .elements = expected_entries,
          .growable = true});
