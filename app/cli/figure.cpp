@@ -39,9 +39,9 @@ class FigureCommand {
 
     int run() {
         const auto format = report::figure_format(flags_.out);
+        require_folder_of(flags_.out, "--out");
         auto pictures = chosen(is_project() ? of_project() : of_files());
         files_.writes("--out", flags_.out);
-        require_folder_of(flags_.out, "--out");
         if (flags_.labels.size() > pictures.size())
             throw UsageError("there are more --label than pictures, which are " +
                              listed(words_of(pictures, &report::Picture::name)));
@@ -126,7 +126,11 @@ class FigureCommand {
         figure_.metrics.clear();
         if (flags_.metrics != "none") figure_.metrics = split_at_commas(flags_.metrics);
         if (!flags_.reference.empty()) reference_ = find(pictures, flags_.reference, "--reference");
-        if (pictures.size() > 1 && !figure_.metrics.empty()) figure_.reference = reference_;
+        if (pictures.size() < 2 || figure_.metrics.empty()) return;
+        figure_.reference = reference_;
+        if (!reference_)
+            std::cerr
+                << "note: no picture is the reference, so there are no numbers; choose one by --reference\n";
     }
 
     /// As the last picture looks well, which is often the reference.
@@ -136,7 +140,7 @@ class FigureCommand {
         if (flags_.range.empty()) return shown;
         const auto range = numbers_of(flags_.range, 2, "--range", "lo,hi");
         if (!(range[0] < range[1])) throw UsageError("--range '" + flags_.range + "' must be lo,hi, lo < hi");
-        return {range[0], range[1], shown.exposure};
+        return {range[0], range[1], flags_.exposure.value_or(0)};
     }
 
     const FigureFlags& flags_;
@@ -154,7 +158,8 @@ void add_figure(CLI::App& app, Run& run) {
     auto* command = app.add_subcommand(
         "figure", "A figure for papers: pictures with zoomed rectangles and numbers, as PDF, SVG or PNG");
     command->add_option("P", flags->what, "Project folder or packed file, or pictures, the reference last")
-        ->required();
+        ->required()
+        ->check(no_scene());
     command->add_option("--out", flags->out, "The file: .pdf, .svg or .png")->required();
     command->add_option("--picture", flags->pictures,
                         "Of a project: name of an experiment or image; repeat it, in the figure's order "
@@ -171,7 +176,7 @@ void add_figure(CLI::App& app, Run& run) {
                         "comparison's, or the last file)");
     command->add_option("--exposure", flags->exposure, "Stops, of light (default: automatic)")
         ->check(within(-40, 40));
-    command->add_option("--range", flags->range, "lo,hi: values that colours span");
+    command->add_option("--range", flags->range, "lo,hi: values that colours span, without an exposure");
     command->add_option("--colour-map", flags->colour_map, "Of pictures with one channel")
         ->check(CLI::IsMember(colour_map_names()))
         ->capture_default_str();

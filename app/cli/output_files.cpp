@@ -36,7 +36,7 @@ void OutputFiles::writes(const std::string& option, const std::string& file) {
 
 bool has_picture_ending(const std::string& file) {
     auto extension = std::filesystem::path(file).extension().string();
-    for (char& letter : extension) letter = static_cast<char>(std::tolower(letter));
+    for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     return extension == ".exr" || extension == ".png" || extension == ".hdr" || extension == ".jpg";
 }
 

@@ -2,7 +2,9 @@
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "app/cli/output_files.h"
 #include "app/cli/pixel_flags.h"
+#include "app/cli/run_frames.h"
 #include "app/engine/compared_sides.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
@@ -44,6 +46,12 @@ PixelLine line_of(const std::string& text, const engine::Side& side) {
 }
 
 int print_profile(const ProfileFlags& flags) {
+    OutputFiles files;
+    for (const auto& file : flags.files) files.reads("FILE", file);
+    for (const auto& [option, file] : {std::pair{"--csv", &flags.csv}, {"--svg", &flags.svg}}) {
+        files.writes(option, *file);
+        if (!file->empty()) require_folder_of(*file, option);
+    }
     std::vector<engine::Side> sides;
     for (const auto& file : flags.files) sides.push_back(engine::load_side(file, flags.layer));
     std::vector<MeasuredImage> images;

@@ -25,9 +25,11 @@ namespace {
 
 // Points, 1/72 inch.
 constexpr double points_per_mm = 72 / 25.4, column_gap = 4, inset_gap = 2, frame_width = 1.2, row_gap = 6;
+constexpr double min_column = 10;
 /// Of a picture's width: insets are no higher.
 constexpr double highest_inset = 0.6;
-constexpr double max_side = 30000;  ///< of a PNG, pixels
+constexpr double max_side = 30000;      ///< of a PNG, pixels
+constexpr int max_raster_side = 32767;  ///< of cairo's images
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
@@ -113,6 +115,10 @@ std::vector<std::vector<Number>> numbers_of(const Figure& figure) {
     return all;
 }
 
+std::string range_text(double low, double high) {
+    return plot_number(low) + " to " + plot_number(high);
+}
+
 void check_figure(const Figure& figure) {
     if (figure.pictures.empty()) throw UsageError("a figure needs a picture");
     if (figure.pictures.size() > Figure::max_pictures)
@@ -123,6 +129,10 @@ void check_figure(const Figure& figure) {
     const auto size = [](const Raster& raster) {
         return std::to_string(raster.width) + "x" + std::to_string(raster.height);
     };
+    if (std::max(first.raster->width, first.raster->height) > max_raster_side)
+        throw UsageError("'" + first.label + "' has " + size(*first.raster) +
+                         " pixels; a figure's pictures have " + std::to_string(max_raster_side) +
+                         " a side at most");
     for (const auto& each : figure.pictures)
         if (each.raster->width != first.raster->width || each.raster->height != first.raster->height)
             throw UsageError("sizes differ: '" + first.label + "' has " + size(*first.raster) + ", '" +
@@ -135,9 +145,9 @@ void check_figure(const Figure& figure) {
                              " leaves the pictures, which have " + size(*first.raster) + " pixels");
     for (const auto& name : figure.metrics) metric(name);
     if (!(figure.width >= Figure::min_width && figure.width <= Figure::max_width))
-        throw UsageError("a figure is 20 to 1000 mm wide");
+        throw UsageError("a figure is " + range_text(Figure::min_width, Figure::max_width) + " mm wide");
     if (!(figure.font >= Figure::min_font && figure.font <= Figure::max_font))
-        throw UsageError("letters have 3 to 72 points");
+        throw UsageError("letters have " + range_text(Figure::min_font, Figure::max_font) + " points");
 }
 
 /// Lays the figure out once, and draws it on whatever surface.
@@ -156,12 +166,16 @@ class Drawing {
         for (const auto& inset : figure.insets) aspects += double(inset.width) / inset.height;
         const double room = column_ - inset_gap * (double(figure.insets.size()) - 1);
         if (aspects > 0) inset_ = std::min(room / aspects, highest_inset * column_);
+        if (column_ < min_column || (aspects > 0 && inset_ < 2 * frame_width))
+            throw UsageError(
+                "the figure is too narrow for so many pictures and insets in a row; choose fewer "
+                "columns, or more width");
         line_ = figure.font * 1.3;
         std::size_t lines = 0;
         for (const auto& each : numbers_) lines = std::max(lines, each.size());
-        const bool has_labels = std::any_of(figure.pictures.begin(), figure.pictures.end(),
-                                            [](const FigurePicture& each) { return !each.label.empty(); });
-        labels_ = (has_labels ? line_ : 0) + double(lines) * line_;
+        has_labels_ = std::any_of(figure.pictures.begin(), figure.pictures.end(),
+                                  [](const FigurePicture& each) { return !each.label.empty(); });
+        labels_ = (has_labels_ ? line_ : 0) + double(lines) * line_;
         row_ = picture_ + (inset_ > 0 ? inset_gap + inset_ : 0) + labels_;
         // Letters and frames stand out a little.
         height_ = rows_ * row_ + (rows_ - 1) * row_gap + (labels_ > 0 ? 0.4 * figure.font : frame_width / 2);
@@ -203,7 +217,7 @@ class Drawing {
         }
         double baseline = y + row_ - labels_ + figure_.font;
         if (!picture.label.empty()) text(cairo, picture.label, x, baseline, true);
-        if (labels_ > 0 && !numbers_.empty()) baseline += line_;
+        if (has_labels_) baseline += line_;
         for (const auto& number : numbers_[i]) {
             text(cairo, number.text, x, baseline, number.is_best);
             baseline += line_;
@@ -261,6 +275,7 @@ class Drawing {
     const Figure& figure_;
     const bool is_pixels_;
     const std::vector<std::vector<Number>> numbers_;
+    bool has_labels_ = false;
     int columns_ = 1, rows_ = 1;
     double width_ = 0, height_ = 0, column_ = 0, picture_ = 0, inset_ = 0, line_ = 0, labels_ = 0, row_ = 0;
 };
@@ -276,7 +291,8 @@ std::string png(const Drawing& drawing, double dots_per_inch) {
     const double scale = dots_per_inch / 72;
     const double width = std::ceil(drawing.width() * scale), height = std::ceil(drawing.height() * scale);
     if (!(width >= 1 && height >= 1 && width <= max_side && height <= max_side))
-        throw UsageError("the figure would have more than 30000 pixels a side; choose fewer dots per inch");
+        throw UsageError("the figure would have more than " + std::to_string(int(max_side)) +
+                         " pixels a side; choose fewer dots per inch");
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(width), int(height)),
                           cairo_surface_destroy);
     draw_on(surface.get(), drawing, scale);

@@ -39,7 +39,7 @@ void add_exact(ParameterTable<Parameters>& table) {
                           {"all", "All hits", "The maps are not queried."},
                           {"selected", "All hits of some pixels",
                            "Of pixels that have much within a texel or two, by 16 short rays. The others "
-                           "take all hits from the maps."}}})
+                           "take all hits from the maps, and so do the sky's light and explanations."}}})
         .add(&Parameters::exact_texels,
              {.key = "exact_texels",
               .label = "Reach of exact rays",

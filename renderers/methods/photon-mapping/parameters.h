@@ -84,7 +84,9 @@ struct Parameters {
     passes::ReceiverParameters receivers;
 
     bool is_progressive() const { return temporal && accumulation == Accumulation::progressive; }
-    bool has_weights() const { return weights != Weights::none && first_hit == FirstHit::rsm; }
+    bool has_weights() const {
+        return weights != Weights::none && first_hit == FirstHit::rsm && emission == Emission::importance;
+    }
     /// Weights that came of the same photons would bias what they find.
     bool renews_photons() const { return is_progressive() || has_weights(); }
     /// A mean over many frames would show how half floats are rounded.

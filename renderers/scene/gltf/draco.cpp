@@ -1,4 +1,5 @@
-#include <draco/compression/decode.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/metadata_decoder.h>
@@ -11,10 +12,15 @@
 namespace ir::scene::gltf {
 namespace {
 
+struct Announced {
+    std::uint32_t faces;
+    bool is_edgebreaker;
+};
+
 /// Number of faces that a bitstream announces [Draco bitstream 2.2, "Decode Header", "Decode Connectivity
 /// Data"]. The library takes memory for as many before it reads them. Nothing where the stream is no mesh of
 /// that version.
-std::optional<std::uint32_t> announced_faces(const std::uint8_t* bytes, std::size_t length) {
+std::optional<Announced> announced_faces(const std::uint8_t* bytes, std::size_t length) {
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(bytes), length);
     draco::DracoHeader header;
@@ -27,13 +33,43 @@ std::optional<std::uint32_t> announced_faces(const std::uint8_t* bytes, std::siz
         if (!draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &ignored)) return {};
     }
     std::uint32_t vertices = 0, faces = 0;
-    if (header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING) {
+    const bool is_edgebreaker = header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING;
+    if (is_edgebreaker) {
         std::uint8_t traversal;
         if (!buffer.Decode(&traversal) || !draco::DecodeVarint(&vertices, &buffer)) return {};
     }
     if (!draco::DecodeVarint(&faces, &buffer)) return {};
-    return faces;
+    return Announced{faces, is_edgebreaker};
 }
+
+/// Takes the memory of attributes only where so much is left: a stream tells how many values follow, and may
+/// have none.
+template <class Decoder>
+class BoundedDecoder : public Decoder {
+  public:
+    explicit BoundedDecoder(std::size_t left) : left_(left) {}
+    std::size_t wanted() const { return wanted_; }
+
+  protected:
+    bool DecodeAllAttributes() override {
+        const auto& mesh = *this->point_cloud();
+        std::size_t point_bytes = sizeof(std::uint32_t);
+        for (int i = 0; i < mesh.num_attributes(); ++i) {
+            const auto* attribute = mesh.attribute(i);
+            const auto value_bytes = static_cast<std::size_t>(draco::DataTypeLength(attribute->data_type()));
+            // As read, as a number of the prediction, and which point has it.
+            point_bytes +=
+                static_cast<std::size_t>(attribute->num_components()) * (value_bytes + sizeof(std::int32_t)) +
+                sizeof(std::uint32_t);
+        }
+        wanted_ = point_bytes * mesh.num_points();
+        return wanted_ <= left_ && Decoder::DecodeAllAttributes();
+    }
+
+  private:
+    const std::size_t left_;
+    std::size_t wanted_ = 0;
+};
 
 template <class T>
 bool copy_values(const draco::PointAttribute& attribute, std::uint32_t points, int components,
@@ -45,7 +81,8 @@ bool copy_values(const draco::PointAttribute& attribute, std::uint32_t points, i
         if (index.value() >= attribute.size() ||
             !attribute.ConvertValue<T>(index, static_cast<std::int8_t>(components), value.data()))
             return false;
-        std::memcpy(result.data() + point * components * sizeof(T), value.data(), components * sizeof(T));
+        std::memcpy(result.data() + std::size_t{point} * components * sizeof(T), value.data(),
+                    components * sizeof(T));
     }
     return true;
 }
@@ -70,7 +107,7 @@ bool values_of(const draco::PointAttribute& attribute, std::uint32_t points, int
 }
 
 Bytes indices_of(const draco::Mesh& mesh) {
-    Bytes result(mesh.num_faces() * 3 * sizeof(std::uint32_t));
+    Bytes result(std::size_t{mesh.num_faces()} * 3 * sizeof(std::uint32_t));
     auto* written = result.data();
     for (std::uint32_t i = 0; i < mesh.num_faces(); ++i)
         for (const auto& point : mesh.face(draco::FaceIndex(i))) {
@@ -118,17 +155,28 @@ class DracoReader {
         if (!buffer.present) object.fail("bufferView", "lies in a buffer without data");
         const auto* bytes = buffer.bytes.data() + fields.value("byteOffset", std::size_t{0});
         const auto length = fields["byteLength"].get<std::size_t>();
-        const auto faces = announced_faces(bytes, length);
-        if (!faces)
+        const auto announced = announced_faces(bytes, length);
+        if (!announced)
             object.fail("bufferView", "holds no mesh of Draco's bitstream 2.2; export the file again");
         constexpr std::size_t face_bytes = 128;  // of the library's tables, and of what is read from them
-        budget_.spend(*faces * face_bytes, object.place());
+        budget_.spend(announced->faces * face_bytes, object.place());
         draco::DecoderBuffer source;
         source.Init(reinterpret_cast<const char*>(bytes), length);
-        auto mesh = draco::Decoder().DecodeMeshFromBuffer(&source);
-        if (!mesh.ok() || mesh.value()->num_faces() == 0)
+        auto mesh = std::make_unique<draco::Mesh>();
+        const bool is_whole = announced->is_edgebreaker
+                                  ? decode_by<draco::MeshEdgebreakerDecoder>(source, *mesh, object.place())
+                                  : decode_by<draco::MeshSequentialDecoder>(source, *mesh, object.place());
+        if (!is_whole || mesh->num_faces() == 0)
             object.fail("bufferView", "holds data that cannot be decoded; export the file again");
-        return std::move(mesh).value();
+        return mesh;
+    }
+
+    template <class Decoder>
+    bool decode_by(draco::DecoderBuffer& source, draco::Mesh& mesh, const std::string& place) {
+        BoundedDecoder<Decoder> decoder(budget_.left());
+        const bool is_whole = decoder.Decode(draco::DecoderOptions(), &source, &mesh).ok();
+        budget_.spend(decoder.wanted(), place);
+        return is_whole;
     }
 
     /// The accessor of what is decoded, in the type of the file's.

@@ -15,6 +15,7 @@ class ExpansionBudget {
 
     /// Throws InputError, which names `place`, where not that much is left.
     void spend(std::size_t bytes, const std::string& place);
+    std::size_t left() const { return left_; }
 
   private:
     const std::string& file_;

@@ -58,7 +58,10 @@ void add_instances(Document& document, Scene& scene, ExpansionBudget& budget, in
             accessor.fail("has another number of instances than the others; export the file again");
         count = accessor.count();
     }
-    budget.spend(count.value_or(0) * sizeof(Node), place);
+    constexpr std::size_t digits = 20;
+    const auto node_bytes =
+        sizeof(Node) + scene.nodes[parent].name.size() + digits + meshes.size() * sizeof(int);
+    budget.spend(count.value_or(0) * node_bytes, place);
     const auto translations = values_of_instances<glm::vec3>(document, attributes, place, "TRANSLATION");
     const auto rotations = values_of_instances<glm::vec4>(document, attributes, place, "ROTATION");
     const auto scales = values_of_instances<glm::vec3>(document, attributes, place, "SCALE");

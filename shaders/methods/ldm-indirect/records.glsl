@@ -11,7 +11,8 @@ const uint MAX_BEYOND = 48u;
 // C++: ir::methods::ldm_indirect::Photon
 struct Photon {
     vec3 centre_ws;
-    uint source;  // texel of the lights' images: (layer * side + row) * side + column, side being `emission`
+    uint source;  // number of the primary photon; the first are texels of the lights' images:
+                  // (layer * side + row) * side + column, side being `emission`
     vec3 axis_u;  // m: half of D_u x, before scaling by splat_size and clamping
     uint leg;     // LEG_…: bits 0-15 map, counted from 0; bit 16: 1 along its direction, 0 against it (or,
                   // bit 17: directly from the light); bits 18-23: 64ths of the kernel that lie beyond its

@@ -1,5 +1,7 @@
 // How far each pixel's kernel reaches: no farther than some times the distance at which rays about it meet something.
 // [Nalbach15 §6: "adaptive kernel sizes"]
+// DEVIATION: the paper has the idea alone. The kernel follows from the samples that it then averages, so that few of
+// them bias the mean (measured in docs/accuracy.md).
 #include "passes/bounce/tiles.glsl"
 #include "passes/bounce/filter.glsl"
 #include "lib/pixel_rays.glsl"

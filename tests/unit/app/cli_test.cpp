@@ -271,8 +271,8 @@ TEST_F(Cli, HasTheLimitsOfTheDocument) {
 TEST_F(Cli, SaysHowASceneIsGivenWhereAProjectIsExpected) {
     const auto scene = file("room.GLB"), out = file("out");
     for (const auto& given : {scene, std::string("builtin:atrium")}) {
-        for (const std::string start :
-             {"render ", "reference ", "plot ", "plot merge ", "sweep ", "project ", "report "})
+        for (const std::string start : {"render ", "reference ", "plot ", "plot merge ", "sweep ", "project ",
+                                        "report ", "figure --out f.pdf "})
             expect_refused(start + given, 2, given + " is a scene and no project; give it by --scene");
         expect_refused("render " + given + " --method ldm-ao --out " + out, 2, "render --scene " + given);
         expect_refused("thumbnail " + given + " " + out, 2, given + " is a scene");

@@ -106,6 +106,35 @@ TEST_F(FigureCommand, LabelsAndNumbersStandBeneathEachPicture) {
     EXPECT_GT(drawn(figure).height, 2 * bare) << "two rows of larger pictures";
 }
 
+TEST_F(FigureCommand, NumbersWithoutLabelsStandInsideTheFigure) {
+    Figure figure;
+    figure.pictures = {picture("", 32, 24, 0.3f), picture("")};
+    figure.width = 100;
+    const auto bare = drawn(figure).height;
+    figure.metrics = {"rmse", "mae"};
+    figure.reference = 1;
+    const auto image = drawn(figure);
+    const auto has_ink = [&](int from, int to) {
+        for (int y = from; y < to; ++y)
+            for (int x = 0; x < image.width; ++x)
+                if (image.at(x, y, 0) < 0.2f) return true;
+        return false;
+    };
+    const int line = (image.height - bare) / 2;
+    EXPECT_TRUE(has_ink(bare, bare + line)) << "the first number";
+    EXPECT_TRUE(has_ink(image.height - line, image.height)) << "the last number";
+    EXPECT_FALSE(has_ink(image.height - 2, image.height)) << "nothing is cut off";
+}
+
+TEST_F(FigureCommand, ARangeIsWhatColoursSpan) {
+    write_pictures();
+    output("figure " + file("truth.exr") + " --range 0,0.5 --out " + file("f.png"));
+    const auto image = read_image(file("f.png"));
+    const int row = image.height / 3;  // values of the columns are x / 32
+    EXPECT_NEAR(image.at(image.width * 9 / 64, row, 0), 2 * 4.0f / 32, 0.01);
+    EXPECT_NEAR(image.at(image.width * 3 / 4, row, 0), 1, 0.01);
+}
+
 TEST_F(FigureCommand, WritesAllThreeFormats) {
     write_pictures();
     for (const auto& [name, begin] :
@@ -134,6 +163,11 @@ TEST_F(FigureCommand, RefusesInOneLineWhatCannotBeDrawn) {
     expect_refused("figure " + files_ + "--metric rmsd" + out, 2, "did you mean 'rmse'?");
     expect_refused("figure " + files_ + "--reference trut" + out, 2, "did you mean 'truth'?");
     expect_refused("figure " + files_ + "--width 5" + out, 2, "20 to 1000 mm");
+    std::string many, insets;
+    for (int i = 0; i < 16; ++i) many += file("truth.exr") + " ";
+    for (int i = 0; i < 8; ++i) insets += "--inset 4,4,8,8 ";
+    expect_refused("figure " + many + "--metric none --width 20" + out, 2, "too narrow");
+    expect_refused("figure " + many + many + "--metric none " + insets + out, 2, "too narrow");
     expect_refused("figure " + files_ + "--range 3,1" + out, 2, "lo < hi");
     expect_refused("figure " + files_ + "--label a --label b --label c --label d" + out, 2, "more --label");
     expect_refused("figure " + file("nothing.exr") + out, 3, "nothing.exr");

@@ -40,6 +40,15 @@ TEST_F(ProfileCommand, WritesATableAndADrawing) {
     EXPECT_NE(svg.find("b.exr  B</text>"), std::string::npos);
 }
 
+TEST_F(ProfileCommand, WritesOverNoPictureThatItReads) {
+    const auto before = read(file("a.exr"));
+    expect_refused(both_ + "--line 4,4,8,4 --csv " + file("a.exr"), 2, "is the file of FILE");
+    expect_refused(both_ + "--line 4,4,8,4 --csv " + file("p") + " --svg " + file("p"), 2,
+                   "is the file of --csv");
+    expect_refused(both_ + "--line 4,4,8,4 --svg " + file("none/p.svg"), 2, "--svg");
+    EXPECT_EQ(read(file("a.exr")), before);
+}
+
 TEST_F(ProfileCommand, RefusesWhatIsNoLineOrChannelInOneLine) {
     expect_refused(both_ + "--line 4,4,16,4", 2, "which has 16x12 pixels");
     expect_refused(both_ + "--line 4,4,8", 2, "is not of the form x1,y1,x2,y2");

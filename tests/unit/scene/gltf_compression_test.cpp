@@ -194,7 +194,7 @@ TEST(GltfCompression, BrokenMeshoptIsRefused) {
     expect_refusal(with("byteStride", 6), place + ".byteStride", "multiple of 4");
     expect_refusal(with("mode", "STRIPS"), place + ".mode", "unknown");
     expect_refusal(with("filter", "OCTAHEDRAL"), place + ".filter", "does not go with");
-    expect_refusal(with("count", 10), "accessors[0].bufferView", "ends at byte 120");
+    expect_refusal(with("count", 10), place + ".buffer", "cannot be decoded");
 }
 
 std::vector<std::uint8_t> draco_bytes(int method, int position_bits) {
@@ -265,6 +265,11 @@ TEST(GltfCompression, BrokenDracoIsRefused) {
     many.erase(many.begin() + counts);
     for (const std::uint8_t byte : {0x0f, 0xff, 0xff, 0xff, 0xff}) many.insert(many.begin() + counts, byte);
     expect_refusal(draco_strip(many), place, "expands to far more");
+    auto points = draco_bytes(draco::MESH_SEQUENTIAL_ENCODING, 0);
+    points.erase(points.begin() + counts + 1);
+    for (const std::uint8_t byte : {0x07, 0xff, 0xff, 0xff, 0xff})
+        points.insert(points.begin() + counts + 1, byte);
+    expect_refusal(draco_strip(points), place, "");
     auto id = draco_strip(whole);
     auto& extension =
         id.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"];
@@ -300,6 +305,9 @@ TEST(GltfCompression, InstancesStandWhereTheirAttributesSay) {
     many.draw({{"POSITION", many.triangle_positions()}});
     many.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
         many.accessor(-1, test::type_float, "VEC3", 2000000000);
+    expect_refusal(many, "EXT_mesh_gpu_instancing", "expands to far more");
+    many.json["accessors"].back()["count"] = 10000;
+    many.json["nodes"][0]["name"] = std::string(100000, 'x');
     expect_refusal(many, "EXT_mesh_gpu_instancing", "expands to far more");
 }
 

@@ -31,11 +31,12 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
     primaries.records = builder.buffer(
         {.text = {.key = "indirect.primary_photons",
                   .label = "Primary photons, all",
-                  .doc = "A photon for each texel of the lights' images, up to its first surface; then those "
-                         "of sources with an extent, and those of further bounces. Axes and turns are half of "
-                         "the differentials of position and direction. fate: 0 nothing was seen or no light "
-                         "shines there, 1 splits, 2 its footprint is degenerate. light: 254 an emissive mesh, "
-                         "255 the environment."},
+                  .doc =
+                      "A photon for each texel of the lights' images, up to its first surface; then those "
+                      "of sources with an extent, and those of further bounces. Axes and turns are half of "
+                      "the differentials of position and direction. fate: 0 nothing was seen or no light "
+                      "shines there, 1 splits, 2 its footprint is degenerate. light: 254 an emissive mesh, "
+                      "255 the environment."},
          .fields = record_fields<Primary>(),
          .elements = primaries.count()});
     primaries.shares = builder.buffer(

@@ -18,21 +18,25 @@ struct MakeEnergyTable {
     IR_FIELDS(block_count)
 };
 
+/// All of the first bounce.
 void count_causes(graph::GraphBuilder& builder, graph::PassBuilder& pass) {
-    for (const auto& [key, name, label, doc] :
-         {std::tuple{"emitted", "EmittedCounter", "Primary photons",
-                     "Pixels of the lights' images into which light shines, and photons of sources with an "
-                     "extent."},
-          std::tuple{"below", "BelowCounter", "Photons below the surface",
-                     "Their direction is above the shading normal's plane, but below the triangle's."},
-          std::tuple{"left", "LeftCounter", "Photons that left the scene", ""},
-          std::tuple{"outside", "OutsideCounter", "Photons outside the view",
-                     "They arrive behind or beside the view, and their footprints do not reach it."},
-          std::tuple{"hidden", "HiddenCounter", "Photons hidden", "They arrive behind what the camera sees."},
-          std::tuple{"back", "BackCounter", "Photons on backs",
-                     "They arrive on sides that face away from the viewer."},
-          std::tuple{"degenerate", "DegenerateCounter", "Photons without a footprint",
-                     "They graze the surface, so that their footprint has no size."}})
+    for (
+        const auto& [key, name, label, doc] :
+        {std::tuple{
+             "emitted", "EmittedCounter", "Primary photons",
+             "Of the first bounce, as all that follow: pixels of the lights' images into which light shines, and "
+             "photons of sources with an extent."},
+         std::tuple{"below", "BelowCounter", "Photons below the surface",
+                    "Their direction is above the shading normal's plane, but below the triangle's."},
+         std::tuple{"left", "LeftCounter", "Photons that left the scene", "Of the first bounce."},
+         std::tuple{"outside", "OutsideCounter", "Photons outside the view",
+                    "They arrive behind or beside the view, and their footprints do not reach it."},
+         std::tuple{"hidden", "HiddenCounter", "Photons hidden",
+                    "Those of the first bounce that arrive behind what the camera sees."},
+         std::tuple{"back", "BackCounter", "Photons on backs",
+                    "They arrive on sides that face away from the viewer."},
+         std::tuple{"degenerate", "DegenerateCounter", "Photons without a footprint",
+                    "They graze the surface, so that their footprint has no size."}})
         pass.counts(builder.counter(
             {.key = std::string("indirect.") + key, .name = name, .label = label, .doc = doc}));
 }

@@ -129,7 +129,7 @@ void add_weights(ParameterTable<Parameters>& table) {
                           {"printed", "As printed",
                            "1/10 + 9/10 x p, which sends points where nothing is, too, and x is moved by the "
                            "old velocity: stable where the spring is smaller than the drag."}},
-              .active_when = with_rsm})
+              .active_when = by_importance})
         .add(
             &Parameters::seen_by,
             {.key = "seen_by",

@@ -12,6 +12,7 @@ namespace {
 constexpr int rows_of_a_line = 360, chosen_lines = 3;
 /// Pixels of lines and gaps behind what is seen.
 constexpr int dash = 3;
+constexpr std::uint32_t leg_colours = 8;  ///< of overlay.frag
 /// Depths of lines and surfaces agree but for the surface's slope within a pixel.
 constexpr float depth_tolerance = 0.01f;
 
@@ -108,7 +109,7 @@ void draw_legs(std::span<const PathLeg> legs, const scene::View& view, std::span
             if (!clip_by_depth(screen, view.near_plane, start, end)) continue;
             start = screen.at(start), end = screen.at(end);
             if (!clip_by_sides({view.width, view.height}, start, end)) continue;
-            picture.line(start, end, chosen ? chosen_lines * width : width, leg->leg + 1);
+            picture.line(start, end, chosen ? chosen_lines * width : width, leg->leg % leg_colours + 1);
         }
 }
 

@@ -41,6 +41,7 @@ const float DEPTH_TOLERANCE = 0.01;
 /// DEVIATION [Smal19 §5.4.1]: printed is the frustum alone, which holds much that walls hide.
 bool is_hidden(vec3 position_ws) {
     vec4 pixel = pixel_from_world * vec4(position_ws, 1);
+    if (pixel.w <= 0.0) return true;  // behind the eye; its kernel may reach before it
     ivec2 place = ivec2(floor(pixel.xy / pixel.w));
     if (any(lessThan(place, ivec2(0))) || any(greaterThanEqual(place, textureSize(gbuffer_position, 0)))) return true;
     vec4 surface = texelFetch(gbuffer_position, place, 0);
