@@ -23,9 +23,6 @@ const QString docks_key = QStringLiteral("window/docks"),
               small_docks_key = QStringLiteral("window/small-docks"),
               geometry_key = QStringLiteral("window/geometry");
 
-/// With title and buttons, logical pixels.
-constexpr int plot_height = 300;
-
 const QString toggle_prefix = QStringLiteral("dock-");
 
 struct Layout {
@@ -113,15 +110,6 @@ bool DockLayout::is_seen(const QString& name) const {
 void DockLayout::raise(const QString& name) const {
     dock(name)->show();
     dock(name)->raise();
-}
-
-void DockLayout::raise_plot(const QString& name) const {
-    raise(name);
-    auto* plot = dock(name);
-    const int height = std::min(plot_height, window_.height() / 3);
-    if (!plot->isFloating() && window_.dockWidgetArea(plot) == Qt::BottomDockWidgetArea &&
-        plot->height() < height)
-        window_.resizeDocks({plot}, {height}, Qt::Vertical);
 }
 
 void DockLayout::hide(const QString& name) const {

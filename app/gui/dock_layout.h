@@ -41,8 +41,6 @@ class DockLayout : public QObject {
     /// Shown, and neither hidden nor covered by another tab.
     bool is_seen(const QString& name) const;
     void raise(const QString& name) const;
-    /// The same; along the bottom it gets the height that a plot needs.
-    void raise_plot(const QString& name) const;
     void hide(const QString& name) const;
     void fill(QMenu* menu) const;  ///< with the actions that show and hide docks
 

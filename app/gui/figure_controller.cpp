@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QFileDialog>
+#include <QFileInfo>
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/json_fields.h"
@@ -69,8 +70,10 @@ void FigureController::open() {
 void FigureController::offer_pictures() {
     if (!dialog_ || !dialog_->isVisible()) return;
     bool awaits = false;
+    const auto shown = shown_pictures(workspace_, awaits);
+    if (awaits) return;  // they come soon; until then those before keep their places and names
     std::vector<report::FigurePicture> pictures;
-    for (const auto& seen : shown_pictures(workspace_, awaits)) {
+    for (const auto& seen : shown) {
         if (pictures.size() == report::Figure::max_pictures) break;
         pictures.push_back(figure_picture(seen));
     }
@@ -84,14 +87,18 @@ void FigureController::offer_rectangle() {
 }
 
 void FigureController::ask() {
-    const QString pdf = QStringLiteral(".pdf");
-    QString file = QFileDialog::getSaveFileName(
-        &window_, tr("Figure"),
-        export_proposal(text_of(session_.document().name) + QStringLiteral(" figure"), pdf),
-        tr("Figure (*.pdf *.svg *.png)"));
+    const QFileInfo proposal(export_proposal(text_of(session_.document().name) + QStringLiteral(" figure"),
+                                             QStringLiteral(".pdf")));
+    QFileDialog chooser(&window_, tr("Figure"));
+    chooser.setAcceptMode(QFileDialog::AcceptSave);
+    chooser.setNameFilter(tr("Figure (*.pdf *.svg *.png)"));
+    chooser.setDefaultSuffix(QStringLiteral("pdf"));
+    chooser.setDirectory(proposal.absolutePath());
+    chooser.selectFile(proposal.fileName());
+    if (chooser.exec() != QDialog::Accepted) return;
+    const QString file = chooser.selectedFiles().value(0);
     if (file.isEmpty()) return;
     remember_export(file);
-    if (QFileInfo(file).suffix().isEmpty()) file += pdf;
     dialog_->save_to(file);
 }
 
@@ -103,6 +110,7 @@ void FigureController::load(const projects::Json& memory) {
     memory_ = member_or_null(memory, "figure");
     if (!dialog_) return;
     dialog_->close();
+    dialog_->set_pictures({});
     dialog_->load(memory_);
 }
 

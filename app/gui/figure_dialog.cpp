@@ -15,6 +15,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <limits>
+#include <map>
 
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
@@ -27,6 +29,15 @@ namespace {
 
 using report::Figure;
 constexpr int picture_role = Qt::UserRole, inset_role = Qt::UserRole + 1;
+
+QSize size_of(const report::Raster& raster) {
+    return {raster.width, raster.height};
+}
+
+QString tip_of(const report::FigurePicture& picture) {
+    const auto size = size_of(*picture.raster);
+    return QStringLiteral("%1\n%2 × %3").arg(text_of(picture.label)).arg(size.width()).arg(size.height());
+}
 
 QString inset_text(const Rectangle& inset) {
     return QStringLiteral("%1 × %2 at %3, %4").arg(inset.width).arg(inset.height).arg(inset.x).arg(inset.y);
@@ -200,44 +211,61 @@ QWidget* FigureDialog::make_sizes() {
 
 void FigureDialog::set_pictures(std::vector<report::FigurePicture> pictures) {
     struct Choice {
+        int place, row;  ///< among the pictures, in the list
         QString text;
         Qt::CheckState state;
     };
     std::map<std::string, Choice> before;
-    for (int i = 0; i < list_->count(); ++i) {
-        const auto* item = list_->item(i);
-        before[pictures_[std::size_t(item->data(picture_role).toInt())].label] = {item->text(),
-                                                                                  item->checkState()};
+    for (int row = 0; row < list_->count(); ++row) {
+        const auto* item = list_->item(row);
+        const int place = item->data(picture_role).toInt();
+        before[pictures_[std::size_t(place)].label] = {place, row, item->text(), item->checkState()};
     }
+    const bool are_same =
+        std::is_permutation(pictures.begin(), pictures.end(), pictures_.begin(), pictures_.end(),
+                            [](const auto& a, const auto& b) {
+                                return a.label == b.label && size_of(*a.raster) == size_of(*b.raster);
+                            });
+    const auto place_of = [&](const report::FigurePicture& picture) {
+        const auto found = before.find(picture.label);
+        if (found == before.end()) return std::numeric_limits<int>::max();
+        return are_same ? found->second.place : found->second.row;
+    };
+    std::stable_sort(pictures.begin(), pictures.end(),
+                     [&](const auto& a, const auto& b) { return place_of(a) < place_of(b); });
     pictures_ = std::move(pictures);
+    if (are_same) return draw();  // a name may be in the middle of being changed
     filling_ = true;
     list_->clear();
     for (std::size_t i = 0; i < pictures_.size(); ++i) {
         const auto found = before.find(pictures_[i].label);
         const bool is_known = found != before.end();
+        const QSize size = size_of(*pictures_[i].raster), first = shown_size();
+        // Those of another size cannot stand beside the first ones.
+        const bool fits = first.isEmpty() || size == first;
         auto* item = new QListWidgetItem(is_known ? found->second.text : text_of(pictures_[i].label), list_);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
                        Qt::ItemIsEditable | Qt::ItemIsDragEnabled);
-        // Those of another size cannot stand beside the first ones.
-        const auto& raster = *pictures_[i].raster;
-        const auto& first = *pictures_.front().raster;
-        const bool fits = raster.width == first.width && raster.height == first.height;
-        item->setCheckState(is_known ? found->second.state : fits ? Qt::Checked : Qt::Unchecked);
         item->setData(picture_role, int(i));
-        item->setToolTip(QStringLiteral("%1\n%2 × %3")
-                             .arg(text_of(pictures_[i].label))
-                             .arg(raster.width)
-                             .arg(raster.height));
+        item->setCheckState(is_known ? found->second.state : fits ? Qt::Checked : Qt::Unchecked);
+        item->setToolTip(tip_of(pictures_[i]));
     }
     fill_references();
     filling_ = false;
     draw();
 }
 
+QSize FigureDialog::shown_size() const {
+    for (int i = 0; i < list_->count(); ++i)
+        if (const auto* item = list_->item(i); item->checkState() == Qt::Checked)
+            return size_of(*pictures_[std::size_t(item->data(picture_role).toInt())].raster);
+    return {};
+}
+
 /// The one that was chosen stays; else the last is the reference, as in files of the command line.
 void FigureDialog::fill_references() {
     const auto chosen = reference_->currentText();
-    const bool had_one = reference_->count() > 0;
+    const bool had_one = reference_->count() > 1;
     reference_->clear();
     reference_->addItem(tr("nothing"), -1);
     for (std::size_t i = 0; i < pictures_.size(); ++i)
@@ -249,11 +277,24 @@ void FigureDialog::fill_references() {
 void FigureDialog::set_rectangle(QSize size, const QRect& rectangle) {
     rectangle_size_ = size;
     rectangle_ = rectangle;
-    add_->setEnabled(!rectangle.isEmpty());
-    add_->setToolTip(rectangle.isEmpty() ? tr("Draw a rectangle in a picture first (B)")
-                                         : tr("The rectangle of %1 × %2 pixels that is drawn in the pictures")
-                                               .arg(rectangle.width())
-                                               .arg(rectangle.height()));
+    update_add();
+}
+
+void FigureDialog::update_add() {
+    QString why_not;
+    if (rectangle_.isEmpty())
+        why_not = tr("Draw a rectangle in a picture first (B)");
+    else if (shown_size().isEmpty())
+        why_not = tr("Tick a picture first");
+    else if (rectangle_size_ != shown_size())
+        why_not = tr("The rectangle was drawn in pictures of another size");
+    else if (std::size_t(insets_->count()) >= Figure::max_insets)
+        why_not = tr("A figure has at most %1 rectangles").arg(Figure::max_insets);
+    add_->setEnabled(why_not.isEmpty());
+    add_->setToolTip(why_not.isEmpty() ? tr("The rectangle of %1 × %2 pixels that is drawn in the pictures")
+                                             .arg(rectangle_.width())
+                                             .arg(rectangle_.height())
+                                       : why_not);
 }
 
 void FigureDialog::add_inset(const Rectangle& inset) {
@@ -287,7 +328,9 @@ report::Figure FigureDialog::figure() const {
 }
 
 void FigureDialog::draw() {
-    if (filling_ || !isVisible()) return;
+    if (filling_) return;
+    update_add();
+    if (!isVisible()) return;
     auto now = figure();
     const double pixels = std::max(100, preview_->width()) * devicePixelRatioF();
     now.dots_per_inch = std::clamp(pixels / (now.width / 25.4), 20.0, 600.0);
@@ -309,33 +352,45 @@ void FigureDialog::show_preview(const QByteArray& png, const QString& problem) {
     pixmap.setDevicePixelRatio(ratio);
     preview_->setPixmap(pixmap);
     problem_->setText(problem);
-    save_->setEnabled(problem.isEmpty());
-    copy_->setEnabled(problem.isEmpty());
+    update_buttons();
+}
+
+/// One is written at a time: another one would take the place of one that waits.
+void FigureDialog::update_buttons() {
+    const bool can_write = problem_->text().isEmpty() && !writing_->is_running();
+    for (auto* button : {save_, copy_}) button->setEnabled(can_write);
+}
+
+void FigureDialog::write(std::function<std::function<void()>(const report::Figure&)> work) {
+    const auto job = [this, work = std::move(work),
+                      now = figure()](const std::atomic<bool>&) -> std::function<void()> {
+        std::function<void()> then;
+        try {
+            then = work(now);
+        } catch (const std::exception& error) {
+            then = [this, text = QString::fromUtf8(error.what())] { emit failed(text); };
+        }
+        return [this, then] {
+            update_buttons();
+            then();
+        };
+    };
+    writing_->start(job);
+    update_buttons();
 }
 
 void FigureDialog::save_to(const QString& file) {
-    writing_->start([this, file, now = figure()](const std::atomic<bool>&) -> std::function<void()> {
-        try {
-            const auto name = file.toStdString();
-            write_file(name, draw_figure(now, report::figure_format(name)));
-            return [this, file] { emit written(file); };
-        } catch (const std::exception& error) {
-            return [this, text = QString::fromUtf8(error.what())] { emit failed(text); };
-        }
+    write([this, file](const Figure& now) {
+        const auto name = file.toStdString();
+        write_file(name, draw_figure(now, report::figure_format(name)));
+        return [this, file] { emit written(file); };
     });
 }
 
 void FigureDialog::copy() {
-    writing_->start([this, now = figure()](const std::atomic<bool>&) -> std::function<void()> {
-        try {
-            const auto png = draw_figure(now, report::FigureFormat::png);
-            return [png] {
-                QGuiApplication::clipboard()->setImage(
-                    QImage::fromData(QByteArray::fromStdString(png), "PNG"));
-            };
-        } catch (const std::exception& error) {
-            return [this, text = QString::fromUtf8(error.what())] { emit failed(text); };
-        }
+    write([](const Figure& now) {
+        const auto png = QByteArray::fromStdString(draw_figure(now, report::FigureFormat::png));
+        return [png] { QGuiApplication::clipboard()->setImage(QImage::fromData(png, "PNG")); };
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include <QDialog>
 #include <QRect>
+#include <functional>
 
 #include "app/report/figure.h"
 #include "projects/json.h"
@@ -21,7 +22,8 @@ class FigureDialog : public QDialog {
     Q_OBJECT
   public:
     explicit FigureDialog(QWidget* parent);
-    /// Those that the views show. Choices and labels of pictures that stay, by their labels then, are kept.
+    /// Those that the views show. Order, choices and names of pictures that stay, by their labels then, are
+    /// kept; new ones come last.
     void set_pictures(std::vector<report::FigurePicture> pictures);
     /// That could become an inset, in pictures of that size; empty: none.
     void set_rectangle(QSize size, const QRect& rectangle);
@@ -49,10 +51,16 @@ class FigureDialog : public QDialog {
     QWidget* make_insets();
     QWidget* make_sizes();
     void add_inset(const Rectangle& rectangle);
+    QSize shown_size() const;  ///< of the first picture that the figure shows; empty: it shows none
+    void update_add();
     void fill_references();
     void draw();
     void show_preview(const QByteArray& png, const QString& problem);
     void copy();
+    /// `work` makes something of the figure, away from the window's thread; what it returns is carried out
+    /// in it.
+    void write(std::function<std::function<void()>(const report::Figure&)> work);
+    void update_buttons();
 
     std::vector<report::FigurePicture> pictures_;
     QSize rectangle_size_;

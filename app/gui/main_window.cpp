@@ -162,7 +162,7 @@ void MainWindow::make_docks() {
     docks_.add("plots", tr("Plots"), scrolled(plots_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
     docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
-    docks_.add("profile", tr("Profile"), scrolled(&profile_.panel()), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
+    docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     // Panels behind tabs and closed ones ask for nothing.
     connect(&docks_, &DockLayout::seen_changed, &joins_, [this] {
         inspector_.set_visible(docks_.is_seen("inspector"), docks_.is_seen("explain"));
@@ -287,7 +287,7 @@ void MainWindow::join_panels() {
         docks_.raise("project");
         document_->select(light);
     });
-    connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise_plot("profile"); });
+    connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise("profile"); });
     connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);

@@ -1,6 +1,7 @@
 #include "app/gui/profile_dock.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/json_fields.h"
 #include "app/gui/shown_pictures.h"
@@ -38,10 +39,12 @@ void ProfileDock::set_visible(bool visible, bool metrics_visible) {
 void ProfileDock::on_drawn() {
     const auto& tools = workspace_.tools();
     const bool has_line = !tools.line().isNull(), has_rectangle = !tools.region_size().isEmpty();
+    const std::pair now(tools.line(), tools.region(tools.region_size()));
+    const bool is_new = std::exchange(last_drawn_, now) != now;
     if (!has_line && !has_rectangle) {
         if (std::exchange(came_by_drawing_, false)) emit emptied();
-    } else if (!visible_ && (has_line || !metrics_visible_)) {
-        came_by_drawing_ = true;
+    } else if (is_new && !visible_ && (has_line || !metrics_visible_)) {
+        if (!panel_->isVisible()) came_by_drawing_ = true;  // behind another tab somebody opened it
         emit drawn();
     }
 }

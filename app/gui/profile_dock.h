@@ -1,6 +1,9 @@
 #pragma once
 
+#include <QLine>
 #include <QObject>
+#include <QRect>
+#include <utility>
 
 #include "app/gui/workspace.h"
 #include "widgets/profile/profile_panel.h"
@@ -36,6 +39,7 @@ class ProfileDock : public QObject {
     Session& session_;
     Workspace& workspace_;
     widgets::ProfilePanel* panel_;
+    std::pair<QLine, QRect> last_drawn_;
     bool visible_ = false, metrics_visible_ = false, came_by_drawing_ = false;
 };
 

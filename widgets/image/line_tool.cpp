@@ -55,10 +55,9 @@ void LineTool::hover(QPointF position) {
     grip_ = Grip::none;
     const QLine& line = state_.marks.line;
     if (!is_active() || line.isNull()) return;
-    const auto view_of = [&](QPoint pixel) {
-        return state_.transform.view_from_image(QPointF(pixel) + QPointF(0.5, 0.5));
-    };
-    const QPointF at = position * ratio(), start = view_of(line.p1()), end = view_of(line.p2());
+    const auto& transform = state_.transform;
+    const QPointF at = position * ratio(), start = transform.view_from_pixel(line.p1()),
+                  end = transform.view_from_pixel(line.p2());
     const double to_start = distance_to_segment(at, start, start), to_end = distance_to_segment(at, end, end);
     if (std::min(to_start, to_end) <= end_reach * ratio())
         grip_ = to_start < to_end ? Grip::start : Grip::end;

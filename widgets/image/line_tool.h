@@ -26,7 +26,8 @@ class LineTool : public ShapeTool {
     void clear() override { change({}); }
     void take_back() override { change(before_); }
     void nudge(QPoint step, bool resize) override;
-    bool holds_or_drew() const override { return grip_ != Grip::none || state_.marks.line != before_; }
+    bool holds() const override { return grip_ != Grip::none; }
+    bool drew() const override { return state_.marks.line != before_; }
 
   private:
     enum class Grip { none, start, end, whole };
@@ -34,7 +35,7 @@ class LineTool : public ShapeTool {
     void change(const QLine& line);
 
     Grip grip_ = Grip::none;  ///< under the cursor; of the drag while there is one
-    QLine before_;            ///< when the drag began
+    QLine before_;            ///< when the drag, or the key's move, began
 };
 
 }  // namespace ir::widgets

@@ -360,10 +360,8 @@ void paint_region(QPainter& painter, const CanvasState& state, qreal ratio) {
 void paint_line(QPainter& painter, const CanvasState& state, qreal ratio) {
     const QLine& line = state.marks.line;
     if (line.isNull()) return;
-    const auto view_of = [&](QPoint pixel) {
-        return state.transform.view_from_image(QPointF(pixel) + QPointF(0.5, 0.5));
-    };
-    const QPointF start = view_of(line.p1()), end = view_of(line.p2());
+    const QPointF start = state.transform.view_from_pixel(line.p1()),
+                  end = state.transform.view_from_pixel(line.p2());
     painter.save();
     painter.setPen(QPen(QColor(0, 0, 0, 190), 3 * ratio));
     painter.drawLine(start, end);

@@ -24,14 +24,15 @@ class RegionTool : public ShapeTool {
     void clear() override { change({}); }
     void take_back() override { change(before_); }
     void nudge(QPoint step, bool resize) override;
-    bool holds_or_drew() const override { return !grip_.none() || state_.marks.region != before_; }
+    bool holds() const override { return !grip_.none(); }
+    bool drew() const override { return state_.marks.region != before_; }
 
   private:
     bool is_active() const { return state_.region_edited && state_.has_image(); }
     void change(const QRect& region);
 
     RegionGrip grip_;  ///< under the cursor; of the drag while there is one
-    QRect before_;     ///< when the drag began
+    QRect before_;     ///< when the drag, or the key's move, began
 };
 
 }  // namespace ir::widgets

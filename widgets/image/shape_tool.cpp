@@ -20,22 +20,25 @@ void ShapeTool::press(QPointF position) {
 
 void ShapeTool::drag(QPointF position, Qt::KeyboardModifiers modifiers) {
     if (!dragging_) return;
-    if (!holds_or_drew() && (position - pressed_).manhattanLength() < 3) return;
+    if (!holds() && !drew() && (position - pressed_).manhattanLength() < 3) return;
     move_to(pixel_at(position), modifiers & Qt::ShiftModifier);
 }
 
 void ShapeTool::release() {
-    if (std::exchange(dragging_, false)) emit finished();
+    if (std::exchange(dragging_, false) && drew()) emit finished();
 }
 
 void ShapeTool::press_key(const QKeyEvent& event) {
     const QPoint step = arrow_of(event.key());
-    if (!step.isNull())
+    if (!step.isNull()) {
+        if (!dragging_) begin();
         nudge(step, event.modifiers() & Qt::ShiftModifier);
-    else if (std::exchange(dragging_, false))
+        if (!drew()) return;
+    } else if (std::exchange(dragging_, false)) {
         take_back();
-    else
+    } else {
         clear();
+    }
     emit finished();
 }
 

@@ -29,7 +29,7 @@ class ShapeTool : public QObject {
     void press_key(const QKeyEvent& event);
 
   signals:
-    void finished();  ///< the hand let go, or a key was pressed
+    void finished();  ///< the hand let go or a key was pressed, and the shape is another one
 
   protected:
     /// Remembers the shape, from the pixel where the drag begins.
@@ -38,8 +38,10 @@ class ShapeTool : public QObject {
     virtual void clear() = 0;
     virtual void take_back() = 0;
     virtual void nudge(QPoint step, bool resize) = 0;
-    /// A press that hardly moves draws nothing.
-    virtual bool holds_or_drew() const = 0;
+    /// A press that holds nothing and hardly moves draws nothing.
+    virtual bool holds() const = 0;
+    /// It is another one than begin() remembered.
+    virtual bool drew() const = 0;
 
     QPointF pixel_at(QPointF position) const;
     QSize picture_size() const { return state_.transform.image_size().toSize(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPoint>
 #include <QPointF>
 #include <QSizeF>
 
@@ -28,6 +29,10 @@ class ViewTransform {
 
     QPointF image_from_view(QPointF view_px) const;
     QPointF view_from_image(QPointF image_px) const;
+    /// Of the pixel's middle.
+    QPointF view_from_pixel(QPoint pixel) const {
+        return view_from_image(QPointF(pixel) + QPointF(0.5, 0.5));
+    }
 
     /// The picture's point under `view_px` stays there.
     void zoom_about(QPointF view_px, double zoom);

@@ -30,6 +30,10 @@ namespace {
 
 using Tool = ImageView::Tool;
 
+/// Least sizes, logical pixels. Side by side a plot of what was drawn is as high as one has to be to be read.
+constexpr QSize least_plot(160, 120), least_table(160, 60);
+constexpr int readable_height = 180;
+
 void copy_text(const std::string& text) {
     QGuiApplication::clipboard()->setText(QString::fromStdString(text));
 }
@@ -158,6 +162,7 @@ QWidget* ProfilePanel::make_content() {
     make_table();
     split_ = new QSplitter;
     split_->setChildrenCollapsible(false);
+    for (auto* plot : {profile_, histograms_}) plot->setMinimumSize(least_plot);
     for (QWidget* part :
          {static_cast<QWidget*>(profile_), static_cast<QWidget*>(table_), static_cast<QWidget*>(histograms_)})
         split_->addWidget(part);
@@ -179,7 +184,7 @@ void ProfilePanel::make_table() {
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->setMinimumSize(220, 80);
+    table_->setMinimumSize(least_table);
     auto* copy = new QAction(tr("Copy as CSV"), table_);
     copy->setShortcut(QKeySequence::Copy);
     copy->setShortcutContext(Qt::WidgetShortcut);
@@ -202,6 +207,7 @@ void ProfilePanel::set_fields(const ProfileFields& fields) {
     fill_choices();
     update_profile();
     update_region();
+    arrange();
 }
 
 /// Of the first picture that has several channels.
@@ -212,11 +218,14 @@ void ProfilePanel::fill_choices() {
             if (names.size() < 2)
                 names = channel_choices(each.picture->semantic, each.picture->image->channels);
     if (names.size() < 2) names.clear();
-    choices_->clear();
-    choices_->addItem(tr("One number"), one_number);
-    if (!names.empty()) choices_->addItem(tr("Each channel"), all_channels);
-    for (std::size_t c = 0; c < names.size(); ++c)
-        choices_->addItem(QString::fromStdString(names[c]), int(c));
+    if (choices_->count() == 0 || names != channels_) {  // else the list may be open
+        channels_ = names;
+        choices_->clear();
+        choices_->addItem(tr("One number"), one_number);
+        if (!names.empty()) choices_->addItem(tr("Each channel"), all_channels);
+        for (std::size_t c = 0; c < names.size(); ++c)
+            choices_->addItem(QString::fromStdString(names[c]), int(c));
+    }
     choices_->setCurrentIndex(std::max(0, choices_->findData(wanted_choice_)));
     choices_->setEnabled(!names.empty());
 }
@@ -298,11 +307,24 @@ bool ProfilePanel::is_logarithmic() const {
     return log_->isChecked();
 }
 
-/// Side by side where there is room for it.
+/// Side by side where there is room for it. At their least width they turn, so that the panel can become
+/// narrower.
+void ProfilePanel::arrange() {
+    int least = 0;
+    for (int i = 0; i < split_->count(); ++i)
+        if (const auto* part = split_->widget(i); !part->isHidden())
+            least += part->minimumWidth() + split_->handleWidth();
+    const bool fits = width() > least && width() > height();
+    const bool has_drawn = !fields_.line.isNull() || !fields_.rectangle.isEmpty();
+    const int height = fits && has_drawn ? readable_height : least_plot.height();
+    for (auto* plot : {profile_, histograms_}) plot->setMinimumHeight(height);
+    const auto wanted = fits ? Qt::Horizontal : Qt::Vertical;
+    if (split_->orientation() != wanted) split_->setOrientation(wanted);
+}
+
 void ProfilePanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const auto wanted = width() > 620 && width() > height() ? Qt::Horizontal : Qt::Vertical;
-    if (split_->orientation() != wanted) split_->setOrientation(wanted);
+    arrange();
 }
 
 }  // namespace ir::widgets

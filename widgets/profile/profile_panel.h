@@ -65,6 +65,7 @@ class ProfilePanel : public QWidget {
     QToolButton* make_copy();
     QToolButton* make_tool(const char* name, const QString& tip, ImageView::Tool tool);
     void fill_choices();
+    void arrange();
     void update_profile();
     void update_region();
     void take(const std::shared_ptr<const RegionNumbers>& numbers);
@@ -76,6 +77,7 @@ class ProfilePanel : public QWidget {
     std::shared_ptr<const RegionNumbers> within_;
     NewestJob* measuring_;
     std::optional<RegionRequest> requested_;  ///< what is measured, or was
+    std::vector<std::string> channels_;       ///< in the list of choices
     QComboBox* choices_ = nullptr;
     QCheckBox* log_ = nullptr;
     QToolButton *line_ = nullptr, *rectangle_ = nullptr;

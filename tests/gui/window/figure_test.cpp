@@ -1,6 +1,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -61,7 +62,10 @@ TEST_F(FigureTest, ShowsThePicturesOfTheViewsAndWritesThem) {
     for (const char* name : {"f.pdf", "f.png", "f.svg"}) {
         const QString file = folder.path() + "/" + name;
         dialog().save_to(file);
+        for (const char* button : {"save", "copy"})
+            EXPECT_FALSE(find<QPushButton>(button)->isEnabled()) << "one at a time";
         ASSERT_TRUE(drawn());
+        EXPECT_TRUE(find<QPushButton>("save")->isEnabled());
         EXPECT_GT(QFile(file).size(), 1000) << name;
     }
     EXPECT_EQ(QImage(folder.path() + "/f.png").width(), 2103);
@@ -79,6 +83,9 @@ TEST_F(FigureTest, RectanglesOfThePicturesBecomeInsets) {
     auto* add = find<QPushButton>("add-inset");
     EXPECT_FALSE(add->isEnabled());
     EXPECT_TRUE(add->toolTip().contains("Draw a rectangle"));
+    window.workspace().tools().set_region({8, 8}, {1, 1, 4, 4});
+    EXPECT_FALSE(add->isEnabled());
+    EXPECT_TRUE(add->toolTip().contains("another size"));
     const auto before = preview();
     set_rectangle({4, 6, 12, 8});
     ASSERT_TRUE(add->isEnabled());
@@ -108,6 +115,39 @@ TEST_F(FigureTest, WhatCannotBeDrawnIsSaidAndNotSaved) {
     ASSERT_TRUE(drawn());
     EXPECT_EQ(problem(), "");
     EXPECT_TRUE(find<QPushButton>("save")->isEnabled());
+}
+
+TEST_F(FigureTest, PicturesThatComeAnewKeepOrderTicksAndNames) {
+    trigger("figure");
+    ASSERT_TRUE(drawn());
+    auto* list = find<QListWidget>("pictures");
+    auto offered = dialog().figure().pictures;
+    ASSERT_EQ(offered.size(), 2u);
+    list->insertItem(1, list->takeItem(0));
+    list->item(0)->setCheckState(Qt::Unchecked);
+    list->setCurrentRow(1);
+    list->editItem(list->item(1));
+    auto* name = list->findChild<QLineEdit*>();
+    ASSERT_TRUE(name);
+    name->setText("Ours");
+    dialog().set_pictures(offered);
+    ASSERT_EQ(list->findChild<QLineEdit*>(), name) << "it is still being changed";
+    list->setCurrentRow(0);
+    EXPECT_EQ(list->item(1)->text(), "Ours");
+    ASSERT_EQ(dialog().figure().pictures.size(), 1u);
+    EXPECT_EQ(dialog().figure().pictures[0].side, offered[0].side);
+    auto third = offered[1];
+    third.label = "Third";
+    offered.insert(offered.begin(), third);
+    dialog().set_pictures(offered);
+    ASSERT_EQ(list->count(), 3);
+    EXPECT_EQ(list->item(0)->text().toStdString(), offered[2].label);
+    EXPECT_EQ(list->item(0)->checkState(), Qt::Unchecked);
+    const auto now = dialog().figure().pictures;
+    ASSERT_EQ(now.size(), 2u);
+    EXPECT_EQ(now[0].label, "Ours");
+    EXPECT_EQ(now[0].side, offered[1].side);
+    EXPECT_EQ(now[1].label, "Third") << "new ones come last";
 }
 
 TEST_F(FigureTest, ViewsAreFollowedAndChoicesKept) {

@@ -27,7 +27,7 @@ class InspectWindowTest : public WindowTest {
     }
     QPoint place_of(QPoint pixel) {
         auto& view = window.view();
-        const QPointF device = view.transform().view_from_image(QPointF(pixel) + QPointF(0.5, 0.5));
+        const QPointF device = view.transform().view_from_pixel(pixel);
         return (device / view.devicePixelRatioF()).toPoint();
     }
     void move_to(QPoint pixel) {

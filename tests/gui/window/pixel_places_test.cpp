@@ -69,7 +69,7 @@ class PixelPlacesWindowTest : public WindowTest {
     void click(QPoint pixel, Qt::KeyboardModifiers keys) {
         auto& view = window.view();
         window.workspace().active_pane().compare().active_view().look_at(QPointF(pixel), 8);
-        const QPointF device = view.transform().view_from_image(QPointF(pixel) + QPointF(0.5, 0.5));
+        const QPointF device = view.transform().view_from_pixel(pixel);
         const QPoint place = (device / view.devicePixelRatioF()).toPoint();
         QTest::mouseMove(&view, place + QPoint(1, 1));
         QTest::mouseMove(&view, place);

@@ -31,9 +31,7 @@ class ProfileWindowTest : public WindowTest {
         auto& shown = view(number);
         shown.look_at(QPointF(from + to) / 2, 4);
         const auto at = [&](QPoint pixel) {
-            return (shown.transform().view_from_image(QPointF(pixel) + QPointF(0.5, 0.5)) /
-                    shown.devicePixelRatioF())
-                .toPoint();
+            return (shown.transform().view_from_pixel(pixel) / shown.devicePixelRatioF()).toPoint();
         };
         QTest::mousePress(&shown, Qt::LeftButton, {}, at(from));
         QTest::mouseMove(&shown, at((from + to) / 2));
@@ -50,7 +48,8 @@ TEST_F(ProfileWindowTest, ADrawnLineBringsTheProfileOfAllViewsAndTakesItAway) {
     QTest::keyClick(&view(0), Qt::Key_N);
     draw(0, {10, 8}, {40, 20});
     ASSERT_TRUE(is_seen());
-    EXPECT_GT(window.findChild<QDockWidget*>("profile")->height(), 200) << "its plot can be read";
+    const auto* dock = window.findChild<QDockWidget*>("profile");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dock->height() > 200; }, 5000)) << "its plot can be read";
     ASSERT_TRUE(QTest::qWaitFor([&] { return panel().profile().data().series.size() == 2; }, 5000));
     const auto& series = panel().profile().data().series;
     EXPECT_EQ(series[0].points.size(), 31u);
@@ -80,6 +79,28 @@ TEST_F(ProfileWindowTest, APanelThatSomebodyOpenedStays) {
     QTest::keyClick(&view(0), Qt::Key_Escape);
     EXPECT_TRUE(is_seen());
     ASSERT_TRUE(QTest::qWaitFor([&] { return panel().histograms().data().series.size() == 2; }, 5000));
+    // So does one behind another tab.
+    window.docks().raise("results");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.docks().is_seen("profile"); }, 5000));
+    ASSERT_TRUE(settle());
+    QTest::keyClick(&view(0), Qt::Key_Right);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.docks().is_seen("profile"); }, 5000));
+    ASSERT_TRUE(settle());
+    QTest::keyClick(&view(0), Qt::Key_Escape);
+    EXPECT_TRUE(is_seen());
+}
+
+TEST_F(ProfileWindowTest, AClosedPanelComesBackWhenSomethingIsDrawn) {
+    trigger("line");
+    draw(0, {10, 8}, {40, 20});
+    ASSERT_TRUE(is_seen());
+    window.docks().hide("profile");
+    ASSERT_TRUE(settle());
+    QTest::mouseClick(&view(0), Qt::LeftButton, {}, QPoint(3, 3));
+    EXPECT_FALSE(is_seen()) << "that drew nothing";
+    view(0).setFocus();
+    QTest::keyClick(&view(0), Qt::Key_Down);
+    EXPECT_TRUE(is_seen());
 }
 
 TEST_F(ProfileWindowTest, ARectangleIsMeasuredUnlessMetricsDo) {

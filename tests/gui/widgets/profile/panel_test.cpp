@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <QSplitter>
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QToolButton>
@@ -201,6 +202,26 @@ TEST_F(ProfilePanelTest, AChosenChannelWaitsForPicturesThatHaveIt) {
     set({.within = both});
     EXPECT_EQ(cell(0, 1), "B");
     EXPECT_EQ(panel.choice(), 2);
+}
+
+TEST_F(ProfilePanelTest, NewPicturesLeaveTheListOfChannels) {
+    set({.within = both});
+    QSignalSpy removed(find<QComboBox>("channel")->model(), &QAbstractItemModel::rowsRemoved);
+    set({.within = {{"B", b}}});
+    EXPECT_EQ(removed.count(), 0) << "it may be open";
+    set({.within = {{"depth", make_picture(ramp(32, 24, 1), Semantic::depth)}}});
+    EXPECT_EQ(find<QComboBox>("channel")->count(), 1);
+}
+
+TEST_F(ProfilePanelTest, CanBecomeNarrowAndTurnsBeforeItsPartsDoNotFit) {
+    set({.along = both, .within = both, .line = {0, 0, 31, 0}, .rectangle = {0, 0, 4, 4}});
+    auto* split = panel.findChild<QSplitter*>();
+    EXPECT_EQ(split->orientation(), Qt::Horizontal);
+    panel.resize(split->minimumSizeHint().width(), 260);
+    EXPECT_EQ(split->orientation(), Qt::Vertical);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.minimumSizeHint().width() < 400; }, 5000));
+    panel.resize(1000, 260);
+    EXPECT_EQ(split->orientation(), Qt::Horizontal);
 }
 
 }  // namespace
