@@ -6,7 +6,7 @@ namespace ir::methods::photon_mapping {
 
 /// Of what only weights from visibility have.
 inline Condition when_weighted() {
-    return {"weights", {std::string("visible"), std::string("printed")}};
+    return {"weights", {std::string("printed"), std::string("visible")}};
 }
 
 /// Declares what texels of maps of this size learn.
