@@ -177,9 +177,23 @@ bool has_two_legends(const CanvasState& state) {
     return state.has_divider() && state.pictures[0].display != state.pictures[1].display;
 }
 
+QRectF picture_box(const CanvasState& state) {
+    return {state.transform.offset(), state.transform.image_size() * state.transform.zoom()};
+}
+
+/// Of a legend that stands beside the picture.
+QRectF legend_column(const CanvasState& state, const QRectF& view, qreal ratio) {
+    const QRectF picture = picture_box(state);
+    const qreal gap = 8 * ratio;
+    const QSizeF size = legend_size(state.pictures[0], ratio, view.height() - 2 * gap);
+    const qreal x = std::min(std::max(picture.right(), 0.0) + gap, view.width() - size.width() - gap);
+    const qreal y = std::clamp(picture.bottom() - size.height(), gap, view.height() - size.height() - gap);
+    return {{x, y}, size};
+}
+
 void paint_legends(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
     const auto place = legend_place(state, ratio);
-    const QRectF picture(state.transform.offset(), state.transform.image_size() * state.transform.zoom());
+    const QRectF picture = picture_box(state);
     if (place.is_line) {
         const qreal height = legend_line_height(ratio);
         const qreal top = std::min(std::max(picture.bottom(), 0.0), view.height() - height);
@@ -193,11 +207,8 @@ void paint_legends(QPainter& painter, const CanvasState& state, const QRectF& vi
                               {left + i * width / count, top, width / count, height}, ratio);
         return;
     }
-    const qreal gap = 8 * ratio, room = view.height() - 2 * gap;
-    const QSizeF size = legend_size(state.pictures[0], ratio, room);
-    const qreal x = std::min(std::max(picture.right(), 0.0) + gap, view.width() - size.width() - gap);
-    const qreal y = std::clamp(picture.bottom() - size.height(), gap, view.height() - size.height() - gap);
-    paint_legend(painter, state.pictures[0], {x, y}, ratio, room);
+    paint_legend(painter, state.pictures[0], legend_column(state, view, ratio).topLeft(), ratio,
+                 view.height() - 16 * ratio);
 }
 
 class Overlay final : public QWidget {
@@ -430,10 +441,15 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     if (!state.note.isEmpty()) paint_note(painter, view, state.note, ratio);
     paint_labels(painter, state, view, ratio);
     const bool has_legends = state.legend && state.has_image() && has_legend(state.pictures[0]);
-    const qreal below = has_legends ? legend_place(state, ratio).margins.height() : 0;
-    if (!state.hint.isEmpty())
-        paint_badge(painter, view.adjusted(0, 0, 0, -below), state.hint, Qt::AlignLeft | Qt::AlignBottom,
-                    ratio);
+    if (!state.hint.isEmpty()) {
+        QRectF room = view;
+        if (has_legends) {
+            const auto place = legend_place(state, ratio);
+            room.setBottom(view.bottom() - place.margins.height());
+            if (!place.is_line) room.setRight(legend_column(state, view, ratio).left());
+        }
+        paint_badge(painter, room, state.hint, Qt::AlignLeft | Qt::AlignBottom, ratio);
+    }
     if (has_legends) paint_legends(painter, state, view, ratio);
     painter.restore();
 }

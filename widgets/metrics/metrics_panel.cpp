@@ -17,6 +17,7 @@
 #include "widgets/metrics/metrics_text.h"
 #include "widgets/metrics/rectangle_fields.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/section.h"
 
 namespace ir::widgets {
 namespace {
@@ -41,12 +42,7 @@ MetricsPanel::MetricsPanel(QWidget* parent)
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(pages_);
-    empty_ = new QLabel(pages_);
-    empty_->setObjectName(QStringLiteral("empty"));
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setWordWrap(true);
-    empty_->setMargin(16);
-    empty_->setEnabled(false);
+    empty_ = make_empty_text(pages_);
     pages_->addWidget(empty_);
     auto* page = new QWidget(pages_);
     auto* column = new QVBoxLayout(page);

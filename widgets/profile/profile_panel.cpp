@@ -24,6 +24,7 @@
 #include "widgets/image/display.h"
 #include "widgets/plot/plot_view.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/section.h"
 
 namespace ir::widgets {
 namespace {
@@ -63,12 +64,7 @@ ProfilePanel::ProfilePanel(QWidget* parent)
     column->setSpacing(0);
     column->addWidget(make_head());
     column->addWidget(pages_, 1);
-    empty_ = new QLabel;
-    empty_->setObjectName(QStringLiteral("empty"));
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setWordWrap(true);
-    empty_->setMargin(16);
-    empty_->setEnabled(false);
+    empty_ = make_empty_text(pages_);
     pages_->addWidget(empty_);
     pages_->addWidget(make_content());
     set_fields({.why_empty = tr("No pictures.")});

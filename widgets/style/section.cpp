@@ -2,6 +2,7 @@
 
 #include <QBoxLayout>
 #include <QGridLayout>
+#include <QLabel>
 #include <QToolButton>
 #include <QWidget>
 
@@ -45,6 +46,16 @@ void unfold_section_of(const QWidget& row) {
     auto* body = row.parentWidget();
     auto* header = body ? body->property(header_property).value<QToolButton*>() : nullptr;
     if (header) header->setChecked(true);
+}
+
+QLabel* make_empty_text(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(QStringLiteral("empty"));
+    label->setAlignment(Qt::AlignCenter);
+    label->setWordWrap(true);
+    label->setMargin(16);
+    label->setEnabled(false);
+    return label;
 }
 
 }  // namespace ir::widgets

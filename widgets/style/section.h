@@ -3,6 +3,7 @@
 #include <QString>
 
 class QGridLayout;
+class QLabel;
 class QWidget;
 
 namespace ir::widgets {
@@ -12,5 +13,8 @@ namespace ir::widgets {
 QGridLayout* make_section(const QString& title, QWidget* parent);
 /// The section that holds a row's widget, if it is folded.
 void unfold_section_of(const QWidget& row);
+
+/// What a panel says in place of its content, in the middle; tests find it by the name "empty".
+QLabel* make_empty_text(QWidget* parent);
 
 }  // namespace ir::widgets

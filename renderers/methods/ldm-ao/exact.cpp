@@ -1,3 +1,4 @@
+#include "renderers/methods/ldm-ao/direction_rays.h"
 #include "renderers/methods/ldm-ao/passes.h"
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 #include "renderers/core/half_float.h"
 #include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/passes/raytracing/bvh.h"
-#include "renderers/passes/raytracing/ray_offset.h"
 #include "shaders/methods/ldm-ao/exact.glsl.h"
 
 namespace ir::methods::ldm_ao {
@@ -30,10 +29,6 @@ std::uint32_t encoded(float distance, float reach) {
            static_cast<std::uint32_t>(std::lround(std::clamp(distance / reach, 0.0f, 1.0f) * exact_steps));
 }
 
-struct Point {
-    glm::vec3 position_ws, geometric_normal_ws, shading_normal_ws;
-};
-
 /// One pixel's hits in all directions of a batch.
 class PixelTracer {
   public:
@@ -41,7 +36,7 @@ class PixelTracer {
                 const Transport& transport)
         : bvh_(bvh), maps_(maps), batch_(batch), exact_(exact), transport_(transport) {}
 
-    void run(const Point& x, std::span<std::uint32_t> words) const {
+    void run(const RayStart& x, std::span<std::uint32_t> words) const {
         for (int first = 0; first < maps_.batch_maps(batch_); first += lanes) run_packet(x, first, words);
     }
 
@@ -55,18 +50,11 @@ class PixelTracer {
         return transport_.max_distance > 0 ? std::min(reach, transport_.max_distance) : reach;
     }
 
-    void run_packet(const Point& x, int first, std::span<std::uint32_t> words) const {
+    void run_packet(const RayStart& x, int first, std::span<std::uint32_t> words) const {
         passes::Bvh::Packet16 packet{};
-        const auto origin = passes::offset_origin(x.position_ws, x.geometric_normal_ws);
         const int count = std::min(lanes, maps_.batch_maps(batch_) - first);
-        for (int lane = 0; lane < count; ++lane) {
-            auto direction = glm::vec3(frame(first + lane).direction);
-            if (glm::dot(x.shading_normal_ws, direction) < 0) direction = -direction;
-            packet.ox[lane] = origin.x, packet.oy[lane] = origin.y, packet.oz[lane] = origin.z;
-            packet.dx[lane] = direction.x, packet.dy[lane] = direction.y, packet.dz[lane] = direction.z;
-            packet.far[lane] = reach(first + lane);
-            packet.active[lane] = glm::dot(x.geometric_normal_ws, direction) > 0 ? -1 : 0;
-        }
+        for (int lane = 0; lane < count; ++lane)
+            put_ray(packet, lane, x, frame(first + lane), reach(first + lane));
         float distances[lanes];
         bvh_.closest16(packet, false, distances);
         for (int lane = 0; lane < count; ++lane) {

@@ -8,9 +8,8 @@
 #include "renderers/core/half_float.h"
 #include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-ao/direction_rays.h"
 #include "renderers/methods/ldm-ao/passes.h"
-#include "renderers/passes/raytracing/bvh.h"
-#include "renderers/passes/raytracing/ray_offset.h"
 
 namespace ir::methods::ldm_ao {
 namespace {
@@ -18,11 +17,6 @@ namespace {
 constexpr int packet_rays = 16;
 /// A pixel is selected where so much of what few short rays see is closed.
 constexpr float probe_texels = 1.5f, closed_part = 0.2f;
-
-/// A pixel's point: its rays start off the surface.
-struct RayStart {
-    glm::vec3 origin_ws, geometric_ws, shading_ws;
-};
 
 /// Rays along the maps' directions.
 class DirectionRays {
@@ -70,16 +64,10 @@ class DirectionRays {
         float cosines[packet_rays]{};
         glm::vec2 sums(0);
         for (std::size_t lane = 0; lane < maps.size(); ++lane) {
-            auto direction = glm::vec3(maps_.frames[static_cast<std::size_t>(maps[lane])].direction);
-            float cosine = glm::dot(x.shading_ws, direction);
-            if (cosine < 0) direction = -direction, cosine = -cosine;
+            const auto& frame = maps_.frames[static_cast<std::size_t>(maps[lane])];
+            const float cosine = put_ray(packet, static_cast<int>(lane), x, frame, reach);
             sums.y += cosine;
-            packet.ox[lane] = x.origin_ws.x, packet.oy[lane] = x.origin_ws.y, packet.oz[lane] = x.origin_ws.z;
-            packet.dx[lane] = direction.x, packet.dy[lane] = direction.y, packet.dz[lane] = direction.z;
-            packet.far[lane] = reach;
-            if (glm::dot(x.geometric_ws, direction) <= 0) continue;  // below the surface: closed
-            packet.active[lane] = -1;
-            cosines[lane] = cosine;
+            if (packet.active[lane] != 0) cosines[lane] = cosine;  // below the triangle all is closed
         }
         if (!is_smooth) {
             const auto closed = bvh_.occluded16(packet, false);
@@ -114,32 +102,32 @@ void trace_selected(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
         .reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal, bvh, images.sums)
         .writes(images.sums)
         .counts(selected)
-        .execute_sliced(
-            builder.inputs().view.height, [=, sums = images.sums, width = builder.inputs().view.width](
-                                              graph::PassContext& p, graph::Slice slice) {
-                const auto positions = p.pixels<const glm::vec4>(gbuffer.position),
-                           geometric = p.pixels<const glm::vec4>(gbuffer.geometric_normal);
-                const auto shading = p.pixels<const std::uint64_t>(gbuffer.normal);
-                const auto out = p.pixels<glm::vec2>(sums);
-                const auto traced = p.object<passes::Bvh>(bvh);
-                const DirectionRays rays(*traced, *maps, transport);
-                std::atomic<std::uint32_t> count{0};
-                parallel_for(p.inputs().threads, slice.begin, slice.end, [&](std::int64_t row) {
-                    if (p.cancel().is_cancelled()) return;
-                    for (int column = 0; column < width; ++column) {
-                        const auto i = static_cast<std::size_t>(row * width + column);
-                        const auto normal = glm::vec3(geometric[i]);
-                        if (normal == glm::vec3(0)) continue;
-                        const RayStart x{passes::offset_origin(glm::vec3(positions[i]), normal), normal,
-                                         glm::normalize(glm::vec3(unpack_halves(shading[i])))};
-                        if (!rays.is_selected(x)) continue;
-                        out[i] = rays.sums(x);
-                        count.fetch_add(1, std::memory_order_relaxed);
-                    }
-                });
-                p.cancel().check();
-                p.add(selected, count);
-            });
+        .execute_sliced(builder.inputs().view.height,
+                        [=, sums = images.sums, width = builder.inputs().view.width](graph::PassContext& p,
+                                                                                     graph::Slice slice) {
+                            const auto positions = p.pixels<const glm::vec4>(gbuffer.position),
+                                       geometric = p.pixels<const glm::vec4>(gbuffer.geometric_normal);
+                            const auto shading = p.pixels<const std::uint64_t>(gbuffer.normal);
+                            const auto out = p.pixels<glm::vec2>(sums);
+                            const auto traced = p.object<passes::Bvh>(bvh);
+                            const DirectionRays rays(*traced, *maps, transport);
+                            std::atomic<std::uint32_t> count{0};
+                            parallel_for(p.inputs().threads, slice.begin, slice.end, [&](std::int64_t row) {
+                                if (p.cancel().is_cancelled()) return;
+                                for (int column = 0; column < width; ++column) {
+                                    const auto i = static_cast<std::size_t>(row * width + column);
+                                    const auto normal = glm::vec3(geometric[i]);
+                                    if (normal == glm::vec3(0)) continue;
+                                    const RayStart x{glm::vec3(positions[i]), normal,
+                                                     glm::normalize(glm::vec3(unpack_halves(shading[i])))};
+                                    if (!rays.is_selected(x)) continue;
+                                    out[i] = rays.sums(x);
+                                    count.fetch_add(1, std::memory_order_relaxed);
+                                }
+                            });
+                            p.cancel().check();
+                            p.add(selected, count);
+                        });
 }
 
 }  // namespace ir::methods::ldm_ao

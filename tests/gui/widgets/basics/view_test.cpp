@@ -233,6 +233,25 @@ TEST_P(EachSurface, TheLegendStandsBesideThePictureOrInALineBelow) {
     }
 }
 
+TEST(ImageView, AHintStandsBesideTheLegend) {
+    ImageView view(nullptr, ImageView::Surface::raster);
+    view.set_picture(make_picture(Image(48, 48, 1), Semantic::depth, {}, "m"));
+    view.set_legend(true);
+    show(view);
+    view.resize(320, 170);
+    QApplication::processEvents();
+    ASSERT_FALSE(legend_place(view.state(), view.devicePixelRatioF()).is_line);
+    const auto& t = view.transform();
+    const int legend =
+        int(std::ceil(t.offset().x() + t.image_size().width() * t.zoom() + 8 * view.devicePixelRatioF()));
+    const auto bare = view.grab().toImage();
+    view.set_tool(ImageView::Tool::line);
+    const auto hinted = view.grab().toImage();
+    EXPECT_NE(hinted, bare) << "there is a hint";
+    const QRect right(legend, 0, bare.width() - legend, bare.height());
+    EXPECT_EQ(hinted.copy(right), bare.copy(right)) << "it is not under the legend";
+}
+
 TEST(ImageView, TheSecondPictureHasTheSizeOfTheFirst) {
     ImageView view;
     view.set_picture(make_picture(Image(4, 4, 1), Semantic::depth));

@@ -46,6 +46,18 @@ inline MetricsRequest request_of(PicturePtr image, PicturePtr reference, const Q
     return request;
 }
 
+/// Drags from a place of a view to another one, logical pixels.
+inline void drag_mouse(QWidget& view, QPoint first, QPoint last, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mousePress(&view, Qt::LeftButton, modifiers, first);
+    for (int i = 1; i <= 4; ++i) {
+        const QPoint at = first + (last - first) * i / 4;
+        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                         modifiers);
+        QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, modifiers, last);
+}
+
 inline void wait_for(MetricsPanel& panel) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.is_computing(); }, 20000));
     QApplication::processEvents();

@@ -18,15 +18,7 @@ QPoint point(const ImageView& view, double x, double y) {
 }
 
 void drag(ImageView& view, QPointF from, QPointF to, Qt::KeyboardModifiers modifiers = {}) {
-    const QPoint first = point(view, from.x(), from.y()), last = point(view, to.x(), to.y());
-    QTest::mousePress(&view, Qt::LeftButton, modifiers, first);
-    for (int i = 1; i <= 4; ++i) {
-        const QPoint at = first + (last - first) * i / 4;
-        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                         modifiers);
-        QApplication::sendEvent(&view, &move);
-    }
-    QTest::mouseRelease(&view, Qt::LeftButton, modifiers, last);
+    drag_mouse(view, point(view, from.x(), from.y()), point(view, to.x(), to.y()), modifiers);
 }
 
 class RectangleTest : public testing::TestWithParam<double> {

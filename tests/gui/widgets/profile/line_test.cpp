@@ -13,15 +13,7 @@ QPoint middle_of(const ImageView& view, QPointF pixel) {
 }
 
 void draw_from(ImageView& view, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
-    const QPoint first = middle_of(view, from), last = middle_of(view, to);
-    QTest::mousePress(&view, Qt::LeftButton, modifiers, first);
-    for (int i = 1; i <= 4; ++i) {
-        const QPoint at = first + (last - first) * i / 4;
-        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                         modifiers);
-        QApplication::sendEvent(&view, &move);
-    }
-    QTest::mouseRelease(&view, Qt::LeftButton, modifiers, last);
+    drag_mouse(view, middle_of(view, from), middle_of(view, to), modifiers);
 }
 
 class LineTest : public testing::TestWithParam<double> {
