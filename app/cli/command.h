@@ -65,8 +65,8 @@ inline CLI::Validator no_scene() {
 }
 inline constexpr const char* method_doc = "Id, as `list` prints it";
 
-/// Of a command with subcommands, which CLI11 lets a place take for its value where it knows that the place
-/// is required: so that is said of none, and this is called where the command itself runs.
+/// For a command with subcommands. CLI11 would take a subcommand's name for the value of a required place, so
+/// places are declared optional, and the command's own callback demands them by this.
 inline void require_places(std::initializer_list<const CLI::Option*> places) {
     for (const auto* place : places)
         if (place->count() == 0) throw CLI::RequiredError(place->get_name());

@@ -45,7 +45,7 @@ class FigureCommand {
         if (flags_.labels.size() > pictures.size())
             throw UsageError("there are more --label than pictures, which are " +
                              listed(words_of(pictures, &report::Picture::name)));
-        choose_reference(pictures);
+        choose_numbers(pictures);
         const auto shown = shown_of(pictures);
         for (std::size_t i = 0; i < pictures.size(); ++i) {
             const auto& label = i < flags_.labels.size() ? flags_.labels[i] : pictures[i].name;
@@ -122,7 +122,7 @@ class FigureCommand {
         return pictures;
     }
 
-    void choose_reference(const std::vector<report::Picture>& pictures) {
+    void choose_numbers(const std::vector<report::Picture>& pictures) {
         figure_.metrics.clear();
         if (flags_.metrics != "none") figure_.metrics = split_at_commas(flags_.metrics);
         if (!flags_.reference.empty()) reference_ = find(pictures, flags_.reference, "--reference");
@@ -133,7 +133,7 @@ class FigureCommand {
                 << "note: no picture is the reference, so there are no numbers; choose one by --reference\n";
     }
 
-    /// As the last picture looks well, which is often the reference.
+    /// The exposure suits the last picture, which is mostly the reference.
     report::Shown shown_of(const std::vector<report::Picture>& pictures) const {
         auto shown = report::shown_range(pictures);
         if (flags_.exposure) shown.exposure = *flags_.exposure;
@@ -176,7 +176,8 @@ void add_figure(CLI::App& app, Run& run) {
                         "comparison's, or the last file)");
     command->add_option("--exposure", flags->exposure, "Stops, of light (default: automatic)")
         ->check(within(-40, 40));
-    command->add_option("--range", flags->range, "lo,hi: values that colours span, without an exposure");
+    command->add_option("--range", flags->range,
+                        "lo,hi: values that colours span; no exposure is chosen then");
     command->add_option("--colour-map", flags->colour_map, "Of pictures with one channel")
         ->check(CLI::IsMember(colour_map_names()))
         ->capture_default_str();

@@ -89,7 +89,8 @@ FigureDialog::FigureDialog(QWidget* parent)
     save_->setToolTip(tr("As PDF, SVG or PNG, by the name's ending"));
     copy_ = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
     copy_->setObjectName(QStringLiteral("copy"));
-    copy_->setToolTip(tr("Copies the figure as a picture of 300 dots per inch"));
+    copy_->setToolTip(
+        tr("Copies the figure as a picture of %1 dots per inch").arg(report::Figure().dots_per_inch));
     connect(save_, &QPushButton::clicked, this, &FigureDialog::file_wanted);
     connect(copy_, &QPushButton::clicked, this, &FigureDialog::copy);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);

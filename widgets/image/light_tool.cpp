@@ -14,7 +14,7 @@ namespace {
 
 /// Logical pixels. Lines that look shorter than min_line point at the camera or away from it.
 constexpr double handle_pixels = 64, handle_reach = 8, min_line = 18, ring_radius = 14;
-/// Of a small view's shorter side, that an axis is at most.
+/// An axis is at most this part of the view's shorter side, so that handles fit small views.
 constexpr double max_part = 0.2;
 /// The part of an axis next to the light belongs to the centre.
 constexpr double free_part = 0.25;

@@ -1,4 +1,5 @@
 #include "widgets/image/line_tool.h"
+#include "renderers/core/constants.h"
 
 #include <QKeyEvent>
 #include <algorithm>
@@ -29,7 +30,7 @@ double distance_to_segment(QPointF at, QPointF from, QPointF to) {
 /// The nearest of the eight directions; a diagonal ends where the picture does.
 QPoint straightened(QPoint from, QPoint to, QSize picture) {
     const int x = std::abs(to.x() - from.x()), y = std::abs(to.y() - from.y());
-    const double half_way = std::tan(M_PI / 8);
+    const double half_way = std::tan(double(ir::pi) / 8);
     if (y < half_way * x) return {to.x(), from.y()};
     if (x < half_way * y) return {from.x(), to.y()};
     const QPoint sign(to.x() < from.x() ? -1 : 1, to.y() < from.y() ? -1 : 1);

@@ -17,22 +17,24 @@ void set_font_size(QPainter& painter, qreal size) {
     painter.setFont(font);
 }
 
-/// A text on a dark plate in a corner of `area`. Returns the plate; long texts are shortened in the middle,
-/// but hints, at the bottom, are wrapped.
+/// What becomes of a text that is too long: it loses its middle, or is wrapped between its parts.
+enum class Overlong { elide, wrap };
+
+/// A text on a dark plate in a corner of `area`. Returns the plate.
 QRectF paint_badge(QPainter& painter, const QRectF& area, const QString& text, Qt::Alignment where,
-                   qreal ratio) {
+                   Overlong overlong, qreal ratio) {
     const qreal gap = 8 * ratio;
     const QRectF room = area.adjusted(gap, gap, -gap, -gap);
     if (text.isEmpty() || room.width() < 24 * ratio) return {};
     set_font_size(painter, 12 * ratio);
-    const bool is_hint = bool(where & Qt::AlignBottom);
     int flags = int(Qt::AlignLeft | Qt::AlignTop);
-    if (is_hint) flags |= int(Qt::TextWordWrap);
+    if (overlong == Overlong::wrap) flags |= int(Qt::TextWordWrap);
     const QMarginsF border(7 * ratio, 4 * ratio, 7 * ratio, 4 * ratio);
     const QRectF inside = room - border;
     const auto metrics = painter.fontMetrics();
-    const QString fitting = is_hint ? wrapped_hint(text, metrics, int(inside.width()))
-                                    : metrics.elidedText(text, Qt::ElideMiddle, int(inside.width()));
+    const QString fitting = overlong == Overlong::wrap
+                                ? wrapped_hint(text, metrics, int(inside.width()))
+                                : metrics.elidedText(text, Qt::ElideMiddle, int(inside.width()));
     QRectF box = painter.boundingRect(inside, flags, fitting) + border;
     box.moveLeft(where & Qt::AlignRight ? room.right() - box.width() : room.left());
     box.moveTop(where & Qt::AlignBottom ? room.bottom() - box.height() : room.top());
@@ -166,10 +168,10 @@ void paint_labels(QPainter& painter, const CanvasState& state, const QRectF& vie
     const auto side = state.label.isEmpty() ? Qt::AlignRight : Qt::AlignLeft;
     paint_badge(painter, left,
                 marked(state.label, state.pictures[0].picture.get(), state.stale && state.has_image()),
-                side | Qt::AlignTop, ratio);
+                side | Qt::AlignTop, Overlong::elide, ratio);
     if (state.has_divider())
         paint_badge(painter, right, marked(state.second_label, state.pictures[1].picture.get(), false),
-                    Qt::AlignRight | Qt::AlignTop, ratio);
+                    Qt::AlignRight | Qt::AlignTop, Overlong::elide, ratio);
 }
 
 /// Of two pictures that are shown differently, one on either side.
@@ -448,7 +450,7 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
             room.setBottom(view.bottom() - place.margins.height());
             if (!place.is_line) room.setRight(legend_column(state, view, ratio).left());
         }
-        paint_badge(painter, room, state.hint, Qt::AlignLeft | Qt::AlignBottom, ratio);
+        paint_badge(painter, room, state.hint, Qt::AlignLeft | Qt::AlignBottom, Overlong::wrap, ratio);
     }
     if (has_legends) paint_legends(painter, state, view, ratio);
     painter.restore();

@@ -57,7 +57,7 @@ graph::ImageRef with_visibility(graph::GraphBuilder& builder, const Volumes& vol
     bounce::Batches all(directions.samples);
     const bounce::Samples samples{nearest.distance,
                                   bounce::declare_incoming(builder, all, bounce::Effects::ambient_occlusion)};
-    bounce::see(builder, gbuffer, directions, samples, parameters.transport);
+    bounce::fill_visibility(builder, gbuffer, directions, samples, parameters.transport);
     explain(builder, volumes, &directions, &nearest);
     return bounce::reconstruct(builder, volumes.scene, gbuffer, directions, samples,
                                parameters.reconstruction, text, volumes.reach);

@@ -26,20 +26,22 @@ void add_nodes(ParameterTable<Parameters>& table) {
 
 void add_exact(ParameterTable<Parameters>& table) {
     table
-        .add(&Parameters::exact,
-             {.key = "exact",
-              .label = "Exact rays",
-              .doc =
-                  "Takes hits from ray tracing instead of the maps, to tell the causes of error apart: what "
-                  "is left with all hits exact is due to the directions, what exact hits nearby take away "
-                  "to the self-hit rule, and the rest to the texels. Or for the pixels that need them.",
-              .choices = {{"none", "None", "All hits come from the maps: the method itself."},
-                          {"near", "Near hits",
-                           "Hits up to a few texels away are exact, those beyond come from the maps."},
-                          {"all", "All hits", "The maps are not queried."},
-                          {"selected", "All hits of some pixels",
-                           "Of pixels that have much within a texel or two, by 16 short rays. The others "
-                           "take all hits from the maps, and so do the sky's light and explanations."}}})
+        .add(
+            &Parameters::exact,
+            {.key = "exact",
+             .label = "Exact rays",
+             .doc =
+                 "Takes hits from ray tracing instead of the maps, to tell the causes of error apart: what "
+                 "is left with all hits exact is due to the directions, what exact hits nearby take away "
+                 "to the self-hit rule, and the rest to the texels. 'selected' makes the picture better: only pixels that need them take exact hits.",
+             .choices =
+                 {{"none", "None", "All hits come from the maps: the method itself."},
+                  {"near", "Near hits",
+                   "Hits up to a few texels away are exact, those beyond come from the maps."},
+                  {"all", "All hits", "The maps are not queried."},
+                  {"selected", "All hits of some pixels",
+                   "Of pixels that have much within a texel or two, which 16 short rays find out. The others "
+                   "take all hits from the maps, and so do the sky's light and explanations."}}})
         .add(&Parameters::exact_texels,
              {.key = "exact_texels",
               .label = "Reach of exact rays",

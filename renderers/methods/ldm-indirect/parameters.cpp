@@ -29,6 +29,10 @@ void add_frames(ParameterTable<Parameters>& table) {
 
 }  // namespace
 
+std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    return parameters.progressive ? passes::frame_seed(inputs) : inputs.seed;
+}
+
 Parameters of_frame(const Parameters& parameters, const graph::FrameInputs& inputs) {
     Parameters result = parameters;
     if (!parameters.progressive) return result;

@@ -57,6 +57,9 @@ ParameterTable<Parameters> parameter_table();
 /// Of this frame: with `progressive` the directions are turned, and footprints have shrunk.
 Parameters of_frame(const Parameters& parameters, const graph::FrameInputs& inputs);
 
+/// Of the photons: with `progressive` each frame has its own.
+std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters);
+
 void add_tracing_parameters(ParameterTable<Parameters>& table);
 void add_splatting_parameters(ParameterTable<Parameters>& table);
 

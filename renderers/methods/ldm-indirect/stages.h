@@ -18,7 +18,8 @@ struct Photons {
     graph::BufferRef records;  ///< "indirect.photons": Photon, growable, glyphs; in the order of batches of
                                ///< maps, then of sources, then of maps
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
-    /// Of the lights' images: of other sources nobody knows where their path begins.
+    /// Sources below this number are texels of the lights' images. Of the others it is not kept where their
+    /// paths begin.
     std::uint64_t texels = std::numeric_limits<std::uint64_t>::max();
     /// How many there are to read, where the host stored some: passes on the device see no counter of its.
     std::optional<graph::BufferRef> stored = {};

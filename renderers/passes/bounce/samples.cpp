@@ -55,8 +55,8 @@ graph::ImageRef declare_incoming(graph::GraphBuilder& builder, Batches& batches,
                           .format = effects == Effects::light ? gl::Format::rgba32f : gl::Format::r32f});
 }
 
-void see(graph::GraphBuilder& builder, const GBuffer& gbuffer, const Directions& directions,
-         const Samples& samples, const Transport& transport, const Batch& batch) {
+void fill_visibility(graph::GraphBuilder& builder, const GBuffer& gbuffer, const Directions& directions,
+                     const Samples& samples, const Transport& transport, const Batch& batch) {
     auto pass = builder.pass("visibility" + batch.name);
     pass.reads(gbuffer.geometric_normal)
         .reads("directions", directions.directions)

@@ -21,8 +21,8 @@ graph::ImageRef declare_incoming(graph::GraphBuilder& builder, Batches& batches,
 /// Declares the pass "visibility" of a batch, which fills `samples.incoming` for ambient occlusion: 1 without
 /// a hit and from `transport.max_distance` on (0: no limit), below it as `transport.falloff` says. Directions
 /// below the triangle's plane are closed whatever was met. [Nalbach15 §3.2]
-void see(graph::GraphBuilder& builder, const GBuffer& gbuffer, const Directions& directions,
-         const Samples& samples, const Transport& transport, const Batch& batch = {});
+void fill_visibility(graph::GraphBuilder& builder, const GBuffer& gbuffer, const Directions& directions,
+                     const Samples& samples, const Transport& transport, const Batch& batch = {});
 
 std::vector<OutputDescription> sample_outputs(const Condition& active_when, Effects effects = Effects::light);
 

@@ -98,7 +98,7 @@ void see_through_glass(graph::GraphBuilder& builder, const GBuffer& gbuffer, gra
 void note_opaque_glass(graph::GraphBuilder& builder, const GBuffer& gbuffer, const std::string& carriers) {
     if (!gbuffer.glass) return;
     builder.note("glass is opaque to " + carriers +
-                 ": indirect light through it is missing, and what it reflects; the reference has both");
+                 ": indirect light that passes it, or that it reflects, is missing; the reference has both");
 }
 
 }  // namespace ir::passes

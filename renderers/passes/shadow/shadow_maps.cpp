@@ -74,12 +74,14 @@ ShadowViewData perspective_view(const scene::World& world, int light, glm::vec3 
     return with_matrix(v);
 }
 
-/// The outer cone, with a texel of margin on each side. Towards the cone's edge a turn moves more texels.
+/// The outer cone, with a texel of margin on each side.
 ShadowViewData spot_view(const scene::World& world, int light, int resolution, glm::vec2 shift) {
     const auto& source = world.lights[static_cast<std::size_t>(light)];
     const float texel = 2 / static_cast<float>(resolution),
                 tangent = std::max(std::tan(source.outer_angle), 1e-3f) * (1 + texel);
     const auto up = any_up(source.direction), right = glm::cross(source.direction, up);
+    // A turn by δ moves the cone's edge by (1 + tangent²) δ in tangents, of which a texel has tangent ·
+    // texel: so this one moves the edge by a texel, and the middle by less.
     const float turn = tangent * texel / (1 + tangent * tangent);
     const auto forward = glm::normalize(source.direction + turn * (shift.x * right + shift.y * up));
     return perspective_view(world, light, forward, any_up(forward), tangent);

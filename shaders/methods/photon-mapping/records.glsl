@@ -20,6 +20,10 @@ struct SamplePoint {
     uint origin;   // bits 0-9 texel x, 10-19 texel y, 20-25 layer of the RSM; or NO_TEXEL: traced from the light
 };
 
+/// Depths of photons and of the picture's surfaces agree but for the surface's slope within a pixel.
+// C++: ir::methods::photon_mapping::depth_tolerance
+const float DEPTH_TOLERANCE = 0.01;
+
 /// Of points whose light has no image.
 // C++: ir::methods::photon_mapping::no_texel
 const uint NO_TEXEL = 0xffffffffu;

@@ -107,7 +107,7 @@ TEST_F(DssSelf, APlaneIsOpenInAnyPosition) {
         EXPECT_LE(met(shot, run), met_by_rounding) << i;
         if (i < 3) continue;
         let_own_surface_shade();
-        EXPECT_GT(met(shot, run), met_by_rounding) << "mutant";
+        EXPECT_GT(met(shot, run), 0.005) << "mutant";
         mend_shaders();
     }
 }

@@ -271,7 +271,7 @@ TEST_F(DirectionsTest, BelowTheTriangleAllIsClosed) {
             for (int layer = 0; layer < 4; ++layer)
                 context.upload(distance, std::as_bytes(std::span(nothing)), 0, layer);
         });
-        bounce::see(builder, gbuffer, directions, samples, Transport{.max_distance = 1});
+        bounce::fill_visibility(builder, gbuffer, directions, samples, Transport{.max_distance = 1});
     });
     int below = 0;
     for (int layer = 0; layer < 4; ++layer) {
@@ -302,7 +302,7 @@ TEST_F(DirectionsTest, VisibilityFollowsTheTransport) {
             builder.pass("meet").writes(distance).execute([=](graph::PassContext& context) {
                 context.upload(distance, std::as_bytes(std::span(met)));
             });
-            bounce::see(builder, gbuffer, directions, samples, transport);
+            bounce::fill_visibility(builder, gbuffer, directions, samples, transport);
         });
         const auto image = read("bounce.incoming");
         return std::vector<float>{image.at(0, 0), image.at(1, 0), image.at(2, 0), image.at(3, 0)};

@@ -174,7 +174,7 @@ class BounceTest : public PassTest {
                 }
             }
         });
-        if (!r.options.light) bounce::see(builder, gbuffer, directions, samples, r.transport);
+        if (!r.options.light) bounce::fill_visibility(builder, gbuffer, directions, samples, r.transport);
         return samples;
     }
 };

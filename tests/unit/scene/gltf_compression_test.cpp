@@ -269,7 +269,23 @@ TEST(GltfCompression, BrokenDracoIsRefused) {
     points.erase(points.begin() + counts + 1);
     for (const std::uint8_t byte : {0x07, 0xff, 0xff, 0xff, 0xff})
         points.insert(points.begin() + counts + 1, byte);
-    expect_refusal(draco_strip(points), place, "");
+    expect_refusal(draco_strip(points), place + ".bufferView", "cannot be decoded");
+    // Two thousand attributes of 255 doubles for each point, whose values do not follow.
+    auto wide = draco_bytes(draco::MESH_SEQUENTIAL_ENCODING, 0);
+    const std::vector<std::uint8_t> attributes{1, 2, 0, 9, 3, 0, 0, 1, 9, 3, 0, 1};
+    const auto found = std::search(wide.begin(), wide.end(), attributes.begin(), attributes.end());
+    ASSERT_NE(found, wide.end());
+    std::vector<std::uint8_t> more;
+    for (int k = 2; k < 2002; ++k)
+        for (const int byte : {4, 10, 255, 0, 0x80 | (k & 127), k >> 7})
+            more.push_back(static_cast<std::uint8_t>(byte));
+    const auto count = found - wide.begin() + 1,
+               end = count - 1 + static_cast<std::ptrdiff_t>(attributes.size());
+    wide.insert(wide.begin() + end + 2, 2000, 0);  // how each is coded, behind those of the first two
+    wide.insert(wide.begin() + end, more.begin(), more.end());
+    wide[static_cast<std::size_t>(count)] = 0x80 | (2002 & 127);
+    wide.insert(wide.begin() + count + 1, 2002 >> 7);
+    expect_refusal(draco_strip(wide), place, "expands to far more");
     auto id = draco_strip(whole);
     auto& extension =
         id.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"];

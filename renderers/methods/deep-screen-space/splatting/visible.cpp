@@ -163,8 +163,8 @@ void splat_visible(graph::GraphBuilder& builder, VisibleSplats visible, const pa
     if (is_of_light(parameters))
         resolve_light(builder, visible, batch.name);
     else
-        passes::bounce::see(builder, visible.gbuffer, visible.directions, visible.samples,
-                            parameters.transport, batch);
+        passes::bounce::fill_visibility(builder, visible.gbuffer, visible.directions, visible.samples,
+                                        parameters.transport, batch);
 }
 
 VisibleSplats whole(VisibleSplats visible, const passes::bounce::Batches& batches) {

@@ -48,7 +48,7 @@ class ExtendedEmission {
   public:
     ExtendedEmission(const graph::FrameInputs& inputs, std::shared_ptr<const SendingSurfaces> surfaces,
                      const ExtendedPhotons& photons, const Parameters& parameters)
-        : seed_(parameters.progressive ? passes::frame_seed(inputs) : inputs.seed),
+        : seed_(photon_seed(inputs, parameters)),
           photons_(photons),
           surfaces_(std::move(surfaces)),
           lamps_(surfaces_->lookup(), {.lights = extended_lights(*inputs.world), .environment = false}),

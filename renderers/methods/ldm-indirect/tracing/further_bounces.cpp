@@ -57,7 +57,9 @@ Primary gone_on(const SendingSurfaces& surfaces, const passes::Bvh& bvh, std::sp
     result.path_length += hit.distance;
     surfaces.arrive(result, surfaces.lookup().at(hit, direction));
     if (result.fate != primary_splits) return result;
-    // A pair has the places of both, and of n photons each has 1/n of the directions: see ExtendedEmission.
+    // As spacing_of(): the pair has the places of both, |u × v| each, seen along the ray; of n photons with
+    // the density cosine / π each has a cone of π r² = π / (n cosine). What grazes, and few photons, stay
+    // bounded.
     const float cosine = std::max(glm::dot(direction, from.shading_ws), 1e-3f);
     const float place = static_cast<float>(pair.size()) * glm::length(glm::cross(from.axis_u, from.axis_v));
     SendingSurfaces::spread(
@@ -99,7 +101,7 @@ void go_on(graph::GraphBuilder& builder, const Primaries& primaries, graph::Obje
     if (primaries.bounces < 2) return;
     const auto bvh = passes::bvh(builder);
     const auto& inputs = builder.inputs();
-    const auto seed = parameters.progressive ? passes::frame_seed(inputs) : inputs.seed;
+    const auto seed = photon_seed(inputs, parameters);
     for (int bounce = 2; bounce <= primaries.bounces; ++bounce) {
         const auto all = primaries.of_bounce(bounce), begin = primaries.first_of(bounce),
                    before = primaries.first_of(bounce - 1);

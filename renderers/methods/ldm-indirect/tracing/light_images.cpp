@@ -8,11 +8,12 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-/// So that photons of another frame start elsewhere.
+/// So that photons of another frame start elsewhere. Turned by other numbers than the maps: else the
+/// directions would keep their angles to the photons in all frames.
 passes::ViewJitter jitter_of(const graph::FrameInputs& inputs, const Parameters& parameters) {
     if (!parameters.progressive) return {};
-    const passes::PathSampler random(inputs.seed, static_cast<std::uint32_t>(inputs.frame));
-    return {random.pair(0) - 0.5f, glm::mat3(passes::ldm::random_rotation(inputs.seed, inputs.frame))};
+    const auto seed = photon_seed(inputs, parameters);
+    return {passes::PathSampler(seed, 0).pair(0) - 0.5f, glm::mat3(passes::ldm::random_rotation(seed, 0))};
 }
 
 }  // namespace

@@ -113,6 +113,9 @@ void add_emission(ParameterTable<Parameters>& table) {
               .active_when = with_rsm});
 }
 
+/// Stability is that of velocity v and place x without counts, at a spring k and a drag d. With the new
+/// velocity the step has determinant 1 - d and trace 2 - d - k, so both eigenvalues lie within the unit
+/// circle where k < 4 - 2 d; with the old one 1 - d + k and 2 - d, so where k < d.
 void add_weights(ParameterTable<Parameters>& table) {
     table
         .add(&Parameters::weights,

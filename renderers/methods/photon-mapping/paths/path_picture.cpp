@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderers/passes/gbuffer/pixel_rays.h"
+#include "shaders/methods/photon-mapping/records.glsl.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -13,8 +14,6 @@ constexpr int rows_of_a_line = 360, chosen_lines = 3;
 /// Pixels of lines and gaps behind what is seen.
 constexpr int dash = 3;
 constexpr std::uint32_t leg_colours = 8;  ///< of overlay.frag
-/// Depths of lines and surfaces agree but for the surface's slope within a pixel.
-constexpr float depth_tolerance = 0.01f;
 
 /// Of a leg in the picture: x and y, and 1 / depth, or the depth of a parallel view, which are linear there.
 struct Screen {

@@ -31,7 +31,7 @@ struct PathLeg {
 
 /// What a frame knows of the ways of its photons.
 struct PathRecords {
-    std::span<const SamplePoint> samples;  ///< in use
+    std::span<const SamplePoint> samples;  ///< of the frame
     std::span<const SourceData> sources;   ///< layers of the RSM first
     std::span<const Photon> photons;
     std::span<const PathVertex> vertices;          ///< as PhotonLegs has them

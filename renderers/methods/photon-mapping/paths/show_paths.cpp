@@ -36,11 +36,6 @@ struct ShownPaths {
     graph::CountedBuffer legs;
 };
 
-template <class T>
-std::span<const T> used(const PassContext& p, graph::BufferRef buffer) {
-    return p.elements<const T>(buffer);
-}
-
 void find_legs(const PassContext& p, const ShownPaths& paths) {
     if (p.inputs().picked_pixel().x < 0) return;
     const auto found = found_photons(p, paths.splat);
@@ -48,16 +43,16 @@ void find_legs(const PassContext& p, const ShownPaths& paths) {
         p.notes().warn("paths are kept of the first " + std::to_string(paths.photons.legs.paths) + " of " +
                        std::to_string(paths.samples.paths) + " photons, as many as a buffer holds");
     const auto& samples = paths.samples;
-    PathRecords records{.samples = used<SamplePoint>(p, samples.points),
-                        .sources = used<SourceData>(p, samples.sources),
-                        .photons = used<Photon>(p, paths.photons.records),
-                        .vertices = used<PathVertex>(p, paths.photons.legs.vertices),
+    PathRecords records{.samples = p.elements<const SamplePoint>(samples.points),
+                        .sources = p.elements<const SourceData>(samples.sources),
+                        .photons = p.elements<const Photon>(paths.photons.records),
+                        .vertices = p.elements<const PathVertex>(paths.photons.legs.vertices),
                         .surfaces = paths.photons.legs.surfaces,
                         .photons_per_point = samples.photons_per_point,
                         .all_points = std::max(1u, samples.all_points),
                         .from_maps = samples.from_maps,
                         .tolerance = tolerance * p.inputs().world->bounds.radius()};
-    if (samples.traced_rays) records.rays = used<passes::RayRecord>(p, *samples.traced_rays);
+    if (samples.traced_rays) records.rays = p.elements<const passes::RayRecord>(*samples.traced_rays);
     const auto legs = legs_of(found, records, p.inputs().inspection.item(path_selector));
     const auto room = p.elements<PathLeg>(paths.legs.elements);
     std::copy_n(legs.begin(), std::min(legs.size(), room.size()), room.begin());

@@ -51,10 +51,11 @@ std::vector<OutputDescription> splatting_outputs() {
          .label = "Photons that light the pixel",
          .kind = OutputKind::glyphs,
          .unit = "m",
-         .doc = "The kernels that cover the picked pixel's texel, the largest contribution first. "
-                "contribution: RGB, W/m², to the unfiltered irradiance. power: W. distance: from the surface "
-                "to the photon, m. radius: of the kernel across the light, m. light: as of photon locations. "
-                "photon: its place in the photon buffer. path: its place in this list, as of the paths.",
+         .doc =
+             "The kernels that cover the picked pixel's texel, the largest contribution first. "
+             "contribution: RGB, W/m², to the unfiltered irradiance. power: W. distance: from the surface "
+             "to the photon, m. radius: of the kernel across the light, m. light: as of photon locations. "
+             "photon: its place in the photon buffer. path: its place in this list, by which the paths name it.",
          .categories = {bounce_categories("bounce")},
          .when_empty = "no kernel covers the texel in this frame: the light there comes from neighbours and "
                        "earlier frames, by filtering",

@@ -8,8 +8,8 @@
 
 namespace ir::methods::photon_mapping {
 
-/// Declares the output KEY: the scene in grey, and over it a colour wherever a mark's low four bits are not
-/// 0, that of the eight named ones whose place is theirs, from 1.
+/// Declares the output KEY: the scene in grey under marks. The low four bits of a mark are 0 for none, else 1
+/// + the place of its colour among the first eight.
 void draw_marks(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, graph::ImageRef marks,
                 const std::string& key, const Categories& colours);
 

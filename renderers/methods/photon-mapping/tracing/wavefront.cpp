@@ -125,6 +125,7 @@ Weighing weighing_by(const graph::FrameInputs& inputs, const SamplePoints& sampl
             .seen_gain = parameters.seen_gain,
             .seen_by_picture = parameters.seen_by == SeenBy::picture,
             .pixel_from_world = passes::pixel_from_world(inputs.view),
+            // a parallel view has no distance to the eye that depth_tolerance could be of
             .parallel_tolerance = 1e-3f * inputs.world->bounds.radius()};
 }
 

@@ -13,13 +13,10 @@ uniform sampler2D gbuffer_position;
 uniform uint first_item, end_item;
 uniform int dot_size;  // pixels
 
-/// Depths of dots and surfaces agree but for the surface's slope within a pixel.
-const float depth_tolerance = 0.01;
-
 bool is_seen(vec3 position_ws) {
     if (!in_picture(position_ws)) return false;
     vec4 surface = texelFetch(gbuffer_position, ivec2(texel_at(position_ws)), 0);
-    return surface.w == 0.0 || view_depth(position_ws) <= (1.0 + depth_tolerance) * view_depth(surface.xyz);
+    return surface.w == 0.0 || view_depth(position_ws) <= (1.0 + DEPTH_TOLERANCE) * view_depth(surface.xyz);
 }
 
 void main() {

@@ -18,9 +18,6 @@ layout(std430) buffer KernelCount { uint kernel_count; };
 uniform uint first_item, end_item;
 uniform ivec2 picked_texel;  // negative: none
 
-/// Views skip what is not splatted.
-const vec3 NOWHERE = vec3(uintBitsToFloat(0x7fc00000u));
-
 bool lights_pixel(Kernel k, Photon photon) {
     return picked_texel.x >= 0 && !isinf(texelFetch(depths, picked_texel, 0).x) &&
            covers_texel(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, direction_of(photon), picked_texel);

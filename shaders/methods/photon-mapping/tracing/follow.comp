@@ -16,8 +16,6 @@ uniform uint first_item, end_item;  // of the paths
 uniform uint surface_number;        // from 1
 uniform uint vertices_of_path;
 
-const vec3 NOWHERE = vec3(uintBitsToFloat(0x7fc00000u));
-
 void main() {
     uint path = first_item + gl_GlobalInvocationID.x;
     if (path >= end_item) return;

@@ -34,9 +34,6 @@ uniform mat4 pixel_from_world;
 uniform float parallel_tolerance;  // m
 uniform sampler2D gbuffer_position;
 
-/// Depths of photons and of pixels agree but for the surface's slope within a pixel.
-const float DEPTH_TOLERANCE = 0.01;
-
 /// Whether the picture shows something else before the place, or does not show the place.
 /// DEVIATION [Smal19 §5.4.1]: printed is the frustum alone, which holds much that walls hide.
 bool is_hidden(vec3 position_ws) {

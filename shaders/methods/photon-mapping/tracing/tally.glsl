@@ -3,7 +3,7 @@
 
 const uint TALLY_RAYS = 0u, TALLY_MISSED = 1u, TALLY_STORED = 2u, TALLY_CULLED = 3u, TALLY_ABSORBED = 4u,
            TALLY_CUT = 5u, TALLY_POWER = 6u,  // low and high words of red, green, blue
-           TALLY_SEEN = 12u;                  // by texels that learn weights
+           TALLY_SEEN = 12u;                  // photons that raise the weight of their texel; only with weights
 // C++: ir::methods::photon_mapping::*
 const uint TALLY_WORDS = 13u, TALLY_ROWS = 16u;
 const float TALLY_POWER_SCALE = 65536.0;

@@ -8,8 +8,8 @@ namespace {
 
 using Tool = ImageView::Tool;
 
-QPoint middle_of(const ImageView& view, QPointF pixel) {
-    return (view.transform().view_from_image(pixel + QPointF(0.5, 0.5)) / view.devicePixelRatioF()).toPoint();
+QPoint middle_of(const ImageView& view, QPoint pixel) {
+    return (view.transform().view_from_pixel(pixel) / view.devicePixelRatioF()).toPoint();
 }
 
 void draw_from(ImageView& view, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
