@@ -443,7 +443,10 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     if (!state.note.isEmpty()) paint_note(painter, view, state.note, ratio);
     paint_labels(painter, state, view, ratio);
     const bool has_legends = state.legend && state.has_image() && has_legend(state.pictures[0]);
-    if (!state.hint.isEmpty()) {
+    // Who has drawn a shape knows how, and in a small view the hint would cover it.
+    const bool has_shape = (state.line_edited && !state.marks.line.isNull()) ||
+                           (state.region_edited && !state.marks.region.isEmpty());
+    if (!state.hint.isEmpty() && !has_shape) {
         QRectF room = view;
         if (has_legends) {
             const auto place = legend_place(state, ratio);

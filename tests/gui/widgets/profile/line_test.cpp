@@ -30,6 +30,19 @@ class LineTest : public testing::TestWithParam<double> {
 
 INSTANTIATE_TEST_SUITE_P(Zoom, LineTest, testing::Values(2.0, 8.0));
 
+/// It is in the bottom left corner, where in these views there is nothing of the picture.
+TEST_P(LineTest, AHintStandsThereUntilALineIsDrawn) {
+    const QRect corner(8, view.height() - 40, 60, 32);
+    const auto hinted = view.grab(corner).toImage();
+    draw_from(view, {28, 20}, {36, 24});
+    const auto drawn = view.grab(corner).toImage();
+    EXPECT_NE(hinted, drawn);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_EQ(view.grab(corner).toImage(), hinted);
+    view.set_tool(Tool::inspect);
+    EXPECT_EQ(view.grab(corner).toImage(), drawn) << "what is there without a hint";
+}
+
 TEST_P(LineTest, IsDrawnMovedAndTurnedByMouse) {
     QSignalSpy changed(&view, &ImageView::line_changed), picked(&view, &ImageView::picked_changed);
     QSignalSpy drawn(&view, &ImageView::shape_drawn), region(&view, &ImageView::region_changed);
