@@ -7,6 +7,7 @@
 #include <QSocketNotifier>
 #include <QTimer>
 #include <csignal>
+#include <future>
 #include <iostream>
 #include <memory>
 
@@ -19,6 +20,7 @@
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
+#include "renderers/image/codecs/codecs.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -135,6 +137,17 @@ void end_by_signal(MainWindow& window, bool puts_away) {
     QApplication::exit(engine::interruption_status());
 }
 
+/// While a person looks at the start page: most scenes have textures. Where it fails whoever reads an image
+/// says so.
+std::future<void> load_image_codecs() {
+    return std::async(std::launch::async, [] {
+        try {
+            image_codecs();
+        } catch (const Error&) {
+        }
+    });
+}
+
 int run_window(const Arguments& arguments) {
     const auto renderer = make_thread_renderer(engine::machine_options(arguments.machine));
     const bool screenshot = arguments.takes_picture();
@@ -147,6 +160,7 @@ int run_window(const Arguments& arguments) {
     }
     if (!arguments.layout.empty()) window.docks().apply(QString::fromStdString(arguments.layout));
     window.show();
+    const auto codecs = load_image_codecs();
     const auto project = QString::fromStdString(arguments.project);
     if (screenshot) take_screenshot(window, arguments);
     if (!project.isEmpty() && !window.open_path(project) && screenshot) {

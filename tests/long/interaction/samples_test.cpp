@@ -14,6 +14,7 @@
 
 #include "app/engine/live.h"
 #include "app/gui/main_window.h"
+#include "renderers/image/codecs/codecs.h"
 
 namespace ir::gui {
 namespace {
@@ -72,7 +73,11 @@ std::vector<Card> cards() {
     return result;
 }
 
-class SampleInTime : public testing::TestWithParam<Card> {};
+class SampleInTime : public testing::TestWithParam<Card> {
+  protected:
+    /// As the program has done by the time that a person opens something.
+    static void SetUpTestSuite() { image_codecs(); }
+};
 
 TEST_P(SampleInTime, ShowsAPictureAtOnceAndAllWhenItsCardSays) {
     const auto& card = GetParam();
