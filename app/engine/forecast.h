@@ -21,9 +21,9 @@ std::size_t enough_probes(const Coordinates& all);
 /// What was measured of a variation: seconds, bytes.
 using Measurements = std::vector<std::pair<std::size_t, double>>;
 
-/// The sum over all variations. A law that is a constant and a product, of a power of each number and a factor
-/// for each word, is fitted to what was measured, which then corrects it in the mean (a ratio estimator
-/// [Cochran77 §6]). Nothing measured gives 0.
+/// The sum over all variations. A law that is a constant and a product, of a power of each number and a
+/// factor for each word, is fitted to what was measured, which then corrects it in the mean (a ratio
+/// estimator [Cochran77 §6]). Nothing measured gives 0.
 double predicted_sum(const Coordinates& all, const Measurements& measured);
 
 }  // namespace ir::engine
