@@ -36,6 +36,7 @@ struct ScenePart {
     std::string content_hash;  ///< as scene_hash() of scene_files.h gives it; empty: not yet known
     std::optional<std::array<double, 16>> transform;         ///< column-major, metres; absent: identity
     std::map<std::string, MaterialOverride> materials = {};  ///< by the name of the file's material
+    std::string variant = {};  ///< of the file's materials; empty: the default ones
     Json extra = Json::object();
     bool operator==(const ScenePart&) const = default;
 };

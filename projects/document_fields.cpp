@@ -44,7 +44,13 @@ const Field<Motion::Key> time_field{&Motion::Key::time,
 const Fields<ScenePart>& part_fields() {
     static const Fields<ScenePart> fields{
         {&ScenePart::source, {.key = "source", .label = "File", .writing = Writing::required}},
-        {&ScenePart::content_hash, {.key = "content_hash", .writing = Writing::unless_default}}};
+        {&ScenePart::content_hash, {.key = "content_hash", .writing = Writing::unless_default}},
+        {&ScenePart::variant,
+         {.key = "variant",
+          .label = "Variant",
+          .doc =
+              "Name of a variant of the file's materials (KHR_materials_variants); nothing: the default ones",
+          .writing = Writing::unless_default}}};
     return fields;
 }
 

@@ -43,6 +43,7 @@ Json scene_inputs(const Project& project, const std::string& id, const Sight& si
         else if (part.transform)
             json["transform"] = *part.transform;
         put_motion(json, motion, sight);
+        if (!part.variant.empty()) json["variant"] = part.variant;
         for (const auto& [name, change] : part.materials)
             if (auto members = to_json(change); !members.empty())
                 json["materials"][name] = std::move(members);

@@ -68,6 +68,11 @@ void set_camera(const ExperimentFlags& flags, projects::Project& project, projec
     }
 }
 
+void set_variant(const std::string& variant, projects::Project& project, const std::string& id) {
+    if (auto* scene = projects::find_item(project.scenes, id))
+        for (auto& part : scene->parts) part.variant = variant;
+}
+
 }  // namespace
 
 void add_experiment_flags(CLI::App& command, ExperimentFlags& flags) {
@@ -85,6 +90,8 @@ void add_experiment_flags(CLI::App& command, ExperimentFlags& flags) {
     command.add_option("--up", flags.up, camera_text("up").doc + " (default 0,1,0)");
     command.add_option("--fov-y", flags.fov_y, camera_text("fov_y_degrees").doc)
         ->check(within(camera_text("fov_y_degrees")));
+    command.add_option("--variant", flags.variant,
+                       "Variant of the scene's materials (KHR_materials_variants); `scene` lists them");
     command.add_option("--size", flags.size, text("size").doc + ", as 800x600");
     command.add_option("--seed", flags.seed, text("seed").doc);
     command.add_option("--frames", flags.frames, text("frames").doc)->check(whole_within(text("frames")));
@@ -95,6 +102,7 @@ void apply(const ExperimentFlags& flags, projects::Project& project, projects::E
     experiment = effective(experiment);
     if (!flags.sets.empty()) set(experiment.values, engine::registry().at(experiment.method), flags.sets);
     set_camera(flags, project, experiment);
+    if (!flags.variant.empty()) set_variant(flags.variant, project, experiment.scene);
     if (!flags.size.empty()) experiment.size = projects::parse_size(flags.size, "--size");
     if (!flags.seed.empty()) experiment.seed = parse_seed(flags.seed);
     if (flags.frames) experiment.frames = *flags.frames;

@@ -12,7 +12,7 @@ namespace ir::cli {
 /// What the command line says of an experiment. What is not given stays as it is.
 struct ExperimentFlags {
     std::vector<std::string> sets;
-    std::string camera, eye, target, up, size, seed;
+    std::string camera, eye, target, up, size, seed, variant;
     std::optional<double> fov_y, time;
     std::optional<int> frames;
     bool operator==(const ExperimentFlags&) const = default;

@@ -11,6 +11,7 @@
 #include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
+#include "app/cli/shard.h"
 #include "app/engine/error_study.h"
 #include "app/engine/kept_study.h"
 #include "app/engine/study_parts.h"
@@ -136,10 +137,12 @@ engine::ErrorStudy joined(engine::Machine& machine, const projects::LoadedProjec
     return std::move(*study);
 }
 
-/// Kept where the job says so. Of a shard all points where it made the last ones, else its own.
+/// Kept where the job says so. Of a shard all points where it made the last ones, else its own; `is_whole`
+/// says which.
 engine::ErrorStudy study_of(const ProjectPlots& job, engine::Machine& machine,
                             const projects::LoadedProject& loaded, const projects::ErrorPlot& plot,
-                            engine::StudyCallbacks callbacks) {
+                            engine::StudyCallbacks callbacks, bool& is_whole) {
+    is_whole = job.shard.count == 1;
     if (job.merge) return joined(machine, loaded, plot);
     const engine::StudyParts parts(loaded.project, plot, loaded.folder, job.shard.count);
     callbacks.shard = parts.runs_of(job.shard);
@@ -150,6 +153,7 @@ engine::ErrorStudy study_of(const ProjectPlots& job, engine::Machine& machine,
         auto all = parts.joined(machine);
         if (!all) return study;
         study = std::move(*all);
+        is_whole = true;
     }
     engine::keep_study(loaded.project, plot, loaded.folder, study);
     if (job.shard.count > 1) parts.remove();
@@ -163,9 +167,11 @@ int plot_project(const ProjectPlots& job) {
     const auto plots = chosen_plots(loaded.project, job);
     OutputFiles files;
     files.reads(loaded);
-    files.writes("--json", job.json);
-    files.writes("--csv", job.csv);
-    files.writes("--svg", job.svg);
+    for (const auto& [option, file] :
+         {std::pair("--json", job.json), std::pair("--csv", job.csv), std::pair("--svg", job.svg)}) {
+        files.writes(option, file);
+        if (job.shard.count > 1) files.writes(option, file_of_shard(file, job.shard));
+    }
     if (job.keep) require_results(job.project, loaded.folder);
     engine::Machine machine(machine_options(job.machine));
     const auto options = frame_options(job.machine);
@@ -179,16 +185,22 @@ int plot_project(const ProjectPlots& job) {
     auto& table = job.json == "-" ? std::cerr : std::cout;
     Json all = Json::object();
     int status = done;
+    bool are_whole = true;
     for (const auto& plot : plots) {
         line.begin(plot.id, 1);
         try {
-            const auto study = study_of(job, machine, loaded, plot, callbacks);
+            bool is_whole = true;
+            const auto study = study_of(job, machine, loaded, plot, callbacks, is_whole);
+            are_whole = are_whole && is_whole;
+            const auto place = [&](const std::string& file) {
+                return is_whole ? file : file_of_shard(file, job.shard);
+            };
             line.clear();
             if (job.shard.count > 1 && study.points.empty()) continue;
             print_study(table, plot, study);
             all[plot.id] = Json::parse(engine::study_json(study));
-            if (!job.csv.empty()) write_file(job.csv, engine::study_csv(study));
-            if (!job.svg.empty()) write_file(job.svg, svg_of(loaded.project, plot, study));
+            if (!job.csv.empty()) write_file(place(job.csv), engine::study_csv(study));
+            if (!job.svg.empty()) write_file(place(job.svg), svg_of(loaded.project, plot, study));
             require_numbers(plot, study);
         } catch (const Error& error) {
             line.clear();
@@ -198,7 +210,7 @@ int plot_project(const ProjectPlots& job) {
     if (job.json == "-")
         std::cout << all.dump(2) << "\n";
     else if (!job.json.empty())
-        write_file(job.json, all.dump(2) + "\n");
+        write_file(are_whole ? job.json : file_of_shard(job.json, job.shard), all.dump(2) + "\n");
     return status;
 }
 

@@ -25,7 +25,8 @@ struct ProjectPlots {
 
 /// Carries out plots of a project, prints a table of each, and keeps the numbers in results/plots. A plot
 /// that cannot be carried out does not keep the others from it; the status then says that the file is at
-/// fault. A shard has only its points; the one that ends last joins and keeps them.
+/// fault. A shard has only its points, and writes them to files of its own (file_of_shard); the one
+/// that ends last joins and keeps them, and writes the files themselves.
 int plot_project(const ProjectPlots& job);
 
 }  // namespace ir::cli

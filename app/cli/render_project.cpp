@@ -10,6 +10,7 @@
 #include "app/cli/output_files.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
+#include "app/cli/shard.h"
 #include "app/engine/from_project.h"
 #include "app/engine/pictures.h"
 #include "renderers/core/error.h"
@@ -96,7 +97,8 @@ int render_project(const ProjectRender& job) {
     for (const auto& id : std::set(ids.begin(), ids.end()))
         for (const char* extension : {".exr", ".png", ".json"})
             files.writes("--out", (std::filesystem::path(job.out) / (id + extension)).string());
-    files.writes("--json", job.json);
+    const auto json = file_of_shard(job.json, job.shard);
+    files.writes("--json", json);
     if (job.keep) require_results(job.project, loaded.folder);
     make_out_folder(job.out);
     engine::Machine machine(machine_options(job.machine));
@@ -118,8 +120,8 @@ int render_project(const ProjectRender& job) {
     const auto write_statistics = [&] {
         if (job.json == "-")
             std::cout << all.dump(2) << "\n";
-        else if (!job.json.empty())
-            write_file(job.json, all.dump(2) + "\n");
+        else if (!json.empty())
+            write_file(json, all.dump(2) + "\n");
     };
     for (const auto& id : ids) {
         const auto& experiment = *projects::find_item(project.experiments, id);

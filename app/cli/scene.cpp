@@ -103,6 +103,13 @@ std::size_t texture_bytes(const scene::Scene& scene) {
     return bytes;
 }
 
+/// Of all meshes.
+std::size_t morph_targets(const scene::Scene& scene) {
+    std::size_t count = 0;
+    for (const auto& mesh : scene.meshes) count += mesh.targets.size();
+    return count;
+}
+
 Json scene_json(const scene::Scene& scene) {
     const auto world = scene::flatten(scene, 0, 0);
     Json json{
@@ -112,6 +119,8 @@ Json scene_json(const scene::Scene& scene) {
         {"triangles", scene.primitive_triangles()},
         {"instanced_triangles", scene.instanced_triangles()},
         {"nodes", scene.nodes.size()},
+        {"skins", scene.skins.size()},
+        {"morph_targets", morph_targets(scene)},
         {"animated", scene.is_animated()},
         {"duration", scene.duration()},
         {"bounds", {{"min", vector_json(world.bounds.min)}, {"max", vector_json(world.bounds.max)}}},
@@ -120,6 +129,7 @@ Json scene_json(const scene::Scene& scene) {
         {"textures", textures_json(scene)},
         {"emitters", emitters_json(scene, world)},
         {"cameras", cameras_json(world)}};
+    json["variants"] = scene.variants;
     json["extensions"] = Json::array();
     for (const auto& each : scene.extensions)
         json["extensions"].push_back({{"name", each.name}, {"read", each.is_read}, {"text", each.treatment}});

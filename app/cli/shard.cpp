@@ -2,8 +2,10 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 
+#include "app/engine/division.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {
@@ -68,6 +70,13 @@ Shard chosen_shard(const ShardFlags& flags) {
         throw UsageError("give --shard or --shard-from-env, not both");
     if (flags.is_from_environment) return shard_of_task();
     return flags.text.empty() ? Shard{} : parse_shard(flags.text);
+}
+
+std::string file_of_shard(const std::string& file, const Shard& shard) {
+    if (shard.count == 1 || file.empty() || file == "-") return file;
+    const std::filesystem::path path(file);
+    const auto name = engine::part_name(path.stem().string(), shard.index, shard.count);
+    return (path.parent_path() / (name + path.extension().string())).string();
 }
 
 }  // namespace ir::cli

@@ -20,4 +20,8 @@ void add_shard_flags(CLI::App& command, ShardFlags& flags, const std::string& wh
 /// begin with. Throws UsageError.
 Shard chosen_shard(const ShardFlags& flags);
 
+/// Of a file that all tasks are told to write, the one that a shard writes: "table-2-of-4.csv". The file
+/// itself where the work is not divided, and for standard output.
+std::string file_of_shard(const std::string& file, const Shard& shard);
+
 }  // namespace ir::cli

@@ -139,7 +139,10 @@ void print_zsh(const std::vector<Command>& commands) {
         }
         std::cout << " \\\n      '*:file:_files' ;;\n";
     }
-    std::cout << "  esac\n}\ncompdef _interreflect_cli " << program << "\n";
+    // Where it is installed, the file is the function that the first Tab calls.
+    std::cout << "  esac\n}\nif [[ ${funcstack[1]} == _" << program
+              << " ]]; then\n  _interreflect_cli \"$@\"\n"
+              << "else\n  compdef _interreflect_cli " << program << "\nfi\n";
 }
 
 void print_fish(const std::vector<Command>& commands) {

@@ -48,6 +48,8 @@ Words task_command(const Words& words) {
     if (words.empty()) throw UsageError("say what the tasks do: " + listed(divided));
     if (std::find(divided.begin(), divided.end(), words.front()) == divided.end())
         throw UsageError("'" + words.front() + "' cannot be divided" + known_are(words.front(), divided));
+    if (words.size() > 1 && words.front() == "sweep" && words[1] == "plan")
+        throw UsageError("'sweep plan' is not divided; run it before the tasks");
     if (words.size() > 1 && words[1] == "merge")
         throw UsageError("'" + words.front() + " merge' is not divided; run it when all tasks are done");
     for (const char* option : {"--shard", "--shard-from-env"})

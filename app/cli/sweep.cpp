@@ -8,6 +8,7 @@
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
 #include "app/cli/output_files.h"
+#include "app/cli/plan_sweep.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_frames.h"
 #include "app/cli/shard.h"
@@ -31,6 +32,7 @@ struct SweepFlags {
     ShardFlags shard;
     std::optional<int> repeats;
     bool is_judged = false, keep = false, resume = false, quiet = false;
+    std::size_t probes = 0;  ///< of a plan; 0: as many as are enough
 
     bool has_pictures() const { return keep || !is_judged; }
 };
@@ -53,6 +55,34 @@ std::uint64_t parse_samples(const std::string& text) {
         throw UsageError("--reference '" + text + "': give a number of samples from 1 to " +
                          std::to_string(max_samples) + ", or none");
     return static_cast<std::uint64_t>(samples);
+}
+
+int repeats_of(const SweepFlags& flags) {
+    return flags.repeats.value_or(flags.is_judged ? 1 : 0);
+}
+
+std::vector<projects::SweepPoint> points_of(const SweepFlags& flags, const projects::Project& project) {
+    try {
+        return projects::sweep_points(project, chosen_sweep(project, flags.name), engine::registry());
+    } catch (const UsageError& error) {  // the project says it, not the command line
+        throw InputError(flags.project, "", error.what());
+    }
+}
+
+int plan(const SweepFlags& flags, bool as_json) {
+    const auto loaded = load_project(flags.project);
+    chosen_sweep(loaded.project, flags.name);
+    SweepPlan plan{flags.machine, loaded, points_of(flags, loaded.project), {}};
+    plan.options.is_judged = flags.is_judged;
+    plan.options.samples = parse_samples(flags.samples);
+    plan.options.repeats = repeats_of(flags);
+    plan.options.frame = frame_options(flags.machine, flags.dumps);
+    plan.has_pictures = flags.has_pictures();
+    plan.dumps = flags.dumps;
+    plan.probes = flags.probes;
+    plan.as_json = as_json;
+    plan.is_quiet = flags.quiet;
+    return plan_sweep(std::move(plan));
 }
 
 /// The files that say what became of each variation: a line each as it ends, and the list in the sweep's
@@ -100,13 +130,13 @@ class SweepCommand {
         : flags_(flags),
           shard_(chosen_shard(flags.shard)),
           samples_(parse_samples(flags.samples)),
-          repeats_(flags.repeats.value_or(flags.is_judged ? 1 : 0)),
+          repeats_(repeats_of(flags)),
           stem_(fs::path(flags.out) / engine::table_name(shard_)),
           loaded_(load_project(flags.project)) {}
 
     int run() {
         const auto& sweep = chosen_sweep(loaded_.project, flags_.name);
-        auto points = points_of(sweep);
+        auto points = points_of(flags_, loaded_.project);
         OutputFiles files;
         files.reads(loaded_);
         for (const char* extension : {".json", ".jsonl"}) files.writes("--out", stem_.string() + extension);
@@ -115,8 +145,8 @@ class SweepCommand {
                 for (const char* extension : {".exr", ".png", ".json"})
                     files.writes("--out",
                                  (fs::path(flags_.out) / (point.experiment.id + extension)).string());
-        files.writes("--json", flags_.json);
-        files.writes("--csv", flags_.csv);
+        files.writes("--json", json_);
+        files.writes("--csv", csv_);
         make_out_folder(flags_.out);
         if (!flags_.json.empty() && flags_.json != "-") require_folder_of(flags_.json, "--json");
         if (!flags_.csv.empty()) require_folder_of(flags_.csv, "--csv");
@@ -133,14 +163,6 @@ class SweepCommand {
     }
 
   private:
-    std::vector<projects::SweepPoint> points_of(const projects::Sweep& sweep) const {
-        try {
-            return projects::sweep_points(loaded_.project, sweep, engine::registry());
-        } catch (const UsageError& error) {  // the project says it, not the command line
-            throw InputError(flags_.project, "", error.what());
-        }
-    }
-
     engine::SweepOptions options() {
         engine::SweepOptions options;
         options.is_judged = flags_.is_judged;
@@ -244,9 +266,9 @@ class SweepCommand {
     void tell() const {
         if (flags_.json == "-")
             std::cout << engine::table_json(table_);
-        else if (!flags_.json.empty())
-            write_file(flags_.json, engine::table_json(table_));
-        if (!flags_.csv.empty()) write_file(flags_.csv, engine::table_csv(table_));
+        else if (!json_.empty())
+            write_file(json_, engine::table_json(table_));
+        if (!csv_.empty()) write_file(csv_, engine::table_csv(table_));
     }
 
     const SweepFlags& flags_;
@@ -254,6 +276,7 @@ class SweepCommand {
     const std::uint64_t samples_;
     const int repeats_;
     const fs::path stem_;
+    const std::string json_ = file_of_shard(flags_.json, shard_), csv_ = file_of_shard(flags_.csv, shard_);
     const projects::LoadedProject loaded_;
     SweepTable table_;
     std::optional<ProgressLine> line_;
@@ -297,12 +320,52 @@ void add_sweep_merge(CLI::App& sweep, Run& run) {
     command->callback([flags, &run] { run = [flags] { return merge(*flags); }; });
 }
 
+/// What decides how long a variation takes.
+CLI::Option* add_work_flags(CLI::App& command, SweepFlags& flags) {
+    auto* reference =
+        command
+            .add_option("--reference", flags.samples,
+                        "Measure the error of each variation against its ground truth, of so many "
+                        "samples (default: as Match has it); pictures are written with --keep alone")
+            ->expected(0, 1);
+    command
+        .add_option("--repeats", flags.repeats,
+                    "Warm runs of each variation after the first, whose median time is told apart from the "
+                    "first's (default: 1 with --reference, else 0)")
+        ->check(CLI::Range(0, max_repeats));
+    command.add_flag("--keep", flags.keep, "Write the pictures with --reference, too");
+    command.add_option("--dump", flags.dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
+    return reference;
+}
+
+void add_sweep_plan(CLI::App& sweep, Run& run) {
+    auto flags = std::make_shared<SweepFlags>();
+    auto* command = sweep.add_subcommand(
+        "plan", "Measure some variations and tell what all take: time, disk and memory; nothing is kept");
+    command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene())->required();
+    command->add_option("NAME", flags->name, "Id or name of the sweep")->required();
+    command->add_option("--probes", flags->probes, "How many to measure (default: as many as are enough)")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}));
+    const auto* reference = add_work_flags(*command, *flags);
+    auto as_json = std::make_shared<bool>(false);
+    add_json_flag(*command, *as_json);
+    add_quiet_flag(*command, flags->quiet);
+    add_machine_flags(*command, flags->machine);
+    command->preparse_callback([&sweep](std::size_t) { sweep.get_option("--out")->required(false); });
+    command->callback([flags, reference, as_json, &run] {
+        flags->is_judged = reference->count() > 0;
+        run = [flags, as_json] { return plan(*flags, *as_json); };
+    });
+}
+
 }  // namespace
 
 void add_sweep(CLI::App& app, Run& run) {
     auto flags = std::make_shared<SweepFlags>();
     auto* command = app.add_subcommand(
-        "sweep", "Render all variations of a project's sweep; `sweep merge` joins its shards");
+        "sweep",
+        "Render all variations of a project's sweep; `sweep plan` tells what they take, `sweep merge` joins "
+        "shards");
     const auto* project = command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene());
     const auto* name = command->add_option("NAME", flags->name, "Id or name of the sweep");
     command
@@ -310,23 +373,11 @@ void add_sweep(CLI::App& app, Run& run) {
                      "Folder for ID-0001.exr, …, the list sweep.json, and sweep.jsonl with a line for each "
                      "variation as it ends")
         ->required();
-    auto* reference =
-        command
-            ->add_option("--reference", flags->samples,
-                         "Measure the error of each variation against its ground truth, of so many "
-                         "samples (default: as Match has it); pictures are written with --keep alone")
-            ->expected(0, 1);
-    command
-        ->add_option("--repeats", flags->repeats,
-                     "Warm runs of each variation after the first, whose median time is told apart from the "
-                     "first's (default: 1 with --reference, else 0)")
-        ->check(CLI::Range(0, max_repeats));
-    command->add_flag("--keep", flags->keep, "Write the pictures with --reference, too");
+    const auto* reference = add_work_flags(*command, *flags);
     command->add_flag("--resume", flags->resume,
                       "Render only what --out lacks: what failed, what was not reached, and what would be "
                       "another picture now");
     add_shard_flags(*command, flags->shard, "variation");
-    command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
     command->add_option("--json", flags->json, "File for the list, too; - or nothing: standard output")
         ->expected(0, 1)
         ->default_str("-");
@@ -334,8 +385,9 @@ void add_sweep(CLI::App& app, Run& run) {
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
     add_sweep_merge(*command, run);
+    add_sweep_plan(*command, run);
     command->callback([flags, command, reference, project, name, &run] {
-        if (command->got_subcommand("merge")) return;
+        if (!command->get_subcommands().empty()) return;
         require_places({project, name});
         if (command->count("--json") && flags->json.empty()) flags->json = "-";
         flags->is_judged = reference->count() > 0;

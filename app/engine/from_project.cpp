@@ -59,6 +59,7 @@ scene::Part to_scene_part(const projects::ScenePart& part, const projects::Motio
     else if (part.transform)
         result.transform = matrix_of(*part.transform);
     result.materials.insert(part.materials.begin(), part.materials.end());
+    result.variant = part.variant;
     return result;
 }
 
@@ -190,8 +191,9 @@ projects::Project project_of(const std::string& scene, const std::string& method
 
 Experiment from_single(const projects::Project& project) {
     auto experiment = from_project(project, project.experiments.front(), {});
-    experiment.scene = project.scenes.front().parts.front().source;
-    experiment.parts.clear();
+    const auto& part = project.scenes.front().parts.front();
+    experiment.scene = part.source;
+    if (part.variant.empty()) experiment.parts.clear();  // the scene as it is
     return experiment;
 }
 

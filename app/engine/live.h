@@ -166,7 +166,7 @@ struct KeepResult {
 struct SceneSummary {
     std::string name, content_hash;
     std::string composition_key;  ///< scene::composition_key of the parts asked for
-    std::vector<std::string> cameras, lights, materials, warnings;
+    std::vector<std::string> cameras, lights, materials, variants, warnings;
     struct NodeRow {
         std::string name;
         int parent = -1;

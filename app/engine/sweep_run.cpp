@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 
 #include "app/engine/from_project.h"
 #include "app/engine/measure.h"
@@ -136,11 +137,13 @@ const StudyReference& SweepRun::reference_of(const projects::SweepPoint& point, 
     } catch (const InputError& error) {
         if (options_.note) options_.note(std::string("the ground truth is rendered again: ") + error.what());
     }
+    const auto start = std::chrono::steady_clock::now();
     if (!found) {
         found = rendered_reference(point);
         for (const auto& note : found->notes)
             if (options_.note) options_.note(note);
         if (!file.empty()) store_reference(file, *found);
+        reference_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     ++step_;
     return references_[key] = std::move(*found);

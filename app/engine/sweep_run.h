@@ -38,6 +38,8 @@ class SweepRun {
     /// fault. Throws Cancelled, and Error where the device is lost.
     void render(const projects::SweepPoint& point, SweepRow& row, const Pictured& pictured,
                 bool& was_refused);
+    /// Seconds that ground truths took until now.
+    double reference_seconds() const { return reference_seconds_; }
 
   private:
     projects::Experiment ground_truth(const projects::SweepPoint& point) const;
@@ -54,6 +56,7 @@ class SweepRun {
     const SweepOptions options_;
     const projects::SceneFacts facts_;
     std::map<std::string, StudyReference> references_;  ///< by key
+    double reference_seconds_ = 0;
     graph::FrameOptions frame_;
     int step_ = 0, steps_ = 1;  ///< of the variation: ground truth, first run, warm runs
 };

@@ -122,6 +122,7 @@ void DocumentDock::update_facts() {
     if (chosen && summary) {
         facts.scene = text_of(chosen->scene);
         for (const auto& camera : summary->cameras) facts.cameras << text_of(camera);
+        for (const auto& variant : summary->variants) facts.variants << text_of(variant);
         std::vector<widgets::MaterialFacts> materials;
         for (const auto& name : summary->materials) materials.push_back({text_of(name)});
         facts.materials.assign(scenes_.parts().size(), materials);

@@ -52,6 +52,8 @@ void apply(const AnimationChannel& channel, double time, Node& node) {
     const auto value = sample(channel, within(channel, time));
     if (channel.path == AnimatedPath::translation) node.translation = glm::vec3(value);
     if (channel.path == AnimatedPath::scale) node.scale = glm::vec3(value);
+    if (channel.path == AnimatedPath::weight)
+        node.weights[static_cast<std::size_t>(channel.target)] = value.x;
     if (channel.path != AnimatedPath::rotation) return;
     const auto rotation = quaternion(value);
     const float length = glm::length(rotation);
@@ -66,24 +68,32 @@ glm::mat4 local_matrix(const Node& node) {
     return matrix;
 }
 
+std::vector<Node> animated_nodes(const Scene& scene, double time) {
+    auto nodes = scene.nodes;
+    for (const auto& channel : scene.animation) apply(channel, time, nodes[channel.node]);
+    return nodes;
+}
+
+Pose pose_of(const std::vector<Node>& nodes) {
+    Pose pose;
+    pose.matrices.resize(nodes.size());
+    pose.weights.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto local = local_matrix(nodes[i]);
+        pose.matrices[i] = nodes[i].parent >= 0 ? pose.matrices[nodes[i].parent] * local : local;
+        pose.weights[i] = nodes[i].weights;
+    }
+    return pose;
+}
+
 }  // namespace
 
+Pose pose_at(const Scene& scene, double time) {
+    return scene.is_animated() ? pose_of(animated_nodes(scene, time)) : pose_of(scene.nodes);
+}
+
 std::vector<glm::mat4> world_matrices(const Scene& scene, double time) {
-    std::vector<glm::mat4> matrices(scene.nodes.size());
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) matrices[i] = local_matrix(scene.nodes[i]);
-    if (scene.is_animated()) {
-        auto nodes = scene.nodes;
-        std::vector<bool> moved(nodes.size(), false);
-        for (const auto& channel : scene.animation) {
-            apply(channel, time, nodes[channel.node]);
-            moved[channel.node] = true;
-        }
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            if (moved[i]) matrices[i] = local_matrix(nodes[i]);
-    }
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-        if (scene.nodes[i].parent >= 0) matrices[i] = matrices[scene.nodes[i].parent] * matrices[i];
-    return matrices;
+    return pose_at(scene, time).matrices;
 }
 
 }  // namespace ir::scene

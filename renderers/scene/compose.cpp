@@ -80,6 +80,7 @@ class Composer {
     Scene run(const std::vector<Part>& parts) {
         std::string hashes;
         for (const auto& part : parts) hashes += add(part) + ";";
+        check_variants(parts);
         result_.name = composition_name(parts);
         result_.content_hash = hash_bytes(hashes);
         if (result_.cameras.empty()) result_.cameras.push_back(opening_camera(result_));
@@ -96,7 +97,12 @@ class Composer {
         const int first_material = static_cast<int>(result_.materials.size());
         add_materials(part, *loaded);
         const int first_mesh = static_cast<int>(result_.meshes.size());
+        const int variant = variant_of(part, *loaded);
         for (auto mesh : loaded->meshes) {
+            if (const auto chosen = mesh.variant_materials.find(variant);
+                chosen != mesh.variant_materials.end())
+                mesh.material = chosen->second;
+            mesh.variant_materials.clear();
             mesh.material += first_material;
             result_.meshes.push_back(std::move(mesh));
         }
@@ -108,11 +114,34 @@ class Composer {
         add_lights(part, *loaded, first_node);
         add_cameras(part, *loaded, first_node);
         result_.environment = first_of(result_.environment, loaded->environment);
+        for (const auto& variant : loaded->variants)
+            if (std::ranges::find(result_.variants, variant) == result_.variants.end())
+                result_.variants.push_back(variant);
         if (is_first_use)
             result_.warnings.insert(result_.warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
         Part content = part;
         content.source = loaded->content_hash;
         return composition_key({content});
+    }
+
+    /// All are named where no part has any.
+    void check_variants(const std::vector<Part>& parts) const {
+        if (!result_.variants.empty()) return;
+        for (const auto& part : parts)
+            if (!part.variant.empty())
+                throw UsageError("part '" + part.source + "' has no variants of its materials; leave out '" +
+                                 part.variant + "'");
+    }
+
+    /// Its number; -1 for none.
+    static int variant_of(const Part& part, const Scene& loaded) {
+        const auto& known = loaded.variants;
+        if (part.variant.empty() || known.empty()) return -1;
+        const auto found = std::find(known.begin(), known.end(), part.variant);
+        if (found == known.end())
+            throw UsageError("part '" + part.source + "' has no variant '" + part.variant + "'" +
+                             known_are(part.variant, known));
+        return static_cast<int>(found - known.begin());
     }
 
     /// Textures are the same for every use of a source and kept once.
@@ -156,8 +185,14 @@ class Composer {
         if (part.motion.keys.empty()) top.matrix = part.transform;
         result_.nodes.push_back(std::move(top));
         for (auto& channel : channels_of(part.motion, root)) result_.animation.push_back(std::move(channel));
+        const int first_skin = static_cast<int>(result_.skins.size());
+        for (auto skin : loaded.skins) {
+            for (int& joint : skin.joints) joint += root + 1;
+            result_.skins.push_back(std::move(skin));
+        }
         for (auto node : loaded.nodes) {
             node.parent = node.parent < 0 ? root : node.parent + root + 1;
+            if (node.skin >= 0) node.skin += first_skin;
             for (int& mesh : node.meshes) mesh += first_mesh;
             result_.nodes.push_back(std::move(node));
         }

@@ -32,7 +32,8 @@ struct Part {
     std::string source;                                    ///< as load_scene() takes it
     glm::mat4 transform{1};                                ///< affine, of the whole part, metres
     std::map<std::string, MaterialChange> materials = {};  ///< by the material's name
-    PartMotion motion = {};  ///< without keys the part stands still; else `transform` does not count
+    PartMotion motion = {};    ///< without keys the part stands still; else `transform` does not count
+    std::string variant = {};  ///< one of Scene::variants; empty: the default materials
     bool operator==(const Part&) const = default;
 };
 
@@ -49,8 +50,11 @@ using SceneLoader = std::function<std::shared_ptr<const Scene>(const std::string
 /// - a part's lights and cameras move with it, lights of a part with a motion hang on its node; sizes of area
 /// lights and heights of orthographic cameras that
 ///   hang on no node scale by the cube root of the transform's volume;
+/// - `variant` chooses materials [KHR_materials_variants]; parts without variants keep theirs, unless none of
+/// the parts that name one has any;
 /// - an override that names no material of its part is a warning which lists the known names.
-/// Throws as load_scene(), and UsageError for values out of range and for transforms that are not affine.
+/// Throws as load_scene(), and UsageError for values out of range, for transforms that are not affine, and
+/// for variants that a part does not have.
 Scene compose(const std::vector<Part>& parts);
 /// With scenes that a cache may hold already.
 Scene compose(const std::vector<Part>& parts, const SceneLoader& load);

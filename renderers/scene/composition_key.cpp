@@ -24,6 +24,7 @@ class KeyWriter {
             text_ << '}';
         }
         if (!part.motion.keys.empty()) add(part.motion);
+        if (!part.variant.empty()) text_ << '<' << part.variant.size() << ':' << part.variant;
         text_ << ';';
     }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "renderers/scene/placed_mesh.h"
+
 namespace ir::scene {
 namespace {
 
@@ -33,20 +35,18 @@ bool is_finite(const glm::vec3 (&p)[3]) {
 /// sum of its vertices', which tell the front also where the winding does not.
 template <class Visit>
 void for_each_triangle(const Scene& scene, Visit&& visit) {
-    const auto matrices = world_matrices(scene, 0);
+    const auto pose = pose_at(scene, 0);
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
-        const auto& matrix = matrices[n];
-        const auto normal_matrix = glm::transpose(glm::inverse(glm::mat3(matrix)));
         for (const int m : scene.nodes[n].meshes) {
             const auto& mesh = scene.meshes[static_cast<std::size_t>(m)];
+            const PlacedMesh placed(scene, pose, static_cast<int>(n), m);
             for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
                 glm::vec3 corners[3], normal(0);
                 for (std::size_t c = 0; c < 3; ++c) {
-                    const auto vertex = mesh.indices[i + c];
-                    corners[c] = glm::vec3(matrix * glm::vec4(mesh.positions[vertex], 1));
-                    normal += mesh.normals[vertex];
+                    corners[c] = placed.position(mesh.indices[i + c]);
+                    normal += placed.normal(mesh.indices[i + c]);
                 }
-                if (is_finite(corners)) visit(corners, normal_matrix * normal, mesh.material);
+                if (is_finite(corners)) visit(corners, normal, mesh.material);
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "renderers/core/hash.h"
+#include "renderers/scene/placed_mesh.h"
 
 namespace ir::scene {
 
@@ -62,16 +63,18 @@ Scene load_scene(const std::string& name) {
 }
 
 Bounds bounds_of(const Scene& scene, double time) {
-    const auto matrices = world_matrices(scene, time);
+    const auto pose = pose_at(scene, time);
     constexpr float infinity = std::numeric_limits<float>::infinity();
     Bounds bounds{glm::vec3(infinity), glm::vec3(-infinity)};
     for (std::size_t n = 0; n < scene.nodes.size(); ++n)
-        for (const int mesh : scene.nodes[n].meshes)
-            for (const auto& position : scene.meshes[mesh].positions) {
-                const glm::vec3 p = matrices[n] * glm::vec4(position, 1);
+        for (const int mesh : scene.nodes[n].meshes) {
+            const PlacedMesh placed(scene, pose, static_cast<int>(n), mesh);
+            for (std::size_t i = 0; i < placed.vertices(); ++i) {
+                const auto p = placed.position(i);
                 bounds.min = glm::min(bounds.min, p);
                 bounds.max = glm::max(bounds.max, p);
             }
+        }
     return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
 }
 

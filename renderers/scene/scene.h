@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,16 +71,38 @@ struct Material {
         transmission_texture;
 };
 
+/// What one morph target adds to each vertex at weight 1; normals and tangents are empty where it has none.
+struct MorphTarget {
+    std::vector<glm::vec3> positions, normals, tangents;
+};
+
+/// The joints of a skin that move one vertex. Weights add up to 1.
+struct Influences {
+    static constexpr int max = 8;
+    std::array<std::uint16_t, max> joints{};  ///< indices into Skin::joints
+    std::array<float, max> weights{};
+};
+
 /// Indexed triangles in the mesh's own space. Attribute vectors are as long as positions, or, for tangent,
-/// uv1 and colour, empty.
+/// uv1, colour and influences, empty.
 struct Mesh {
     std::string name;
     int material = 0;
+    std::map<int, int> variant_materials;  ///< instead, by index into Scene::variants
     std::vector<glm::vec3> positions, normals;
     std::vector<glm::vec4> tangents;  ///< w: handedness
     std::vector<glm::vec2> uv0, uv1;
     std::vector<glm::vec4> colours;      ///< linear
     std::vector<std::uint32_t> indices;  ///< three per triangle
+    std::vector<Influences> influences;
+    std::vector<MorphTarget> targets;
+    bool is_faceted = false;  ///< normals are those of its triangles, which share no vertices
+};
+
+/// Joints are nodes; a vertex at joint j moves by world_from_joint · inverse_bind[j].
+struct Skin {
+    std::vector<int> joints;
+    std::vector<glm::mat4> inverse_bind;
 };
 
 /// A node of the tree. Parents stand before their children.
@@ -90,11 +113,13 @@ struct Node {
     glm::quat rotation{1, 0, 0, 0};
     glm::vec3 scale{1};
     std::optional<glm::mat4> matrix;  ///< instead of the three above
-    std::vector<int> meshes;  ///< indices into Scene::meshes (one glTF mesh may have several primitives)
+    std::vector<int> meshes;     ///< indices into Scene::meshes (one glTF mesh may have several primitives)
+    int skin = -1;               ///< of Scene::skins; meshes with influences then stand where its joints say
+    std::vector<float> weights;  ///< of its meshes' morph targets
 };
 
 enum class Interpolation { step, linear, cubic };
-enum class AnimatedPath { translation, rotation, scale };
+enum class AnimatedPath { translation, rotation, scale, weight };
 
 struct AnimationChannel {
     int node = 0;
@@ -103,6 +128,7 @@ struct AnimationChannel {
     std::vector<float> times;       ///< seconds, ascending
     std::vector<glm::vec4> values;  ///< one per time; three (in-tangent, value, out-tangent) for cubic
     bool loop = false;              ///< after its last key it begins again; else it stays there
+    int target = 0;                 ///< of a weight: which of Node::weights
 };
 
 enum class LightType { point, spot, directional, rectangle, disk };
@@ -166,9 +192,11 @@ struct Scene {
     std::string content_hash;  ///< hex, of the files' bytes, or of name, version and options
     std::vector<Mesh> meshes;
     std::vector<Node> nodes;
+    std::vector<Skin> skins;
     std::vector<AnimationChannel> animation;
-    std::vector<Material> materials;  ///< at least one
-    std::size_t material_count = 0;   ///< as the file declares (a default one may have been added)
+    std::vector<std::string> variants;  ///< names of KHR_materials_variants that can be chosen
+    std::vector<Material> materials;    ///< at least one
+    std::size_t material_count = 0;     ///< as the file declares (a default one may have been added)
     std::vector<Texture> textures;
     std::vector<Light> lights;
     std::vector<Camera> cameras;  ///< at least one: opening_camera() where the file has none
@@ -183,7 +211,14 @@ struct Scene {
     const Camera* find_camera(const std::string& camera) const;
 };
 
-/// World matrices of all nodes at `time` (seconds; clamped to the animation).
+/// All nodes at one time.
+struct Pose {
+    std::vector<glm::mat4> matrices;          ///< world from node
+    std::vector<std::vector<float>> weights;  ///< of morph targets
+};
+
+/// At `time` (seconds; clamped to the animation).
+Pose pose_at(const Scene& scene, double time);
 std::vector<glm::mat4> world_matrices(const Scene& scene, double time);
 
 /// World-space bounds of all instances at `time`; empty where nothing is drawn.

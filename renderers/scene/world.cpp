@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "renderers/core/error.h"
-#include "renderers/scene/frame.h"
 #include "renderers/scene/opacity.h"
+#include "renderers/scene/placed_mesh.h"
 #include "renderers/scene/placement.h"
 
 namespace ir::scene {
@@ -43,33 +43,6 @@ std::uint32_t packed(glm::vec4 colour) {
     return result;
 }
 
-glm::vec3 unit_or(glm::vec3 v, glm::vec3 otherwise) {
-    const float length = glm::length(v);
-    return length > 0 && std::isfinite(length) ? v / length : otherwise;
-}
-
-/// Transforms of one instance. Normals take the cofactors, which are the inverse transpose up to a factor and
-/// exist for singular matrices too.
-struct Transform {
-    glm::mat4 matrix;
-    glm::mat3 cofactors;
-    bool mirrored;
-
-    explicit Transform(const glm::mat4& world_from_node) : matrix(world_from_node) {
-        const glm::mat3 m(matrix);
-        cofactors = glm::mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-        mirrored = glm::dot(m[0], cofactors[0]) < 0;
-        if (mirrored) cofactors *= -1.0f;
-    }
-
-    glm::vec3 position(glm::vec3 p) const { return glm::vec3(matrix * glm::vec4(p, 1)); }
-    glm::vec3 normal(glm::vec3 n) const { return unit_or(cofactors * n, {0, 1, 0}); }
-    glm::vec4 tangent(glm::vec4 t, glm::vec3 normal_ws) const {
-        const auto direction = unit_or(glm::mat3(matrix) * glm::vec3(t), any_tangent(normal_ws));
-        return glm::vec4(direction, mirrored ? -t.w : t.w);
-    }
-};
-
 class Flattener {
   public:
     Flattener(const Scene& scene, World& world) : scene_(scene), world_(world) {}
@@ -91,43 +64,44 @@ class Flattener {
         world_.uv0.reserve(vertices);
         world_.uv1.reserve(vertices);
         world_.colours.reserve(vertices);
-        world_.instances.reserve(vertices);
         world_.indices.reserve(indices);
         world_.triangle_materials.reserve(indices / 3);
     }
 
-    void add(const Mesh& mesh, const glm::mat4& current, const glm::mat4& previous) {
-        const Transform transform(current);
-        const auto first_vertex = static_cast<std::uint32_t>(world_.positions.size());
-        add_vertices(mesh, transform);
-        add_triangles(mesh, first_vertex, transform.mirrored);
-        const bool moves = current != previous && std::abs(glm::determinant(current)) > 0;
-        const auto motion = moves ? previous * glm::inverse(current) : glm::mat4(1);
-        world_.motion.push_back(motion);
+    void add(const Mesh& mesh, const PlacedMesh& now, const PlacedMesh& before) {
+        const auto first_vertex = world_.positions.size();
+        add_vertices(mesh, now);
+        add_triangles(mesh, now, static_cast<std::uint32_t>(first_vertex));
+        if (now.stands_like(before)) return;
+        world_.to_previous.resize(first_vertex, glm::vec3(0));
+        for (std::size_t i = 0; i < now.vertices(); ++i)
+            world_.to_previous.push_back(before.position(i) - now.position(i));
+    }
+
+    void finish() {
+        if (!world_.to_previous.empty()) world_.to_previous.resize(world_.positions.size(), glm::vec3(0));
     }
 
   private:
-    void add_vertices(const Mesh& mesh, const Transform& transform) {
-        const auto instance = static_cast<std::uint32_t>(world_.motion.size());
-        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-            const auto normal = transform.normal(mesh.normals[i]);
-            world_.positions.push_back(transform.position(mesh.positions[i]));
+    void add_vertices(const Mesh& mesh, const PlacedMesh& placed) {
+        for (std::size_t i = 0; i < placed.vertices(); ++i) {
+            const auto normal = placed.normal(i);
+            world_.positions.push_back(placed.position(i));
             world_.normals.push_back(normal);
-            world_.tangents.push_back(mesh.tangents.empty() ? glm::vec4(any_tangent(normal), 1)
-                                                            : transform.tangent(mesh.tangents[i], normal));
+            world_.tangents.push_back(placed.tangent(i, normal));
             world_.uv0.push_back(mesh.uv0.empty() ? glm::vec2(0) : mesh.uv0[i]);
             world_.uv1.push_back(mesh.uv1.empty() ? glm::vec2(0) : mesh.uv1[i]);
             world_.colours.push_back(mesh.colours.empty() ? 0xffffffffu : packed(mesh.colours[i]));
-            world_.instances.push_back(instance);
         }
     }
 
-    /// A mirrored instance turns its triangles round, so that winding and normals agree on the front.
-    void add_triangles(const Mesh& mesh, std::uint32_t first_vertex, bool mirrored) {
+    /// Mirrored triangles are turned round, so that winding and normals agree on the front.
+    void add_triangles(const Mesh& mesh, const PlacedMesh& placed, std::uint32_t first_vertex) {
         const auto count = static_cast<std::uint32_t>(mesh.indices.size() / 3);
         const auto first = static_cast<std::uint32_t>(world_.triangles());
         for (std::size_t t = 0; t < count; ++t) {
             const auto* corner = &mesh.indices[3 * t];
+            const bool mirrored = placed.is_mirrored(corner[0]);
             world_.indices.push_back(first_vertex + corner[0]);
             world_.indices.push_back(first_vertex + corner[mirrored ? 2 : 1]);
             world_.indices.push_back(first_vertex + corner[mirrored ? 1 : 2]);
@@ -164,26 +138,28 @@ Bounds bounds_of_triangles(const World& world, const std::string& name) {
 
 World flatten(const Scene& scene, double time, double previous_time) {
     World world;
-    const auto current = world_matrices(scene, time);
-    const auto previous = world_matrices(scene, previous_time);
+    const auto current = pose_at(scene, time);
+    const auto previous = previous_time == time ? current : pose_at(scene, previous_time);
     const auto instances = sorted_instances(scene);
     Flattener flattener(scene, world);
     flattener.reserve(instances);
     for (const auto& instance : instances)
-        flattener.add(scene.meshes[instance.mesh], current[instance.node], previous[instance.node]);
+        flattener.add(scene.meshes[instance.mesh], PlacedMesh(scene, current, instance.node, instance.mesh),
+                      PlacedMesh(scene, previous, instance.node, instance.mesh));
+    flattener.finish();
     world.bounds = bounds_of_triangles(world, scene.name);
     build_opacity(scene, world);
     for (const auto& light : scene.lights)
-        world.lights.push_back(light.node >= 0 ? placed(light, current[light.node]) : light);
+        world.lights.push_back(light.node >= 0 ? placed(light, current.matrices[light.node]) : light);
     for (const auto& camera : scene.cameras)
-        world.cameras.push_back(camera.node >= 0 ? placed(camera, current[camera.node]) : camera);
+        world.cameras.push_back(camera.node >= 0 ? placed(camera, current.matrices[camera.node]) : camera);
     return world;
 }
 
 std::size_t memory_bytes(const World& world) {
     const auto of = [](const auto&... arrays) { return (... + (arrays.size() * sizeof(arrays[0]))); };
     return of(world.positions, world.normals, world.tangents, world.uv0, world.uv1, world.colours,
-              world.instances, world.indices, world.triangle_materials, world.motion, world.opacity_words);
+              world.to_previous, world.indices, world.triangle_materials, world.opacity_words);
 }
 
 std::size_t emissive_triangles(const Scene& scene, const World& world) {

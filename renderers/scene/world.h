@@ -31,13 +31,13 @@ struct World {
     std::vector<glm::vec3> positions, normals;
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uv0, uv1;
-    std::vector<std::uint32_t> colours;    ///< RGBA8 UNORM, linear, R in the low byte; 0xffffffff where none
-    std::vector<std::uint32_t> instances;  ///< per vertex: index into motion
-    std::vector<std::uint32_t> indices;    ///< three per triangle
+    std::vector<std::uint32_t> colours;  ///< RGBA8 UNORM, linear, R in the low byte; 0xffffffff where none
+    std::vector<glm::vec3>
+        to_previous;  ///< previous position = position + to_previous; empty: all stand still
+    std::vector<std::uint32_t> indices;  ///< three per triangle
     std::vector<std::uint32_t> triangle_materials;
     std::vector<MaterialRange> ranges;
     std::uint32_t opaque_triangles = 0;  ///< triangles before this one have no alpha mask
-    std::vector<glm::mat4> motion;       ///< per instance: previous position = motion * position
     std::vector<OpacityBitmap> opacity;  ///< one per masked material
     std::vector<std::uint32_t> opacity_words;
     Bounds bounds;              ///< of all vertices of triangles

@@ -69,6 +69,7 @@ Node& add_group(Node& root, ItemKind kind, const QString& name, std::size_t coun
 QString part_detail(const ScenePart& part) {
     QStringList words;
     if (part.transform) words << node_text("placed");
+    if (!part.variant.empty()) words << q(part.variant);
     if (!part.materials.empty())
         words << counted(part.materials.size(), "1 material changed", "%1 materials changed");
     return words.join(QStringLiteral(" · "));

@@ -84,6 +84,19 @@ void SceneEditor::make_list(QGridLayout* grid) {
         emit edit_wanted(makers::set_part_source(id_, chosen_, source.toStdString()));
     });
     connect(browse_, &QToolButton::clicked, this, [this] { emit browse_wanted(part(chosen_)); });
+    make_variant(grid);
+}
+
+/// Shown only where the file has variants, or the part names one.
+void SceneEditor::make_variant(QGridLayout* grid) {
+    const auto& text = projects::field_of(projects::part_fields(), "variant").text;
+    variant_ = new ChoiceField("variant", this);
+    variant_label_ = row(grid, text, variant_);
+    connect(variant_, &ChoiceField::chosen, this, [this](const QString& name) {
+        const auto put = [name](ScenePart& part) { part.variant = name.toStdString(); };
+        emit edit_wanted(field_edit<Scene>(id_, tr("variant of part %1").arg(chosen_ + 1).toStdString(),
+                                           part_change(chosen_, put), false));
+    });
 }
 
 void SceneEditor::make_part() {
@@ -112,13 +125,23 @@ void SceneEditor::make_part() {
             });
 }
 
+void SceneEditor::show_variant(const QStringList& known, const QString& chosen) {
+    std::vector<Option> options{{QString(), tr("default materials"), QString()}};
+    for (const auto& name : known) options.push_back({name, name, QString()});
+    variant_->show_options(options, chosen);
+    const bool has_choice = options.size() > 1 || !chosen.isEmpty();
+    variant_->setVisible(has_choice);
+    variant_label_->setVisible(has_choice);
+}
+
 void SceneEditor::show_part() {
     const ScenePart& shown = parts_[std::size_t(chosen_)];
     source_->show_text(QString::fromStdString(shown.source));
     source_->setCursorPosition(0);
     transform_->show_transform(shown.transform);
-    const bool has_facts =
-        facts_.scene.toStdString() == id_ && facts_.materials.size() > std::size_t(chosen_);
+    const bool is_known = facts_.scene.toStdString() == id_;
+    show_variant(is_known ? facts_.variants : QStringList(), QString::fromStdString(shown.variant));
+    const bool has_facts = is_known && facts_.materials.size() > std::size_t(chosen_);
     materials_->show_materials(
         shown.materials, has_facts ? facts_.materials[std::size_t(chosen_)] : std::vector<MaterialFacts>());
 }

@@ -2,10 +2,12 @@
 
 #include "widgets/document/item_form.h"
 
+class QLabel;
 class QToolButton;
 
 namespace ir::widgets {
 
+class ChoiceField;
 class MaterialForm;
 class OrderedList;
 class TransformForm;
@@ -24,12 +26,16 @@ class SceneEditor : public ItemForm {
   private:
     void make_list(QGridLayout* grid);
     void make_part();
+    void make_variant(QGridLayout* grid);
     void show_part();
+    void show_variant(const QStringList& known, const QString& chosen);
     ItemRef part(int index) const;
 
     TextField *name_, *source_;
     OrderedList* list_;
     QToolButton* browse_;
+    ChoiceField* variant_;
+    QLabel* variant_label_;
     TransformForm* transform_;
     MaterialForm* materials_;
     ItemRef shown_item_;

@@ -141,8 +141,7 @@ GBuffer gbuffer(GraphBuilder& builder, const SceneBuffers& scene, const GBufferO
     auto pass = builder.pass("G-buffer");
     if (has_two_bodies) pass.has_two_bodies();
     reads_scene(pass, scene);
-    pass.reads(scene.motion)
-        .writes(g.depth, g.position, g.normal, g.geometric_normal, g.albedo, g.material, g.emission,
+    pass.writes(g.depth, g.position, g.normal, g.geometric_normal, g.albedo, g.material, g.emission,
                 g.velocity, g.valid)
         .execute([=](PassContext& p) { draw_surfaces(p, scene, g, options); });
     if (options.sees_through_glass) g.glass = glass_before(builder, scene, g, options.normal_maps);

@@ -73,8 +73,10 @@ glm::vec2 centre_of(int x, int y) {
 
 /// Where things were in the previous frame.
 glm::vec4 position_before(const scene::World& world, const Hit& hit, glm::vec3 position) {
-    const auto instance = world.instances[world.indices[3 * static_cast<std::size_t>(hit.triangle)]];
-    return world.motion[instance] * glm::vec4(position, 1);
+    if (world.to_previous.empty()) return glm::vec4(position, 1);
+    const auto* corner = &world.indices[3 * static_cast<std::size_t>(hit.triangle)];
+    const auto way = [&](int i) { return world.to_previous[corner[i]]; };
+    return glm::vec4(position + (1 - hit.u - hit.v) * way(0) + hit.u * way(1) + hit.v * way(2), 1);
 }
 
 /// What the rays go through, and the pixels that they fill.

@@ -16,8 +16,8 @@ constexpr NamedSlot slots[] = {{"base_colour_texture", &scene::Material::base_co
 }  // namespace
 
 void reads_triangles(graph::PassBuilder& pass, const SceneBuffers& s) {
-    pass.reads(s.positions, s.normals, s.tangents, s.uv0, s.uv1, s.colours, s.instances, s.indices, s.opacity,
-               s.opacity_words, s.materials);
+    pass.reads(s.positions, s.normals, s.tangents, s.uv0, s.uv1, s.colours, s.to_previous, s.indices,
+               s.opacity, s.opacity_words, s.materials);
 }
 
 void reads_textures(graph::PassBuilder& pass, const SceneBuffers& s) {

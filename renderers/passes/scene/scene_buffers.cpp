@@ -32,6 +32,12 @@ std::span<const std::byte> bytes_of(const std::vector<T>& data) {
     return std::as_bytes(std::span(data));
 }
 
+/// Where all stand still, one zero stands for all vertices.
+std::span<const glm::vec3> ways_to_previous(const scene::World& world) {
+    static const glm::vec3 none(0);
+    return world.to_previous.empty() ? std::span(&none, 1) : std::span(world.to_previous);
+}
+
 BufferRef declare(GraphBuilder& builder, const std::string& part, const std::string& name,
                   const std::string& label, std::vector<Field> fields, std::size_t elements,
                   const std::string& unit = {}) {
@@ -73,14 +79,12 @@ SceneBuffers declare_buffers(GraphBuilder& builder) {
         declare(builder, "uv1", "SceneUv1", "Texture coordinates 1", {{"uv", FieldType::f32, 2}}, vertices);
     b.colours =
         declare(builder, "colours", "SceneColours", "Vertex colours", {{"rgba8", FieldType::u32}}, vertices);
-    b.instances =
-        declare(builder, "instances", "SceneInstances", "Instance of each vertex", {number}, vertices);
+    b.to_previous = declare(builder, "to_previous", "SceneToPrevious", "Way to the previous positions",
+                            {{"way", FieldType::f32, 3}}, ways_to_previous(world).size(), "m");
     b.indices = declare(builder, "indices", "SceneIndices", "Triangles", {{"vertex", FieldType::u32, 3}},
                         world.triangles());
     b.triangle_materials = declare(builder, "triangle_materials", "SceneTriangleMaterials",
                                    "Material of each triangle", {number}, world.triangles());
-    b.motion = declare(builder, "motion", "SceneMotion", "Previous from current position of each instance",
-                       {{"matrix", FieldType::f32, 16}}, world.motion.size());
     b.materials = declare(builder, "materials", "Materials", "Materials", record_fields<MaterialData>(),
                           scene.materials.size());
     b.lights = declare_lights(builder);
@@ -100,10 +104,9 @@ void upload_world(const PassContext& p, const SceneBuffers& b) {
     p.upload(b.uv0, bytes_of(world.uv0));
     p.upload(b.uv1, bytes_of(world.uv1));
     p.upload(b.colours, bytes_of(world.colours));
-    p.upload(b.instances, bytes_of(world.instances));
+    p.upload(b.to_previous, std::as_bytes(ways_to_previous(world)));
     p.upload(b.indices, bytes_of(world.indices));
     p.upload(b.triangle_materials, bytes_of(world.triangle_materials));
-    p.upload(b.motion, bytes_of(world.motion));
     p.upload(b.materials, bytes_of(material_data(scene)));
     p.upload(b.opacity, bytes_of(opacity_data(scene, world)));
     p.upload(b.opacity_words, bytes_of(world.opacity_words));
@@ -147,8 +150,8 @@ SceneBuffers upload_scene(GraphBuilder& builder) {
     buffers.textures = declare_textures(builder);
     builder.pass("upload scene")
         .writes(buffers.positions, buffers.normals, buffers.tangents, buffers.uv0, buffers.uv1,
-                buffers.colours, buffers.instances, buffers.indices, buffers.triangle_materials,
-                buffers.motion, buffers.materials, buffers.opacity, buffers.opacity_words)
+                buffers.colours, buffers.to_previous, buffers.indices, buffers.triangle_materials,
+                buffers.materials, buffers.opacity, buffers.opacity_words)
         .execute([buffers](PassContext& p) { upload_world(p, buffers); });
     builder.pass("upload lights").writes(buffers.lights).execute([lights = buffers.lights](PassContext& p) {
         p.upload(lights, bytes_of(light_data(p.inputs().world->lights)));

@@ -22,8 +22,7 @@ bool stands_still(const graph::FrameInputs& inputs, Watched watched) {
     if (watched == Watched::surfaces_and_lights &&
         (inputs.world->lights_moved || lights_may_move(*inputs.scene)))
         return false;
-    const auto& motion = inputs.world->motion;
-    return std::all_of(motion.begin(), motion.end(), [](const auto& m) { return m == glm::mat4(1); });
+    return inputs.world->to_previous.empty();
 }
 
 }  // namespace ir::passes

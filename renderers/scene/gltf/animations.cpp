@@ -10,6 +10,7 @@ namespace {
 
 AnimatedPath path_of(const std::string& path) {
     if (path == "translation") return AnimatedPath::translation;
+    if (path == "weights") return AnimatedPath::weight;
     return path == "rotation" ? AnimatedPath::rotation : AnimatedPath::scale;
 }
 
@@ -52,7 +53,11 @@ class AnimationReader {
             const int node = nodes_[channel.target_node];
             if (node < 0) continue;
             const auto path = path_of(channel.target_path);
-            if (scene_.nodes[node].matrix) {
+            const bool is_weight = path == AnimatedPath::weight;
+            if (is_weight && !has_targets(scene_.nodes[node])) {
+                document_.warnings.add(
+                    "animated weights of what has no morph targets, or of instances, are ignored");
+            } else if (!is_weight && scene_.nodes[node].matrix) {
                 document_.warnings.add("animation of a node with a matrix was ignored");
             } else if (!taken_.insert({node, static_cast<int>(path)}).second) {
                 document_.warnings.add("several animations move the same node; the first one is played");
@@ -84,11 +89,32 @@ class AnimationReader {
         channel.path = path;
         channel.interpolation = interpolation_of(document_, sampler.interpolation, place);
         channel.times = times_of(document_, sampler.input, place);
-        const std::size_t per_key = channel.interpolation == Interpolation::cubic ? 3 : 1;
-        channel.values = values_of(document_, sampler.output, per_key * channel.times.size(),
+        if (path == AnimatedPath::weight) return read_weights(sampler, std::move(channel), place);
+        channel.values = values_of(document_, sampler.output, per_key(channel) * channel.times.size(),
                                    path == AnimatedPath::rotation ? 4 : 3, place);
         scene_.animation.push_back(std::move(channel));
     }
+
+    /// A channel for each target; the file has their values side by side [glTF 2.0, 3.11].
+    void read_weights(const tinygltf::AnimationSampler& sampler, AnimationChannel channel,
+                      const std::string& place) {
+        const auto targets = scene_.nodes[channel.node].weights.size();
+        const auto parts = per_key(channel), keys = channel.times.size();
+        spend(keys * (targets - 1), place);
+        const auto values = values_of(document_, sampler.output, parts * keys * targets, 1, place);
+        for (std::size_t target = 0; target < targets; ++target) {
+            channel.target = static_cast<int>(target);
+            channel.values.clear();
+            for (std::size_t i = 0; i < parts * keys; ++i)
+                channel.values.push_back(values[i * targets + target]);
+            scene_.animation.push_back(channel);
+        }
+    }
+
+    static std::size_t per_key(const AnimationChannel& channel) {
+        return channel.interpolation == Interpolation::cubic ? 3 : 1;
+    }
+    static bool has_targets(const Node& node) { return !node.meshes.empty() && !node.weights.empty(); }
 
     Document& document_;
     Scene& scene_;

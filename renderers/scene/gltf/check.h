@@ -15,6 +15,7 @@ namespace ir::scene::gltf {
 inline constexpr const char* gpu_instancing = "EXT_mesh_gpu_instancing";
 inline constexpr const char* meshopt_compression = "EXT_meshopt_compression";
 inline constexpr const char* draco_compression = "KHR_draco_mesh_compression";
+inline constexpr const char* materials_variants = "KHR_materials_variants";
 
 /// Warnings in the order in which they came, each text once.
 class Warnings {
@@ -30,6 +31,7 @@ struct Checking {
     Json checked = Json::object();
     /// Per accessor: why it cannot be read; empty where it can. Unused accessors may be odd.
     std::vector<std::string> accessor_problems;
+    std::vector<std::string> variants;  ///< names of KHR_materials_variants
 
     /// Number of elements of a top-level array; throws InputError where it is something else.
     std::size_t count(const char* array) const;
@@ -50,8 +52,10 @@ void check_buffer_views(Checking& checking);
 void check_accessors(Checking& checking);
 void check_textures(Checking& checking);  ///< with samplers
 void check_materials(Checking& checking);
-void check_meshes(Checking& checking);
-void check_nodes(Checking& checking);  ///< with scenes
+void check_variants(Checking& checking);  ///< their names
+void check_meshes(Checking& checking);    ///< after the variants
+void check_skins(Checking& checking);
+void check_nodes(Checking& checking);  ///< with scenes, after the meshes
 void check_cameras(Checking& checking);
 void check_lights(Checking& checking);
 void check_animations(Checking& checking);

@@ -16,9 +16,8 @@ std::optional<Json> checked_target(Checking& checking, const CheckedObject& chan
     CheckedObject target(checking.file, channel.place("target"), channel.required_object("target"));
     const auto path = target.required(target.text("path"), "path");
     const auto node = target.index("node", checking.count("nodes"), "nodes");
-    if (path == "weights") checking.warnings.add("animated morph weights are ignored");
     if (path == "pointer") checking.warnings.add("animated properties other than nodes' are ignored");
-    const bool known = path == "translation" || path == "rotation" || path == "scale";
+    const bool known = path == "translation" || path == "rotation" || path == "scale" || path == "weights";
     if (!known || !node) return {};
     return target.result;
 }

@@ -24,6 +24,7 @@ constexpr std::array read_extensions{
     Treatment{"KHR_materials_ior", "index of refraction"},
     Treatment{"KHR_materials_transmission", "glass; rasterised methods draw what lies straight behind it"},
     Treatment{"KHR_materials_unlit", "unlit surfaces show their colour"},
+    Treatment{materials_variants, "--variant chooses one; without it surfaces have their default materials"},
     Treatment{"KHR_materials_volume", "refraction and absorption within glass"},
     Treatment{"KHR_mesh_quantization", "vertices of small numbers"},
     Treatment{"KHR_texture_transform", "offset, rotation and scale of textures"}};
@@ -31,7 +32,7 @@ constexpr std::array read_extensions{
 /// What is lost where a file does without them, too.
 constexpr std::array ignored_extensions{
     Treatment{"EXT_texture_avif", "the PNG or JPEG beside it is read, where there is one"},
-    Treatment{"KHR_animation_pointer", "only nodes are animated"},
+    Treatment{"KHR_animation_pointer", "only nodes and morph weights are animated"},
     Treatment{"KHR_materials_anisotropy", "highlights are round"},
     Treatment{"KHR_materials_clearcoat", "surfaces have no coat"},
     Treatment{"KHR_materials_dispersion", "glass refracts all colours alike"},
@@ -39,7 +40,6 @@ constexpr std::array ignored_extensions{
     Treatment{"KHR_materials_pbrSpecularGlossiness", "the metallic-roughness values are read"},
     Treatment{"KHR_materials_sheen", "cloth has no sheen"},
     Treatment{"KHR_materials_specular", "highlights have the strength of the index of refraction"},
-    Treatment{"KHR_materials_variants", "surfaces have their default materials"},
     Treatment{"KHR_meshopt_compression", "the uncompressed data is read"},
     Treatment{"KHR_texture_basisu", "the PNG or JPEG beside it is read, where there is one"}};
 

@@ -8,33 +8,85 @@
 namespace ir::scene::gltf {
 namespace {
 
-void check_attributes(Checking& checking, CheckedObject& primitive) {
-    static const std::set<std::string> understood{"POSITION",   "NORMAL",  "TANGENT",  "TEXCOORD_0",
-                                                  "TEXCOORD_1", "COLOR_0", "JOINTS_0", "WEIGHTS_0"};
-    CheckedObject attributes(checking.file, primitive.place("attributes"),
-                             primitive.required_object("attributes"));
-    const auto& source = primitive.required_object("attributes");
+std::size_t target_count(const Json& primitive) {
+    const auto targets = primitive.find("targets");
+    return targets == primitive.end() ? 0 : targets->size();
+}
+
+/// References to accessors by the names of `understood`.
+Json checked_attributes(Checking& checking, const std::string& place, const Json& source,
+                        const std::set<std::string>& understood) {
+    CheckedObject attributes(checking.file, place, source);
     for (const auto& [name, unused] : source.items())
         if (understood.contains(name))
             attributes.index(name.c_str(), checking.count("accessors"), "accessors");
-    primitive.result["attributes"] = attributes.result;
+    return attributes.result;
+}
+
+void check_targets(Checking& checking, CheckedObject& primitive) {
+    static const std::set<std::string> understood{"POSITION", "NORMAL", "TANGENT"};
+    const auto* targets = primitive.array("targets");
+    if (!targets || targets->empty()) return;
+    for (std::size_t i = 0; i < targets->size(); ++i)
+        primitive.result["targets"].push_back(
+            checked_attributes(checking, primitive.place(element("targets", i)), (*targets)[i], understood));
+}
+
+/// Leaves the mappings of a primitive as one list: variant, material, variant, material, …
+void check_mappings(Checking& checking, CheckedObject& primitive) {
+    const auto* source = primitive.extension(materials_variants);
+    const auto count = checking.variants.size();
+    if (!source || count == 0) return;
+    const CheckedObject extension(checking.file,
+                                  primitive.place(std::string("extensions.") + materials_variants), *source);
+    const auto* mappings = extension.array("mappings");
+    if (!mappings) extension.fail("mappings", "is missing; export the file again");
+    auto pairs = Json::array();
+    for (std::size_t i = 0; i < mappings->size(); ++i) {
+        CheckedObject mapping(checking.file, extension.place(element("mappings", i)), (*mappings)[i]);
+        const int material =
+            mapping.required(mapping.index("material", checking.count("materials"), "materials"), "material");
+        for (const int variant :
+             mapping.required(mapping.indices("variants", count, "variants"), "variants")) {
+            pairs.push_back(variant);
+            pairs.push_back(material);
+        }
+    }
+    primitive.result["extensions"][materials_variants]["pairs"] = std::move(pairs);
 }
 
 void check_primitives(Checking& checking, CheckedObject& mesh) {
+    static const std::set<std::string> understood{"POSITION",   "NORMAL",   "TANGENT",  "TEXCOORD_0",
+                                                  "TEXCOORD_1", "COLOR_0",  "JOINTS_0", "JOINTS_1",
+                                                  "WEIGHTS_0",  "WEIGHTS_1"};
     const auto* primitives = mesh.array("primitives");
     if (!primitives) mesh.fail("primitives", "is missing; export the file again");
-    mesh.result["primitives"] = Json::array();
+    auto& checked = mesh.result["primitives"] = Json::array();
     for (std::size_t i = 0; i < primitives->size(); ++i) {
         CheckedObject primitive(checking.file, mesh.place(element("primitives", i)), (*primitives)[i]);
-        check_attributes(checking, primitive);
+        primitive.result["attributes"] = checked_attributes(
+            checking, primitive.place("attributes"), primitive.required_object("attributes"), understood);
         primitive.index("indices", checking.count("accessors"), "accessors");
         primitive.result.erase("indices");  // see restore_indices in document.cpp
         primitive.index("material", checking.count("materials"), "materials");
         primitive.integer("mode", 0, 6);
-        if (const auto* targets = primitive.array("targets"); targets && !targets->empty())
-            checking.warnings.add("morph targets are ignored; meshes keep their rest pose");
-        mesh.result["primitives"].push_back(primitive.result);
+        check_targets(checking, primitive);
+        check_mappings(checking, primitive);
+        checked.push_back(primitive.result);
+        if (target_count(checked.back()) != target_count(checked.front()))
+            primitive.fail("targets",
+                           "are not as many as in the mesh's other primitives; export the file again");
     }
+}
+
+/// Of a mesh or node, one for each morph target.
+void check_weights(CheckedObject& object, std::size_t targets) {
+    const auto* weights = object.array("weights");
+    if (!weights || weights->empty()) return;
+    if (weights->size() != targets)
+        object.fail("weights", "are " + std::to_string(weights->size()) + ", but the mesh has " +
+                                   std::to_string(targets) + " morph targets; export the file again");
+    object.numbers("weights", targets);
 }
 
 /// Every node has one parent at most and none is its own ancestor.
@@ -72,7 +124,30 @@ void check_meshes(Checking& checking) {
     checking.for_each("meshes", [&](CheckedObject& mesh) {
         mesh.text("name");
         check_primitives(checking, mesh);
+        const auto& primitives = mesh.result["primitives"];
+        check_weights(mesh, primitives.empty() ? 0 : target_count(primitives.front()));
     });
+}
+
+void check_skins(Checking& checking) {
+    checking.for_each("skins", [&](CheckedObject& skin) {
+        skin.text("name");
+        if (skin.required(skin.indices("joints", checking.count("nodes"), "nodes"), "joints").empty())
+            skin.fail("joints", "is empty; export the file again");
+        skin.index("inverseBindMatrices", checking.count("accessors"), "accessors");
+    });
+}
+
+void check_variants(Checking& checking) {
+    const auto* source = CheckedObject(checking.file, "", checking.source).extension(materials_variants);
+    if (!source) return;
+    const CheckedObject extension(checking.file, std::string("extensions.") + materials_variants, *source);
+    const auto* variants = extension.array("variants");
+    if (!variants) extension.fail("variants", "is missing; export the file again");
+    for (std::size_t i = 0; i < variants->size(); ++i) {
+        CheckedObject variant(checking.file, extension.place(element("variants", i)), (*variants)[i]);
+        checking.variants.push_back(one_line(variant.required(variant.text("name"), "name")));
+    }
 }
 
 void check_nodes(Checking& checking) {
@@ -92,7 +167,12 @@ void check_nodes(Checking& checking) {
     checking.for_each("nodes", [&](CheckedObject& node) {
         node.text("name");
         node.index("camera", checking.count("cameras"), "cameras");
-        node.index("mesh", checking.count("meshes"), "meshes");
+        const auto mesh = node.index("mesh", checking.count("meshes"), "meshes");
+        if (mesh) {
+            const auto& primitives =
+                checking.checked["meshes"][static_cast<std::size_t>(*mesh)]["primitives"];
+            check_weights(node, primitives.empty() ? 0 : target_count(primitives.front()));
+        }
         node.index("skin", checking.count("skins"), "skins");
         node.numbers("matrix", 16);
         node.numbers("translation", 3);

@@ -106,7 +106,9 @@ void load_images(Document& document, const Checking& checking, Hasher& hasher) {
 void check_all(Checking& checking) {
     check_textures(checking);
     check_materials(checking);
+    check_variants(checking);
     check_meshes(checking);
+    check_skins(checking);
     check_cameras(checking);
     check_lights(checking);
     check_nodes(checking);
@@ -146,7 +148,7 @@ Document read_document(const std::string& file) {
     auto container = open_container(document.file, bytes);
     const auto source = parse(document.file, container.json);
     container.json = {};
-    Checking checking{document.file, source, document.warnings, Json::object(), {}};
+    Checking checking{document.file, source, document.warnings, Json::object(), {}, {}};
     check_asset(checking);
     document.extensions = check_extensions(checking);
     load_buffers(document, checking, container, hasher);
@@ -157,6 +159,7 @@ Document read_document(const std::string& file) {
     check_all(checking);
     decode_draco(document, checking);
     document.accessor_problems = std::move(checking.accessor_problems);
+    document.variants = std::move(checking.variants);
     parse_model(document, checking);
     document.content_hash = hasher.hexadecimal();
     return document;

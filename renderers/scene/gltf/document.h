@@ -35,6 +35,7 @@ struct Document {
     std::string content_hash;                    ///< XXH3-128, hex, of the file, its buffers and images
     std::size_t total_bytes = 0;                 ///< of the file, its buffers and images
     std::vector<Extension> extensions;
+    std::vector<std::string> variants;  ///< names of KHR_materials_variants
     Warnings warnings;
 };
 

@@ -25,12 +25,14 @@ Scene load_gltf(const std::string& file) {
     const int default_material = gltf::load_materials(document, scene, needs_default_material(document));
     const auto meshes = gltf::load_meshes(document, scene, default_material);
     const auto nodes = gltf::load_nodes(document, scene, meshes);
+    gltf::load_skins(document, scene, nodes);
     gltf::load_animations(document, scene, nodes);
     gltf::load_cameras(document, scene, nodes);
     gltf::load_lights(document, scene, nodes);
     if (scene.cameras.empty()) scene.cameras.push_back(opening_camera(scene));
     if (scene.instanced_triangles() == 0) document.warnings.add("the scene draws no triangles");
     scene.extensions = std::move(document.extensions);
+    scene.variants = std::move(document.variants);
     scene.warnings = std::move(document.warnings.messages);
     return scene;
 }

@@ -36,6 +36,18 @@ Node node_of(Document& document, const tinygltf::Node& source, int parent) {
     return node;
 }
 
+/// Of the morph targets of a node's mesh: the node's own, the mesh's, or 0.
+std::vector<float> weights_of(const Document& document, const tinygltf::Node& node, ExpansionBudget& budget,
+                              const std::string& place) {
+    const auto& mesh = document.model.meshes[node.mesh];
+    const auto& given = node.weights.empty() ? mesh.weights : node.weights;
+    const auto targets = mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
+    budget.spend(targets * sizeof(float), place);
+    std::vector<float> weights(targets, 0.0f);
+    for (std::size_t i = 0; i < given.size(); ++i) weights[i] = static_cast<float>(given[i]);
+    return weights;
+}
+
 /// A value of each instance of a node; all are the same where the file has none.
 template <class Vector>
 std::vector<Vector> values_of_instances(const Document& document, const tinygltf::Value& attributes,
@@ -59,8 +71,9 @@ void add_instances(Document& document, Scene& scene, ExpansionBudget& budget, in
         count = accessor.count();
     }
     constexpr std::size_t digits = 20;
-    const auto node_bytes =
-        sizeof(Node) + scene.nodes[parent].name.size() + digits + meshes.size() * sizeof(int);
+    const auto& weights = scene.nodes[parent].weights;
+    const auto node_bytes = sizeof(Node) + scene.nodes[parent].name.size() + digits +
+                            meshes.size() * sizeof(int) + weights.size() * sizeof(float);
     budget.spend(count.value_or(0) * node_bytes, place);
     const auto translations = values_of_instances<glm::vec3>(document, attributes, place, "TRANSLATION");
     const auto rotations = values_of_instances<glm::vec4>(document, attributes, place, "ROTATION");
@@ -70,6 +83,7 @@ void add_instances(Document& document, Scene& scene, ExpansionBudget& budget, in
         node.name = scene.nodes[parent].name + " " + std::to_string(i + 1);
         node.parent = parent;
         node.meshes = meshes;
+        node.weights = scene.nodes[parent].weights;
         if (!translations.empty()) node.translation = translations[i];
         if (!scales.empty()) node.scale = scales[i];
         if (!rotations.empty()) {
@@ -119,9 +133,15 @@ std::vector<int> load_nodes(Document& document, Scene& scene, const std::vector<
         result[index] = static_cast<int>(scene.nodes.size());
         auto node = node_of(document, source, parent);
         const bool has_instances = source.mesh >= 0 && source.extensions.contains(gpu_instancing);
+        if (source.mesh >= 0) node.weights = weights_of(document, source, budget, element("nodes", index));
         if (source.mesh >= 0 && !has_instances) node.meshes = meshes[source.mesh];
-        if (source.mesh >= 0 && source.skin >= 0)
-            document.warnings.add("skins are ignored; meshes keep the rest pose of their vertices");
+        if (source.mesh >= 0 && source.skin >= 0) {
+            if (has_instances)
+                document.warnings.add(
+                    "skins of instances are ignored; they keep the rest pose of their vertices");
+            else
+                node.skin = source.skin;
+        }
         scene.nodes.push_back(std::move(node));
         if (has_instances) add_instances(document, scene, budget, index, result[index], meshes[source.mesh]);
         for (const int child : source.children) queue.emplace_back(child, result[index]);

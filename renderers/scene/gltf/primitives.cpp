@@ -100,16 +100,74 @@ class PrimitiveReader {
                                 int min_components = Vector::length()) const {
         if (!has(name)) return {};
         auto accessor = attribute(name);
-        if (accessor.components() < min_components || accessor.components() > Vector::length())
-            accessor.fail("has the wrong type; export the file again");
-        if (accessor.count() != vertices)
-            accessor.fail("has " + std::to_string(accessor.count()) + " elements, but POSITION has " +
-                          std::to_string(vertices) + "; export the file again");
+        check(accessor, vertices, min_components, Vector::length());
         if (min_components != Vector::length()) accessor.set_normalised();  // colours
         return read_vectors<Vector>(accessor, &chosen);
     }
 
+    std::vector<MorphTarget> targets(const Indices& chosen, std::size_t vertices) const {
+        std::vector<MorphTarget> result;
+        for (std::size_t i = 0; i < primitive_.targets.size(); ++i) {
+            const auto& source = primitive_.targets[i];
+            const auto deltas = [&](const char* name) -> std::vector<glm::vec3> {
+                const auto found = source.find(name);
+                if (found == source.end()) return {};
+                const Accessor accessor(document_, found->second,
+                                        place_ + "." + element("targets", i) + "." + name);
+                check(accessor, vertices, 3, 3);
+                return read_vectors<glm::vec3>(accessor, &chosen);
+            };
+            result.push_back({deltas("POSITION"), deltas("NORMAL"), deltas("TANGENT")});
+        }
+        return result;
+    }
+
+    /// Empty where the primitive has none.
+    std::vector<Influences> influences(const Indices& chosen, std::size_t vertices) const {
+        std::vector<Influences> result;
+        int first = 0;
+        for (const auto& [joints, weights] :
+             {std::pair{"JOINTS_0", "WEIGHTS_0"}, std::pair{"JOINTS_1", "WEIGHTS_1"}}) {
+            if (has(joints) != has(weights))
+                throw InputError(
+                    document_.file, place_ + ".attributes",
+                    std::string("has only one of ") + joints + " and " + weights + "; export the file again");
+            if (has(joints)) {
+                result.resize(chosen.size());
+                add_influences(result, first, joints, weights, chosen, vertices);
+            }
+            first += 4;
+        }
+        return result;
+    }
+
   private:
+    void check(const Accessor& accessor, std::size_t vertices, int min_components, int max_components) const {
+        if (accessor.components() < min_components || accessor.components() > max_components)
+            accessor.fail("has the wrong type; export the file again");
+        if (accessor.count() != vertices)
+            accessor.fail("has " + std::to_string(accessor.count()) + " elements, but POSITION has " +
+                          std::to_string(vertices) + "; export the file again");
+    }
+
+    void add_influences(std::vector<Influences>& result, int first, const char* joints, const char* weights,
+                        const Indices& chosen, std::size_t vertices) const {
+        const auto joint_accessor = attribute(joints), weight_accessor = attribute(weights);
+        check(joint_accessor, vertices, 4, 4);
+        check(weight_accessor, vertices, 4, 4);
+        const auto numbers = read_vectors<glm::vec4>(joint_accessor, &chosen);
+        const auto parts = read_vectors<glm::vec4>(weight_accessor, &chosen);
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+            for (int c = 0; c < 4; ++c) {
+                if (!(numbers[i][c] >= 0 && numbers[i][c] <= UINT16_MAX))
+                    joint_accessor.fail("has a joint beyond 65535; export the file again");
+                if (parts[i][c] < 0) weight_accessor.fail("has a negative weight; export the file again");
+                result[i].joints[static_cast<std::size_t>(first + c)] =
+                    static_cast<std::uint16_t>(numbers[i][c]);
+                result[i].weights[static_cast<std::size_t>(first + c)] = parts[i][c];
+            }
+    }
+
     const Document& document_;
     const tinygltf::Primitive& primitive_;
     std::string place_;
@@ -123,14 +181,22 @@ void gather(std::vector<Vector>& values, const Indices& order) {
     values = std::move(result);
 }
 
+void gather(Mesh& mesh, const Indices& order) {
+    gather(mesh.positions, order);
+    gather(mesh.uv0, order);
+    gather(mesh.uv1, order);
+    gather(mesh.colours, order);
+    gather(mesh.influences, order);
+    for (auto& target : mesh.targets) gather(target.positions, order);
+}
+
 /// One vertex per corner, which makes generated normals flat: what glTF 2.0, 3.7.2.1 wants where there are
 /// none.
 void separate_triangles(Mesh& mesh) {
-    gather(mesh.positions, mesh.indices);
-    gather(mesh.uv0, mesh.indices);
-    gather(mesh.uv1, mesh.indices);
-    gather(mesh.colours, mesh.indices);
+    gather(mesh, mesh.indices);
     std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+    for (auto& target : mesh.targets) target.normals = target.tangents = {};
+    mesh.is_faceted = true;
 }
 
 /// Unit normals; those without a direction are replaced by generated ones. Returns how many were.
@@ -182,6 +248,39 @@ void complete_frames(Document& document, Mesh& mesh, int uv_set) {
     }
 }
 
+/// Makes weights add up to 1 [glTF 2.0, 3.7.3.3]. Vertices without any follow their first joint.
+void complete_influences(Document& document, Mesh& mesh) {
+    for (auto& each : mesh.influences) {
+        const float sum = std::accumulate(each.weights.begin(), each.weights.end(), 0.0f);
+        if (sum > 0 && std::isfinite(sum)) {
+            for (auto& weight : each.weights) weight /= sum;
+            continue;
+        }
+        each.weights = {1};
+        document.warnings.add("mesh \"" + one_line(mesh.name) +
+                              "\" has vertices without weights; they follow their first joint");
+    }
+}
+
+std::map<int, int> variant_materials(const tinygltf::Primitive& primitive) {
+    std::map<int, int> result;
+    const auto extension = primitive.extensions.find(materials_variants);
+    if (extension == primitive.extensions.end() || !extension->second.Has("pairs")) return result;
+    const auto& pairs = extension->second.Get("pairs");
+    for (std::size_t i = 0; i + 1 < pairs.ArrayLen(); i += 2)
+        result[pairs.Get(static_cast<int>(i)).GetNumberAsInt()] =
+            pairs.Get(static_cast<int>(i + 1)).GetNumberAsInt();
+    return result;
+}
+
+/// Of a skin and morph targets.
+std::size_t bytes_of_deformation(const tinygltf::Primitive& primitive, std::size_t vertices) {
+    const auto has = [&](const char* name) { return primitive.attributes.contains(name); };
+    std::size_t bytes = has("JOINTS_0") || has("JOINTS_1") ? sizeof(Influences) : 0;
+    for (const auto& target : primitive.targets) bytes += target.size() * sizeof(glm::vec3);
+    return vertices * bytes;
+}
+
 Mesh load_primitive(Document& document, const tinygltf::Primitive& primitive, ExpansionBudget& budget,
                     const std::string& name, const std::string& place, int normal_uv_set) {
     const PrimitiveReader reader(document, primitive, place);
@@ -199,6 +298,10 @@ Mesh load_primitive(Document& document, const tinygltf::Primitive& primitive, Ex
     mesh.uv0 = reader.vectors<glm::vec2>("TEXCOORD_0", used, vertices);
     mesh.uv1 = reader.vectors<glm::vec2>("TEXCOORD_1", used, vertices);
     mesh.colours = reader.vectors<glm::vec4>("COLOR_0", used, vertices, 3);
+    budget.spend(bytes_of_deformation(primitive, mesh.indices.size()), place);
+    mesh.influences = reader.influences(used, vertices);
+    mesh.targets = reader.targets(used, vertices);
+    complete_influences(document, mesh);
     if (mesh.uv0.empty()) mesh.uv0.assign(mesh.positions.size(), glm::vec2(0));
     complete_frames(document, mesh, normal_uv_set);
     return mesh;
@@ -233,6 +336,7 @@ std::vector<std::vector<int>> load_meshes(Document& document, Scene& scene, int 
                                        scene.materials[material].normal_texture.uv_set);
             if (mesh.indices.empty()) continue;
             mesh.material = material;
+            mesh.variant_materials = variant_materials(primitive);
             meshes.push_back(static_cast<int>(scene.meshes.size()));
             scene.meshes.push_back(std::move(mesh));
         }

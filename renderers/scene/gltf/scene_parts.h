@@ -19,6 +19,10 @@ int load_materials(Document& document, Scene& scene, bool needs_default);
 /// Returns the scene node per glTF node, -1 for those outside the default scene. Throws InputError.
 std::vector<int> load_nodes(Document& document, Scene& scene, const std::vector<std::vector<int>>& meshes);
 
+/// Fills the skins that shown nodes have, and checks that their joints are shown and enough for the meshes.
+/// Throws InputError.
+void load_skins(Document& document, Scene& scene, const std::vector<int>& nodes);
+
 /// Channels of all animations; of several for one property of a node the first wins. Throws InputError.
 void load_animations(Document& document, Scene& scene, const std::vector<int>& nodes);
 

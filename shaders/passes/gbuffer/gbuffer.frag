@@ -1,6 +1,5 @@
 // Writes what is visible at the pixel's centre.
 
-#define SCENE_MOTION
 #include "passes/gbuffer/surface.glsl"
 
 uniform int see_through;  // 1: glass is left out
@@ -18,7 +17,7 @@ layout(location = 6) out vec2 out_velocity;
 layout(location = 7) out float out_valid;
 
 /// Where the point was in the previous frame.
-vec4 previous_position_ws(vec3 position_ws) { return scene_motion[instance] * vec4(position_ws, 1); }
+vec4 previous_position_ws(vec3 position_ws) { return vec4(position_ws + way_to_previous_ws, 1); }
 
 /// Pixels that the point moved since the previous frame; 0 where it was behind the camera.
 vec2 velocity_px(vec3 position_ws) {

@@ -1,6 +1,4 @@
-// The surface at a fragment of passes/scene/triangles.vert; renderers/passes/gbuffer/draw_scene.h draws. Includers
-// may define SCENE_MOTION.
-#include "passes/scene/scene.glsl"
+// The surface at a fragment of passes/scene/triangles.vert; renderers/passes/gbuffer/draw_scene.h draws.
 #include "passes/scene/drawn_material.glsl"
 #include "lib/pixel_rays.glsl"
 
@@ -9,7 +7,7 @@ uniform vec3 eye_ws;
 layout(location = 4) flat in vec3 plane_normal_ws;
 layout(location = 5) flat in vec3 plane_anchor_ws;
 layout(location = 6) flat in vec2 depth_range;
-layout(location = 7) flat in uint instance;
+layout(location = 7) in vec3 way_to_previous_ws;
 
 /// Where the pixel's ray meets the triangle's plane. Edge-on the quotient is ill-conditioned, but never leaves
 /// the depths of the corners.

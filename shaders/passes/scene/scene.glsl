@@ -41,12 +41,13 @@ vec4 scene_colour(uint vertex) {
 }
 #endif
 
-#ifdef SCENE_INSTANCES
-layout(std430) readonly buffer SceneInstances { uint scene_instances[]; };
-#endif
-
-#ifdef SCENE_MOTION
-layout(std430) readonly buffer SceneMotion { mat4 scene_motion[]; };
+#ifdef SCENE_TO_PREVIOUS
+layout(std430) readonly buffer SceneToPrevious { float scene_to_previous[]; };
+/// Where the vertex was in the previous frame, from where it is; one zero stands for all where none moves.
+vec3 scene_way_to_previous_ws(uint vertex) {
+    uint i = 3u * min(vertex, uint(scene_to_previous.length()) / 3u - 1u);
+    return vec3(scene_to_previous[i], scene_to_previous[i + 1u], scene_to_previous[i + 2u]);
+}
 #endif
 
 #ifdef SCENE_INDICES

@@ -7,7 +7,7 @@
 #define SCENE_UV0
 #define SCENE_UV1
 #define SCENE_COLOURS
-#define SCENE_INSTANCES
+#define SCENE_TO_PREVIOUS
 #define SCENE_INDICES
 #include "passes/scene/scene.glsl"
 #include "lib/material.glsl"
@@ -26,7 +26,7 @@ layout(location = 3) out vec4 colour;
 layout(location = 4) flat out vec3 plane_normal_ws;
 layout(location = 5) flat out vec3 plane_anchor_ws;
 layout(location = 6) flat out vec2 depth_range;  // nearest and farthest corner along the view axis, m
-layout(location = 7) flat out uint instance;
+layout(location = 7) out vec3 way_to_previous_ws;
 // Coordinates of the texture slots. They are made here because pixels beside the triangle, from which the
 // differences between neighbours come, may not be able to read buffers.
 layout(location = 8) out vec2 base_colour_uv;
@@ -56,6 +56,6 @@ void main() {
     emission_uv = slot_uv(material.emission_slot, uv01);
     transmission_uv = slot_uv(material.transmission_slot, uv01);
     colour = scene_colour(vertex);
-    instance = scene_instances[vertex];
+    way_to_previous_ws = scene_way_to_previous_ws(vertex);
     gl_Position = clip_from_world * vec4(corner == 0u ? a : corner == 1u ? b : c, 1);
 }

@@ -62,11 +62,30 @@ GltfBuilder specimen() {
         {{"type", "spot"}, {"spot", Json::object()}}};
     builder.append("nodes", {{"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     builder.json["nodes"][0]["children"] = {2};
+    auto& primitive = builder.json["meshes"][1]["primitives"][0];
+    primitive["targets"] = {{{"POSITION", positions}}};
+    primitive["attributes"]["JOINTS_0"] = builder.accessor(
+        builder.view(std::vector<std::uint8_t>{0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0}),
+        test::type_ubyte, "VEC4", 4);
+    primitive["attributes"]["WEIGHTS_0"] =
+        builder.floats({1, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 2, 0, 0}, "VEC4");
+    builder.append("skins",
+                   {{"joints", {0, 2}},
+                    {"inverseBindMatrices", builder.accessor(builder.view(std::vector<float>(32, 0.5f)),
+                                                             test::type_float, "MAT4", 2)}});
+    builder.json["nodes"][1]["skin"] = 0;
+    builder.json["nodes"][1]["weights"] = {0.25};
+    builder.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "light"}}};
+    primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 0}, {"variants", {0}}}};
     const int input = builder.floats({0, 1}, "SCALAR");
     const int output = builder.floats({0, 0, 0, 1, 1, 1}, "VEC3");
     builder.append("animations",
                    {{"samplers", {{{"input", input}, {"output", output}, {"interpolation", "LINEAR"}}}},
                     {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}});
+    const int weights = builder.floats({0, 1}, "SCALAR");
+    builder.append("animations",
+                   {{"samplers", {{{"input", input}, {"output", weights}}}},
+                    {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "weights"}}}}}}});
     return builder;
 }
 

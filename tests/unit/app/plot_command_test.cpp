@@ -104,6 +104,22 @@ TEST_F(PlotCommand, ShardsJoinToTheNumbersOfOneMachine) {
     EXPECT_EQ(study(kept)["points"].size(), 6u);
 }
 
+TEST_F(PlotCommand, ShardsWriteTablesOfTheirOwnAndTheLastTheWhole) {
+    const auto lines = [&](const std::string& name) {
+        const auto text = read(file(name));
+        return std::count(text.begin(), text.end(), '\n');
+    };
+    const auto options = " --csv " + file("t.csv") + " --svg " + file("t.svg");
+    EXPECT_EQ(plot("directions --shard 1/2" + options).status, 0);
+    EXPECT_FALSE(fs::exists(file("t.csv")) || fs::exists(file("t.svg")));
+    EXPECT_EQ(lines("t-1-of-2.csv"), 1 + 2);
+    EXPECT_TRUE(fs::exists(file("t-1-of-2.svg")));
+    EXPECT_EQ(plot("directions --shard 2/2" + options).status, 0);
+    EXPECT_EQ(lines("t.csv"), 1 + 4);
+    EXPECT_TRUE(fs::exists(file("t.svg")));
+    EXPECT_FALSE(fs::exists(file("t-2-of-2.csv")));
+}
+
 /// A project goes on being edited while its plots are divided.
 TEST_F(PlotCommand, ShardsJoinWhateverPlotsStandBeforeTheirs) {
     EXPECT_EQ(plot("directions --shard 1/2").status, 0);

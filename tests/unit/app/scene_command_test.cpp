@@ -2,6 +2,7 @@
 #include <glm/gtc/constants.hpp>
 #include <set>
 
+#include "renderers/image/exr.h"
 #include "tests/unit/app/outcome.h"
 #include "tests/unit/scene/gltf_builder.h"
 
@@ -89,6 +90,44 @@ TEST_F(SceneCommand, SaysWhatIsDoneAboutExtensions) {
     EXPECT_NE(text.find("KHR_materials_sheen: ignored: cloth has no sheen"), std::string::npos) << text;
     EXPECT_NE(text.find("ACME_magic: ignored: unknown"), std::string::npos) << text;
     EXPECT_NE(text.find("neon: triangles 2"), std::string::npos) << text;
+}
+
+TEST_F(SceneCommand, ListsVariantsAndRendersThem) {
+    test::GltfBuilder builder;
+    builder.json["materials"] = {{{"name", "dark"}, {"emissiveFactor", {0, 0, 0}}},
+                                 {{"name", "bright"}, {"emissiveFactor", {1, 1, 1}}}};
+    builder.draw({{"POSITION", builder.triangle_positions()}});
+    auto& primitive = builder.json["meshes"][0]["primitives"][0];
+    primitive["material"] = 0;
+    builder.json["extensionsUsed"] = {"KHR_materials_variants"};
+    builder.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "night"}},
+                                                                        {{"name", "day"}}};
+    primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {1}}}};
+    const auto scene = file("lamp.gltf");
+    std::ofstream(scene) << builder.embedded_text();
+    EXPECT_EQ(list(scene)["variants"], Json({"night", "day"}));
+    const auto command = "render --scene " + scene +
+                         " --method reference --set paths=full --set samples=1 --size 8x8 --out " +
+                         file("a.exr");
+    const auto brightness = [&](const std::string& option) {
+        EXPECT_EQ(run(command + option).status, 0);
+        float sum = 0;
+        for (const float value : read_image(file("a.exr")).pixels) sum += value;
+        return sum;
+    };
+    const float night = brightness(" --variant night");
+    EXPECT_GT(brightness(" --variant day"), night + 10);
+    EXPECT_EQ(brightness(""), night);
+    const auto outcome = run(command + " --variant dai");
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_NE(outcome.err.find("has no variant 'dai' (did you mean 'day'?); known are night, day"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    const auto none =
+        run("render --scene builtin:cornell --method view-normals --size 8x8 --variant day --out " +
+            file("b.exr"));
+    EXPECT_NE(none.err.find("has no variants of its materials"), std::string::npos) << none.err;
 }
 
 /// Every file is listed or refused in one line.

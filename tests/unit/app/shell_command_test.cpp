@@ -1,5 +1,6 @@
 // Completion and the manual's page tell what the commands are.
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 #include "tests/unit/app/outcome.h"
@@ -44,6 +45,45 @@ TEST_F(ShellCommand, EachShellHearsOfEveryCommand) {
         EXPECT_NE(script.find("fail-above"), std::string::npos) << shell;
     }
     EXPECT_EQ(run("completion csh").status, 2);
+}
+
+/// What a shell prints for a command; nothing where the shell is not there.
+std::optional<std::string> said_by(const std::string& shell, const std::string& line, const fs::path& out) {
+    if (std::system(("command -v " + shell + " > /dev/null").c_str()) != 0) return {};
+    EXPECT_EQ(std::system((shell + " " + line + " > " + out.string() + " 2>&1").c_str()), 0);
+    return read(out);
+}
+
+TEST_F(ShellCommand, ZshCompletesAtTheFirstTab) {
+    std::ofstream(file("_interreflect-cli")) << output("completion zsh");
+    std::ofstream(file("first.zsh")) << "fpath=(" + folder_.string() + R"( $fpath)
+_describe() { print -r -- commands $#commands }
+_arguments() { print -rl -- "$@" }
+compdef() { print -r -- registered }
+autoload -U _interreflect-cli
+words=(interreflect-cli re) CURRENT=2
+_interreflect-cli
+words=(interreflect-cli render --met) CURRENT=3
+_interreflect-cli
+)";
+    const auto said = said_by("zsh", "-f " + file("first.zsh"), file("said"));
+    if (!said) GTEST_SKIP() << "zsh is not installed";
+    EXPECT_EQ(said->rfind("commands ", 0), 0u) << *said;
+    EXPECT_NE(said->find("*--method["), std::string::npos) << *said;
+}
+
+TEST_F(ShellCommand, FishCompletesCommandsOptionsAndValues) {
+    std::ofstream(file("c.fish")) << output("completion fish");
+    const auto completed = [&](const std::string& line) {
+        return said_by("fish",
+                       "-c 'source " + file("c.fish") + "; complete -C \"interreflect-cli " + line + "\"'",
+                       file("said"));
+    };
+    const auto commands = completed("comp");
+    if (!commands) GTEST_SKIP() << "fish is not installed";
+    EXPECT_NE(commands->find("compare\t"), std::string::npos) << *commands;
+    EXPECT_NE(completed("render --met")->find("--method\t"), std::string::npos);
+    EXPECT_NE(completed("render --method photon")->find("photon-mapping"), std::string::npos);
 }
 
 TEST_F(ShellCommand, LightsAreExplainedWhateverElseIsMissing) {

@@ -1,6 +1,8 @@
 // `interreflect-cli sweep` and `sweep merge`: judged, timed, resumed, divided, on the real program.
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "renderers/image/metrics.h"
 #include "tests/child_process.h"
 #include "tests/unit/app/outcome.h"
@@ -275,6 +277,43 @@ TEST_F(SweepCommand, ProjectsAreRenderedInShards) {
     }
     EXPECT_EQ(shards["p"], 1);
     EXPECT_EQ(shards["q"], 1);
+}
+
+TEST_F(SweepCommand, PlansWithAFewVariationsWhatAllTake) {
+    json_["sweeps"][0]["axes"] = {axis("directions", {8, 16, 32, 64}), axis("size", {{32, 24}, {64, 48}}),
+                                  axis("seed", {1, 2})};
+    store();
+    const auto plan =
+        Json::parse(output("sweep plan " + project() + " s --quiet --reference 4 --keep --json"));
+    EXPECT_EQ(plan["variations"], 16);
+    EXPECT_EQ(plan["measured"], 8);
+    EXPECT_GT(plan["memory_bytes"], 0);
+    EXPECT_GT(plan["references_seconds"], 0);
+    const auto start = std::chrono::steady_clock::now();
+    sweep("out", "--reference 4 --keep");
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    // Other work on the machine meanwhile counts, too.
+    EXPECT_LT(plan["seconds"], 4 * taken.count());
+    EXPECT_GT(plan["seconds"], taken.count() / 4);
+    double bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(file("out")))
+        if (entry.is_regular_file() && entry.path().filename().string().find("sweep") != 0)
+            bytes += static_cast<double>(entry.file_size());
+    EXPECT_NEAR(plan["disk_bytes"].get<double>() / bytes, 1, 0.3);
+    const auto text = output("sweep plan " + project() + " s --quiet --probes 3");
+    EXPECT_EQ(text.rfind("16 variations, 3 measured in ", 0), 0u) << text;
+    expect_refused("sweep plan " + project() + " nothing", 2, "known are s, other");
+    expect_refused("submit --tasks 2 sweep plan " + project() + " s", 2, "run it before the tasks");
+}
+
+TEST_F(SweepCommand, ShardsWriteTablesOfTheirOwn) {
+    for (const char* shard : {"1/2", "2/2"})
+        sweep("out",
+              "--shard " + std::string(shard) + " --csv " + file("t.csv") + " --json " + file("l.json"));
+    EXPECT_FALSE(fs::exists(file("t.csv")));
+    EXPECT_EQ(lines_of(read(file("t-1-of-2.csv"))).size(), 1u + 2);
+    EXPECT_EQ(lines_of(read(file("t-2-of-2.csv"))).size(), 1u + 1);
+    EXPECT_EQ(list("l-2-of-2.json")["points"].size(), 1u);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "app/engine/pictures.h"
 #include "projects/motion.h"
 #include "projects/samples.h"
+#include "tests/unit/scene/gltf_builder.h"
 
 namespace ir::engine {
 namespace {
@@ -128,6 +129,37 @@ TEST_F(MotionTest, APartThatTurnsHasTheVelocityOfEachOfItsPoints) {
                                 std::sin(angle) * p.x + std::cos(angle) * p.y};
         EXPECT_NEAR(velocity.at(pixel.x, pixel.y, 0), p.x - before.x, 5e-3);
         EXPECT_NEAR(velocity.at(pixel.x, pixel.y, 1), p.y - before.y, 5e-3);
+    }
+}
+
+/// A triangle of a file whose far corner goes 6 m to the right in a second, by a morph target.
+std::string write_growing_triangle(const test::TemporaryFolder& folder) {
+    test::GltfBuilder builder;
+    builder.draw({{"POSITION", builder.floats({-3, 0, 3, 3, 0, 3, 0, 0, -5}, "VEC3")}});
+    builder.json["meshes"][0]["primitives"][0]["targets"] = {
+        {{"POSITION", builder.floats({0, 0, 0, 0, 0, 0, 6, 0, 0}, "VEC3")}}};
+    const int input = builder.floats({0, 1}, "SCALAR"), output = builder.floats({0, 1}, "SCALAR");
+    builder.append("animations",
+                   {{"samplers", {{{"input", input}, {"output", output}}}},
+                    {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
+    return test::write_file(folder, "growing.gltf", builder.embedded_text());
+}
+
+TEST_F(MotionTest, AMeshThatDeformsHasTheVelocityOfEachOfItsPoints) {
+    const test::TemporaryFolder folder;
+    auto project = plane_from_above();
+    project.scenes[0].parts[0].source = write_growing_triangle(folder);
+    Machine host{{.backend = {}, .device = {}, .processor = Processor::host}};
+    Machine device{{.backend = {}, .device = {}, .processor = Processor::gl}};
+    for (auto* each : {&host, &device}) {
+        Execution run(*each, from_project(project, project.experiments.front(), "."));
+        const auto velocity = velocity_after(run, 2);
+        for (const glm::ivec2 pixel : {glm::ivec2(16, 1), glm::ivec2(5, 16), glm::ivec2(28, 30)}) {
+            // By how much the pixel's point belongs to the corner that goes 0.2 m a frame, 16 pixels a metre.
+            const double z = (pixel.y + 0.5 - 16) / 16;
+            EXPECT_NEAR(velocity.at(pixel.x, pixel.y, 0), 3.2 * (3 - z) / 8, 5e-3) << pixel.y;
+            EXPECT_NEAR(velocity.at(pixel.x, pixel.y, 1), 0, 5e-3);
+        }
     }
 }
 

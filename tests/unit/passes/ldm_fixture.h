@@ -41,8 +41,6 @@ struct TestWorld {
         world.uv0.assign(n, {0, 0});
         world.uv1.assign(n, {0, 0});
         world.colours.assign(n, 0xffffffffu);
-        world.instances.assign(n, 0);
-        world.motion.assign(1, glm::mat4(1));
         world.ranges = {{0, 0, static_cast<std::uint32_t>(world.triangles())}};
         world.opaque_triangles = static_cast<std::uint32_t>(world.triangles());
         world.bounds = {glm::vec3(1e30f), glm::vec3(-1e30f)};

@@ -26,10 +26,10 @@ TEST(StandsStill, UntilTheViewChanges) {
     EXPECT_FALSE(either(shot.inputs()));
 }
 
-TEST(StandsStill, UntilAnInstanceMoves) {
+TEST(StandsStill, UntilSomethingMoves) {
     Shot shot("builtin:cornell", "", 8, 6);
-    ASSERT_FALSE(shot.world.motion.empty());
-    shot.world.motion.back()[3].y = 0.01f;
+    ASSERT_TRUE(shot.world.to_previous.empty());
+    shot.world.to_previous.resize(shot.world.positions.size(), glm::vec3(0, 0.01f, 0));
     EXPECT_FALSE(either(shot.inputs()));
 }
 

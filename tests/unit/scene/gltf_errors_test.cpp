@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <limits>
 
 #include "renderers/core/error.h"
+#include "renderers/scene/world.h"
 #include "tests/unit/scene/gltf_builder.h"
 
 // What is wrong with a file is said in one line that names the file and the place in it.
@@ -174,6 +176,100 @@ TEST(GltfErrors, NamesCannotBreakTheLine) {
     auto builder = triangle();
     builder.json["extensionsRequired"] = {"EVIL\nNAME\x1b[31m"};
     expect_refusal(builder.embedded_text(), "extensionsRequired", "EVIL?NAME?[31m");
+}
+
+/// A triangle of one joint, with one morph target.
+GltfBuilder deforming() {
+    GltfBuilder builder;
+    builder.draw({{"POSITION", builder.triangle_positions()},
+                  {"JOINTS_0", builder.accessor(builder.view(std::vector<std::uint8_t>(12, 0)),
+                                                test::type_ubyte, "VEC4", 3)},
+                  {"WEIGHTS_0", builder.floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4")}},
+                 -1, 4, {{"skin", 0}});
+    builder.json["meshes"][0]["primitives"][0]["targets"] = {
+        {{"POSITION", builder.floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3")}}};
+    builder.add_node(Json::object());
+    const std::vector<float> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const int matrices = builder.accessor(builder.view(matrix), test::type_float, "MAT4", 1);
+    builder.append("skins", {{"joints", {1}}, {"inverseBindMatrices", matrices}});
+    return builder;
+}
+
+TEST(GltfErrors, SkinsThatDisagree) {
+    EXPECT_EQ(scene::flatten(test::load(deforming()), 0, 0).triangles(), 1u);
+    auto builder = deforming();
+    builder.bytes[builder.json["bufferViews"][1]["byteOffset"].get<std::size_t>() + 4] = 7;
+    expect_refusal(builder.embedded_text(), "nodes[0].skin", "asks for 8 joints, but skins[0] has 1");
+    builder = deforming();
+    builder.json["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0].attributes", "only one of JOINTS_0");
+    builder = deforming();
+    builder.json["skins"][0]["joints"] = {1, 1};
+    expect_refusal(builder.embedded_text(), "skins[0].inverseBindMatrices", "1 matrices for 2 joints");
+    builder.json["skins"][0]["joints"] = Json::array();
+    expect_refusal(builder.embedded_text(), "skins[0].joints", "is empty");
+    builder.json["skins"][0]["joints"] = {9};
+    expect_refusal(builder.embedded_text(), "skins[0].joints", "refers to nodes[9]");
+    builder = deforming();
+    builder.json["scenes"][0]["nodes"] = {0};
+    expect_refusal(builder.embedded_text(), "skins[0].joints", "nodes[1] is not in the scene");
+    builder = deforming();
+    const float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(builder.bytes.data() + builder.json["bufferViews"][4]["byteOffset"].get<std::size_t>(),
+                &not_a_number, sizeof not_a_number);
+    expect_refusal(builder.embedded_text(), "skins[0].inverseBindMatrices", "not a finite number");
+    builder = deforming();
+    const float negative = -1;
+    std::memcpy(builder.bytes.data() + builder.json["bufferViews"][2]["byteOffset"].get<std::size_t>(),
+                &negative, sizeof negative);
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0].attributes.WEIGHTS_0", "negative");
+}
+
+TEST(GltfErrors, MorphTargetsThatDisagree) {
+    auto builder = deforming();
+    builder.json["meshes"][0]["weights"] = {1, 2};
+    expect_refusal(builder.embedded_text(), "meshes[0].weights", "are 2, but the mesh has 1 morph targets");
+    builder = deforming();
+    builder.json["nodes"][0]["weights"] = {1, 2};
+    expect_refusal(builder.embedded_text(), "nodes[0].weights", "are 2, but the mesh has 1 morph targets");
+    builder = deforming();
+    builder.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}});
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[1].targets", "not as many");
+    builder = deforming();
+    builder.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] =
+        builder.floats({0, 0, 1, 0, 0, 1}, "VEC3");
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0].targets[0].POSITION",
+                   "has 2 elements, but POSITION has 3");
+    builder = deforming();
+    const int input = builder.floats({0, 1}, "SCALAR"), output = builder.floats({0, 1, 2}, "SCALAR");
+    builder.append("animations",
+                   {{"samplers", {{{"input", input}, {"output", output}}}},
+                    {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
+    expect_refusal(builder.embedded_text(), "animations[0].samplers[0].output", "has 3 elements");
+}
+
+TEST(GltfErrors, ManyTargetsOfNothing) {
+    auto builder = deforming();
+    auto& accessors = builder.json["accessors"];
+    // Zeros without a buffer, 2^20 corners, a thousand targets.
+    for (auto& accessor : accessors)
+        if (accessor["count"] == 3) accessor["count"] = 1 << 20, accessor.erase("bufferView");
+    const Json target = builder.json["meshes"][0]["primitives"][0]["targets"][0];
+    for (int i = 0; i < 1000; ++i) builder.json["meshes"][0]["primitives"][0]["targets"].push_back(target);
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0]", "far more geometry");
+}
+
+TEST(GltfErrors, VariantsOutOfRange) {
+    auto builder = triangle();
+    builder.json["materials"] = {{{"name", "oak"}}};
+    builder.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "light"}}};
+    auto& mappings =
+        builder.json["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"];
+    const std::string place = "meshes[0].primitives[0].extensions.KHR_materials_variants.mappings[0]";
+    mappings = {{{"material", 1}, {"variants", {0}}}};
+    expect_refusal(builder.embedded_text(), place + ".material", "refers to materials[1]");
+    mappings = {{{"material", 0}, {"variants", {1}}}};
+    expect_refusal(builder.embedded_text(), place + ".variants", "refers to variants[1]");
 }
 
 }  // namespace

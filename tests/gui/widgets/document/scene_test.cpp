@@ -128,6 +128,25 @@ TEST_F(SceneTest, EveryFieldOfAnOverrideCanBeSet) {
     EXPECT_TRUE(part().materials.empty());
 }
 
+TEST_F(SceneTest, AVariantIsChosenWhereTheFileHasSome) {
+    EXPECT_FALSE(editor->findChild<QComboBox*>("variant")->isVisible());
+    SceneFacts facts{"yard"};
+    facts.variants = {"oak", "steel"};
+    editor->set_scene_facts(facts);
+    auto* box = field<QComboBox>("variant");
+    EXPECT_TRUE(box->isVisible());
+    EXPECT_EQ(box->currentText(), "default materials");
+    EXPECT_EQ(box->count(), 3);
+    choose("variant", "steel");
+    EXPECT_EQ(part().variant, "steel");
+    EXPECT_EQ(part(0).variant, "");
+    editor->set_scene_facts({"yard"});  // of a file without variants
+    EXPECT_TRUE(box->isVisible());
+    EXPECT_TRUE(box->currentText().contains("not found")) << box->currentText().toStdString();
+    undo();
+    EXPECT_EQ(project, sample_project());
+}
+
 TEST_F(SceneTest, AMaterialMayBeTypedBeforeTheSceneIsLoaded) {
     auto* box = field<QComboBox>("material");
     box->setFocus();
