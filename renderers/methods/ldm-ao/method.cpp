@@ -48,6 +48,7 @@ MethodDescription description() {
           overlay_output()},
          passes::direct_outputs(),
          passes::ldm::map_outputs(),
+         effect_outputs(),
          explanation_outputs()});
     return d;
 }
@@ -95,6 +96,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto layers = passes::ldm::declare_layers(builder, *maps);
     const auto points = passes::ldm::declare_points(builder, *maps, chosen);
     const auto explanation = declare_explanation(builder, *maps, chosen);
+    const auto effects = declare_effects(builder, *maps);
     const bool on_host = inputs.processor == Processor::host && has_host_body(parameters);
     std::optional<passes::ldm::Sky> sky;
     if (parameters.ambient_source == AmbientSource::environment)
@@ -112,7 +114,10 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         passes::ldm::show_layers(builder, maps, batch, chosen, layers);
         passes::ldm::find_points(builder, scene, maps, batch, points);
         explain(builder, gbuffer, maps, batch, directions, chosen, explanation);
+        query_effects(builder, gbuffer, maps, batch, effects);
     }
+    passes::ldm::show_sheets(builder, *maps, points);
+    finish_effects(builder, gbuffer, maps, directions, effects);
     if (parameters.exact == Exact::selected)
         trace_selected(builder, gbuffer, maps, images, parameters.transport);
     resolve(builder, images, parameters);

@@ -123,6 +123,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
         ldm::show_layers(builder, maps, batch, chosen, layers);
         ldm::find_points(builder, scene, maps, batch, points);
     }
+    ldm::show_sheets(builder, *maps, points);
     if (sky) {
         ldm::finish_sky(builder, *sky, parameters.progressive);
         photons.sky = sky->light;
