@@ -6,6 +6,7 @@
 #include "renderers/methods/ldm-ao/parameters.h"
 #include "renderers/methods/ldm-ao/passes.h"
 #include "renderers/passes/direct/lit.h"
+#include "renderers/passes/ldm/coarse_scene.h"
 #include "renderers/passes/ldm/map_views.h"
 
 namespace ir::methods::ldm_ao {
@@ -102,9 +103,10 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     if (parameters.ambient_source == AmbientSource::environment)
         sky = passes::ldm::declare_sky(builder, maps, visibility_of(parameters.transport));
     if (on_host) trace_on_host(builder, gbuffer, maps, images, sky ? &*sky : nullptr, parameters);
+    const auto of_maps = passes::ldm::map_scene(builder, scene, options.detail);
     // Beside the host's passes whole maps are built only while something looks at them.
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
-        passes::ldm::build_maps(builder, scene, maps, batch);
+        passes::ldm::build_maps(builder, of_maps, maps, batch);
         if (exact) trace_exact(builder, gbuffer, maps, batch, *exact, parameters.transport);
         if (!on_host) {
             trace(builder, gbuffer, maps, batch, images, exact ? &*exact : nullptr);
@@ -112,7 +114,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
             if (sky) passes::ldm::trace_sky(builder, gbuffer, maps, batch, *sky, "methods/ldm-ao/sky.comp");
         }
         passes::ldm::show_layers(builder, maps, batch, chosen, layers);
-        passes::ldm::find_points(builder, scene, maps, batch, points);
+        passes::ldm::find_points(builder, of_maps, maps, batch, points);
         explain(builder, gbuffer, maps, batch, directions, chosen, explanation);
         query_effects(builder, gbuffer, maps, batch, effects);
     }
