@@ -83,8 +83,9 @@ void show_in_space(ViewModel& views, ViewArea& area, const std::string& owner,
         if (last == buffers.end() || space_of(*last) != space) state.space.camera.reset();
         state.a = {owner, shown.front().key};
         state.as_table = false;
-        state.space.layers.clear();
-        for (const auto& buffer : shown) state.space.layers.push_back(widgets::default_layer(buffer));
+        std::vector<widgets::SpaceLayer> layers;
+        for (const auto& buffer : shown) layers.push_back(widgets::default_layer(buffer));
+        widgets::begin_with(state.space, std::move(layers));
         views.set_state(view, state);
     }
     area.set_active(before);

@@ -50,6 +50,7 @@ Json to_json(const SpaceLayer& layer) {
                  {"component", layer.component},
                  {"colour_map", layer.colour_map},
                  {"size_px", layer.size_px},
+                 {"opacity", layer.opacity},
                  {"visible", layer.visible}};
     if (layer.low) json["low"] = *layer.low;
     if (layer.high) json["high"] = *layer.high;
@@ -69,6 +70,7 @@ SpaceLayer layer_from_json(const Json& json) {
     layer.component = std::clamp(field_or(json, "component", 0), 0, 15);
     layer.colour_map = field_or(json, "colour_map", layer.colour_map);
     layer.size_px = std::clamp(field_or(json, "size_px", layer.size_px), 1.0f, 64.0f);
+    layer.opacity = std::clamp(field_or(json, "opacity", layer.opacity), SpaceLayer::min_opacity, 1.0f);
     layer.visible = field_or(json, "visible", true);
     if (member_or_null(json, "low").is_number()) layer.low = json["low"].get<double>();
     if (member_or_null(json, "high").is_number()) layer.high = json["high"].get<double>();

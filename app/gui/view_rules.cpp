@@ -94,11 +94,12 @@ void ViewRules::complete_layers(ViewState& state) const {
         return;
     const auto buffers = spatial_buffers(state.a.owner);
     const auto before = layers.empty() ? Space::scene : space_of(buffers, layers.front().key);
-    layers.clear();
     if (space_of(buffers, output->key) != before) state.space.camera.reset();  // it saw another space
+    std::vector<widgets::SpaceLayer> chosen;
     for (const auto& buffer : buffers)
         if (buffer.key == output->key && !buffer.fields.empty())
-            layers = {widgets::default_layer(buffer)};  // by its fields, once they are known
+            chosen = {widgets::default_layer(buffer)};  // by its fields, once they are known
+    widgets::begin_with(state.space, std::move(chosen));
 }
 
 /// What A is compared with before anybody chose: the same output of another experiment or image, else

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "renderers/image/colour_map.h"
 #include "widgets/parameters/number_field.h"
@@ -122,6 +123,13 @@ void LayerDetails::make_colour_rows(QGridLayout* grid) {
     size_->setRange(1, 64);
     size_->setSuffix(tr(" px"));
     size_label_ = add(tr("Size"), size_);
+    opacity_ = new NumberField(this);
+    opacity_->setObjectName(QStringLiteral("opacity"));
+    opacity_->set_whole(true);
+    opacity_->setRange(std::round(100 * SpaceLayer::min_opacity), 100);
+    opacity_->setSuffix(tr(" %"));
+    opacity_->setToolTip(tr("Below 100 % what is behind shines through"));
+    opacity_label_ = add(tr("Opacity"), opacity_);
     connect(colour_by_, &QComboBox::activated, this, [this](int row) {
         layer_.colour_by = colour_by_->itemData(row).toString().toStdString();
         layer_.component = 0;
@@ -144,6 +152,10 @@ void LayerDetails::make_colour_rows(QGridLayout* grid) {
     });
     connect(size_, &NumberField::chosen, this, [this](double size) {
         layer_.size_px = float(size);
+        emit layer_chosen(layer_);
+    });
+    connect(opacity_, &NumberField::chosen, this, [this](double percent) {
+        layer_.opacity = float(percent / 100);
         emit layer_chosen(layer_);
     });
 }
@@ -196,6 +208,7 @@ void LayerDetails::show_colours(const LayerInfo* info) {
     high_->show_value(layer_.high.value_or(known ? info->high : 1));
     automatic_->setChecked(!layer_.low && !layer_.high);
     size_->show_value(layer_.size_px);
+    opacity_->show_value(std::round(100 * layer_.opacity));
     const bool ramp = !layer_.colour_by.empty(), facing = layer_.colour_by == SpaceLayer::facing && !field;
     component_->setVisible(count > 1);
     component_label_->setVisible(count > 1);
@@ -207,6 +220,9 @@ void LayerDetails::show_colours(const LayerInfo* info) {
     const bool sized = layer_.kind != OutputKind::glyphs && layer_.kind != OutputKind::sphere_values;
     size_->setVisible(sized);
     size_label_->setVisible(sized);
+    const bool has_opacity = layer_.kind != OutputKind::sphere_values;
+    opacity_->setVisible(has_opacity);
+    opacity_label_->setVisible(has_opacity);
 }
 
 bool LayerDetails::has_row(const Field& field) const {

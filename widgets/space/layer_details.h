@@ -48,9 +48,9 @@ class LayerDetails : public QWidget {
     std::vector<FilterRow*> rows_;
     std::string rows_of_;  ///< buffer that the rows belong to
     QComboBox *colour_by_, *component_, *map_;
-    QLabel *component_label_, *map_label_, *range_label_, *size_label_, *selected_;
+    QLabel *component_label_, *map_label_, *range_label_, *size_label_, *opacity_label_, *selected_;
     QWidget *range_, *selected_row_;
-    NumberField *low_, *high_, *size_;
+    NumberField *low_, *high_, *size_, *opacity_;
     QToolButton *automatic_, *add_filter_;
     QMenu* filter_menu_;
     QVBoxLayout* filters_;

@@ -10,6 +10,9 @@ bool is_measured(const Field& field) {
     return field.type == FieldType::f32;
 }
 
+/// Of a stack's layers at first: some ten of them can be seen through each other.
+constexpr float stack_opacity = 0.3f;
+
 const Field* best_value(const AvailableBuffer& buffer) {
     if (buffer.kind != OutputKind::sphere_values)
         for (const char* name : {"layer", "bounce", "depth", "distance"})
@@ -70,7 +73,17 @@ SpaceLayer default_layer(const AvailableBuffer& buffer) {
         layer.colour_by = SpaceLayer::facing;
         layer.colour_map = "coolwarm";
     }
+    const bool is_stack = find_field(buffer.fields, "layer") && find_field(buffer.fields, "depth");
+    if (buffer.kind == OutputKind::glyphs && is_stack) layer.opacity = stack_opacity;
     return layer;
+}
+
+void begin_with(SpaceScene& scene, std::vector<SpaceLayer> layers) {
+    const auto is_translucent = [](const std::vector<SpaceLayer>& all) {
+        return !all.empty() && all.front().opacity < 1;
+    };
+    if (is_translucent(layers) != is_translucent(scene.layers)) scene.show_scene = !is_translucent(layers);
+    scene.layers = std::move(layers);
 }
 
 bool shows_sphere(const SpaceScene& scene) {

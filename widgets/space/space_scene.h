@@ -26,6 +26,7 @@ struct SpaceFilter {
 /// One buffer as it is drawn. The same buffer may stand in several layers.
 struct SpaceLayer {
     static constexpr const char* facing = "facing";  ///< colour_by: which side of the surface is seen
+    static constexpr float min_opacity = 0.01f;
 
     std::string key;  ///< of the buffer
     std::string label;
@@ -35,6 +36,7 @@ struct SpaceLayer {
     std::optional<double> low, high;  ///< range of the colour map; absent: from the elements drawn
     std::string colour_map = "viridis";
     float size_px = 3;  ///< of points and lines, logical pixels
+    float opacity = 1;  ///< at least min_opacity; below 1 elements hide nothing; spheres have none
     std::vector<SpaceFilter> filters;
     bool visible = true;
     std::int64_t selected = -1;  ///< element that is marked
@@ -123,8 +125,12 @@ Space space_of(OutputKind kind, const std::vector<Field>& fields);
 /// Fields that place elements ("position", "place", "normal", "axis_u", …) rather than being values of them.
 bool is_geometry(OutputKind kind, const Field& field);
 /// By how a buffer is drawn before anybody chooses otherwise. Sphere values: by the first value that is no
-/// id; everything else: by "layer", "bounce", "depth", "distance" or the first scalar.
+/// id; everything else: by "layer", "bounce", "depth", "distance" or the first scalar. Glyphs with "layer"
+/// and "depth" are a stack, and translucent.
 SpaceLayer default_layer(const AvailableBuffer& buffer);
+/// Gives a scene layers in place of those it has. What is translucent shows what is behind, which the scene's
+/// own surfaces would hide.
+void begin_with(SpaceScene& scene, std::vector<SpaceLayer> layers);
 /// Whether a visible layer is a sphere of values: it is seen from outside, without the scene.
 bool shows_sphere(const SpaceScene& scene);
 /// By picture layer: index in `layers` of the visible layer that it shows, -1 where that is gone.

@@ -66,9 +66,7 @@ void explain_hits(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
     pass.execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"methods/ldm-ao/explain_hits.comp"}};
         source.defines = ldm::defines_of(context, *maps);
-        int words = 0;
-        for (const auto& field : ldm::region_fields(*maps)) words += field.count;
-        source.defines["REGION_WORDS"] = std::to_string(words) + "u";
+        source.defines["REGION_WORDS"] = region_words(*maps);
         const auto& program = context.use(source);
         program.set(ExplainHits{.explained = explained(context.inputs()),
                                 .first_frame = static_cast<unsigned>(maps->first_map(batch)),
@@ -108,6 +106,12 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
 }
 
 }  // namespace
+
+std::string region_words(const ldm::Maps& maps) {
+    int words = 0;
+    for (const auto& field : ldm::region_fields(maps)) words += field.count;
+    return std::to_string(words) + "u";
+}
 
 std::vector<OutputDescription> explanation_outputs() {
     return {

@@ -6,6 +6,7 @@
 #include "renderers/methods/ldm-ao/parameters.h"
 #include "renderers/methods/ldm-ao/passes.h"
 #include "renderers/passes/direct/lit.h"
+#include "renderers/passes/ldm/coarse_scene.h"
 #include "renderers/passes/ldm/map_views.h"
 
 namespace ir::methods::ldm_ao {
@@ -48,6 +49,7 @@ MethodDescription description() {
           overlay_output()},
          passes::direct_outputs(),
          passes::ldm::map_outputs(),
+         effect_outputs(),
          explanation_outputs()});
     return d;
 }
@@ -95,14 +97,16 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto layers = passes::ldm::declare_layers(builder, *maps);
     const auto points = passes::ldm::declare_points(builder, *maps, chosen);
     const auto explanation = declare_explanation(builder, *maps, chosen);
+    const auto effects = declare_effects(builder, *maps);
     const bool on_host = inputs.processor == Processor::host && has_host_body(parameters);
     std::optional<passes::ldm::Sky> sky;
     if (parameters.ambient_source == AmbientSource::environment)
         sky = passes::ldm::declare_sky(builder, maps, visibility_of(parameters.transport));
     if (on_host) trace_on_host(builder, gbuffer, maps, images, sky ? &*sky : nullptr, parameters);
+    const auto of_maps = passes::ldm::map_scene(builder, scene, options.detail);
     // Beside the host's passes whole maps are built only while something looks at them.
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
-        passes::ldm::build_maps(builder, scene, maps, batch);
+        passes::ldm::build_maps(builder, of_maps, maps, batch);
         if (exact) trace_exact(builder, gbuffer, maps, batch, *exact, parameters.transport);
         if (!on_host) {
             trace(builder, gbuffer, maps, batch, images, exact ? &*exact : nullptr);
@@ -110,9 +114,12 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
             if (sky) passes::ldm::trace_sky(builder, gbuffer, maps, batch, *sky, "methods/ldm-ao/sky.comp");
         }
         passes::ldm::show_layers(builder, maps, batch, chosen, layers);
-        passes::ldm::find_points(builder, scene, maps, batch, points);
+        passes::ldm::find_points(builder, of_maps, maps, batch, points);
         explain(builder, gbuffer, maps, batch, directions, chosen, explanation);
+        query_effects(builder, gbuffer, maps, batch, effects);
     }
+    passes::ldm::show_sheets(builder, *maps, points);
+    finish_effects(builder, gbuffer, maps, directions, effects);
     if (parameters.exact == Exact::selected)
         trace_selected(builder, gbuffer, maps, images, parameters.transport);
     resolve(builder, images, parameters);

@@ -86,7 +86,7 @@ bool has_host_body(const Parameters& parameters) {
 
 void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
                    const Images& images, const ldm::Sky* sky, const Parameters& parameters) {
-    const auto meshlets = ldm::declare_meshlets(builder);
+    const auto meshlets = ldm::declare_meshlets(builder, maps->options.detail);
     const auto rule = ldm::self_hit_rule(parameters.maps, maps->layout.nodes);
     ldm::trace_on_host(builder, gbuffer, meshlets, maps, rule, visibility_of(parameters.transport),
                        !parameters.progressive, images.sums);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "renderers/graph/benchmark.h"
@@ -102,6 +104,31 @@ Explanation declare_explanation(graph::GraphBuilder& builder, const passes::ldm:
 /// Passes "explain hits" of all maps of the batch and "explain entries" of those chosen.
 void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
              graph::BufferRef directions, passes::ldm::MapRange chosen, const Explanation& explanation);
+
+/// What shows by how much the picture, or the picked pixel, changes where one direction is left out.
+struct EffectBuffers {
+    bool of_picked_pixel = false;
+    graph::BufferRef openness;  ///< V by map and pixel
+    graph::BufferRef sums;      ///< Σ V cosθ and Σ cosθ by pixel
+    graph::CountedBuffer
+        effects;  ///< "ldm.effects" or "ldm.explain.effects": elements of "ldm.directions" and these
+};
+using Effects = std::array<EffectBuffers, 2>;
+
+std::vector<OutputDescription> effect_outputs();
+
+Effects declare_effects(graph::GraphBuilder& builder, const passes::ldm::Maps& maps);
+
+/// Passes "query directions" and "query directions of a pixel" of a batch of maps.
+void query_effects(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
+                   int batch, const Effects& effects);
+
+/// Passes "sum directions" and "effects of directions", when all maps were queried, and those of a pixel.
+void finish_effects(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
+                    graph::BufferRef directions, const Effects& effects);
+
+/// Words of an element of "ldm.directions", for shaders.
+std::string region_words(const passes::ldm::Maps& maps);
 
 /// Build and trace by each builder and storage against ray tracing of the same directions, and the memory of
 /// the published settings.

@@ -71,6 +71,7 @@ std::vector<graph::Benchmark> benchmarks() {
         variant("full resolution", {.resolution = "full"}),
         variant("quarter resolution", {.resolution = "quarter"}),
         variant("Embree", {.tracer = "embree"}),
+        variant("layered depth cube", {.tracer = "cube"}),
     };
     auto published = on_conference(
         "photon-mapping-published",

@@ -18,6 +18,7 @@ int texels(Resolution resolution) {
 }
 
 passes::Tracer tracer_of(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    if (parameters.tracer == Tracer::cube) return passes::Tracer::cube;
     const bool on_host = parameters.tracer == Tracer::automatic ? inputs.processor == Processor::host
                                                                 : parameters.tracer == Tracer::embree;
     return on_host ? passes::Tracer::embree : passes::Tracer::compute;

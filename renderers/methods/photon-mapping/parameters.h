@@ -17,7 +17,7 @@ enum class SeenBy { frustum, picture };
 enum class PowerScaling { exact, printed };
 enum class Budget { intensity, probability };
 enum class Roulette { multichannel, per_channel };
-enum class Tracer { automatic, compute, embree };
+enum class Tracer { automatic, compute, embree, cube };
 enum class MicrofacetSampling { visible_normals, ggx, ggx_printed };
 enum class SplatResolution { full, half, quarter };
 enum class InsideTest { ellipsoid, linear_depth };
@@ -48,6 +48,7 @@ struct Parameters {
 
     // tracing/parameters.cpp
     Tracer tracer = Tracer::automatic;
+    passes::CubeOptions cube;
     Roulette roulette = Roulette::multichannel;
     MicrofacetSampling microfacet_sampling = MicrofacetSampling::visible_normals;
     bool culling = true;

@@ -29,7 +29,7 @@ std::string fingerprint_of(const graph::FrameInputs& inputs, const Options& opti
     text << std::hexfloat << inputs.geometry_fingerprint << " maps " << options.directions << " x "
          << options.resolution << ' ' << static_cast<int>(options.storage) << ' '
          << static_cast<int>(options.builder) << ' ' << options.fixed_layers << ' '
-         << static_cast<int>(options.nodes);
+         << static_cast<int>(options.nodes) << ' ' << options.detail;
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) text << ' ' << options.rotation[column][row];
     return text.str();

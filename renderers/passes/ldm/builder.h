@@ -27,6 +27,7 @@ struct Options {
     StorageKind storage = StorageKind::arrays;
     BuilderKind builder = BuilderKind::compute;
     int fixed_layers = 16;
+    float detail = 1;  ///< part of the scene's opaque triangles that maps are built of
     // What methods make of their own parameters:
     NodeKind nodes = NodeKind::plain;
     glm::dmat3 rotation{1};  ///< of the whole set of directions

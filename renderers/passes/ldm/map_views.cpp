@@ -73,6 +73,15 @@ std::vector<OutputDescription> map_outputs() {
                 "looks from, else -1. depth: metres along the map's direction, from the scene's near end. "
                 "layer: 0 is the first along that direction.",
          .explains = true},
+        {.key = "ldm.xray",
+         .label = "X-ray of a map",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc =
+             "The points of the maps chosen as pieces of surface: of each the texel's outline, tilted as the "
+             "triangle lies, but not steeper than 4. Seen through each other, they are the map; the layers' "
+             "slider cuts it open.",
+         .explains = true},
         {.key = "ldm.directions",
          .label = "Directions",
          .kind = OutputKind::sphere_values,

@@ -13,7 +13,7 @@ SelectorDescription map_selector_description();
 inline const Category against_map{-1, "against the map's direction", tints::orange};
 inline const Category along_map{1, "along the map's direction", tints::sky};
 
-/// Descriptions of "ldm.layers", "ldm.points" and "ldm.directions".
+/// Descriptions of "ldm.layers", "ldm.points", "ldm.xray" and "ldm.directions".
 std::vector<OutputDescription> map_outputs();
 
 /// The maps that an inspection chooses: one, the last one in place of those beyond, or all.

@@ -68,6 +68,17 @@ void add_maps(ParameterTable<MapParameters>& table, const MapChoices& choices) {
                                           .hard = {1, 2048},
                                           .soft = {50, 600},
                                           .on_change = OnChange::reallocate})
+        .add(
+            &MapParameters::detail,
+            {.key = "detail",
+             .label = "Detail",
+             .doc = "Part of the scene's triangles that maps are built of. Below 1 the scene is simplified "
+                    "first, as far as its topology allows; what has an alpha mask stays. Points still lie on "
+                    "the scene's own surfaces, which then hit or miss those of the maps nearby.",
+             .citation = "Tokuyoshi12",
+             .hard = {0, 1},
+             .soft = {0.05, 1},
+             .on_change = OnChange::reallocate})
         .add(&MapParameters::storage, {.key = "storage",
                                        .label = "Storage",
                                        .doc = "How a map keeps the sorted depths of its texels.",

@@ -202,11 +202,11 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
     Points points;
     points.maps = shown;
     points.stride = choose_stride(maps, shown, builder.max_buffer_bytes());
-    points.points =
-        builder.output("ldm.points", {.name = "LdmPoints",
-                                      .fields = record_fields<Point>(),
-                                      .elements = shown_texels(maps, shown, points.stride) * expected_layers,
-                                      .growable = true});
+    points.reserved = shown_texels(maps, shown, points.stride) * expected_layers;
+    points.points = builder.output("ldm.points", {.name = "LdmPoints",
+                                                  .fields = record_fields<Point>(),
+                                                  .elements = points.reserved,
+                                                  .growable = true});
     points.count = builder.counter({.key = "ldm.shown_points",
                                     .name = "PointCount",
                                     .label = "Points shown",

@@ -17,8 +17,9 @@ struct MapRange {
 struct Points {
     MapRange maps;
     std::uint64_t stride = 1;  ///< every so many texels are shown, so that at most about four million result
-    graph::BufferRef points;   ///< "ldm.points"
-    graph::BufferRef texels;   ///< first point of each texel
+    std::uint64_t reserved = 0;      ///< elements that are reserved at first
+    graph::BufferRef points;         ///< "ldm.points"
+    graph::BufferRef texels;         ///< first point of each texel
     graph::BufferRef state, strips;  ///< of rasterising again
     graph::CounterRef count, stride_shown, strips_requested;
 };
@@ -33,5 +34,9 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
 /// entries of equal depth faces take turns (shaders/passes/ldm/point_ties.comp).
 void find_points(graph::GraphBuilder& builder, const SceneBuffers& scene, std::shared_ptr<const Maps> maps,
                  int batch, const Points& points);
+
+/// Declares "ldm.xray" and, once points of all batches are found, the pass "x-ray": each point as the piece
+/// of surface that its texel stands for.
+void show_sheets(graph::GraphBuilder& builder, const Maps& maps, const Points& points);
 
 }  // namespace ir::passes::ldm

@@ -69,6 +69,26 @@ void trace_with_embree(graph::GraphBuilder& builder, const std::string& name, co
         });
 }
 
+void trace_with_cube(graph::GraphBuilder& builder, const std::string& name, const RayBuffers& buffers,
+                     const CubeOptions& options) {
+    const auto cube = layered_depth_cube(builder, options);
+    builder.pass(name, graph::Queue::cpu)
+        .reads(cube, buffers.rays)
+        .writes(buffers.hits)
+        .execute_sliced(static_cast<std::int64_t>(buffers.capacity), [=](graph::PassContext& context,
+                                                                         graph::Slice slice) {
+            const auto rays = context.elements<const RayRecord>(buffers.rays);
+            const auto hits = context.elements<RayHitRecord>(buffers.hits);
+            const auto scene = context.object<LayeredDepthCube>(cube);
+            parallel_for(context.inputs().threads, slice.begin, slice.end, [&](std::int64_t i) {
+                const auto& ray = rays[static_cast<std::size_t>(i)];
+                const auto hit =
+                    is_ray(ray) ? scene->closest_hit(ray.origin_ws, ray.direction_ws, ray.far) : Hit{};
+                hits[static_cast<std::size_t>(i)] = {hit.distance, hit.triangle, hit.u, hit.v};
+            });
+        });
+}
+
 void trace_on_device(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,
                      const RayBuffers& buffers) {
     const DeviceTracer tracer(builder, scene);
@@ -130,11 +150,13 @@ void DeviceTracer::trace(const graph::PassContext& context, std::int64_t begin, 
 }
 
 void trace_rays(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,
-                Tracer tracer, const RayBuffers& buffers) {
+                Tracer tracer, const RayBuffers& buffers, const CubeOptions& cube) {
     if (tracer == Tracer::compute)
         trace_on_device(builder, name, scene, buffers);
-    else
+    else if (tracer == Tracer::embree)
         trace_with_embree(builder, name, buffers);
+    else
+        trace_with_cube(builder, name, buffers, cube);
 }
 
 }  // namespace ir::passes

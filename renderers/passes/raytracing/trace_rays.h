@@ -5,13 +5,14 @@
 #include "renderers/core/record.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/raytracing/device_bvh.h"
+#include "renderers/passes/raytracing/layered_depth_cube.h"
 #include "renderers/passes/scene/scene_buffers.h"
 #include "shaders/passes/raytracing/rays.glsl.h"
 
 namespace ir::passes {
 
 /// What finds the first hits of rays that are in a buffer.
-enum class Tracer { compute, embree };
+enum class Tracer { compute, embree, cube };
 
 /// "KEY.rays" and "KEY.hits" with room for `rays`. Where all that they depend on stays, the rays may, too
 /// (BufferDesc::fingerprint).
@@ -38,8 +39,8 @@ class DeviceTracer {
 
 /// Declares the pass NAME: the first hit of each ray of the buffer, alpha masks respected. `compute` walks a
 /// BVH on the device ("scene.bvh", built on the host once per world), `embree` queries the oracle on the
-/// host.
+/// host, `cube` marches through layered depth maps there.
 void trace_rays(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,
-                Tracer tracer, const RayBuffers& buffers);
+                Tracer tracer, const RayBuffers& buffers, const CubeOptions& cube = {});
 
 }  // namespace ir::passes

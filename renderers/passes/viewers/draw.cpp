@@ -105,7 +105,10 @@ struct Viewer::State {
     void paint(const std::vector<LayerPlan>& plans, const Sight& sight, bool show_centres) {
         const auto& gl = tools.api;
         for (std::size_t i = 0; i < plans.size(); ++i)
-            if (plans[i].drawable) painter.draw(plans[i], i, sight, target, show_centres);
+            if (plans[i].drawable && !plans[i].is_translucent())
+                painter.draw(plans[i], i, sight, target, show_centres);
+        if (std::any_of(plans.begin(), plans.end(), [](const auto& plan) { return plan.is_translucent(); }))
+            painter.draw_translucent(plans, sight, target);
         gl.Disable(GL_DEPTH_TEST);
         gl.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         for (std::size_t i = 0; i < plans.size(); ++i)

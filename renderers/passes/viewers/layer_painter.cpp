@@ -56,7 +56,8 @@ struct FlatGlyphs {
     Shade shade;
     unsigned layer_number;
     bool round;
-    IR_FIELDS(projection, shade, layer_number, round)
+    float point_px;
+    IR_FIELDS(projection, shade, layer_number, round, point_px)
 };
 
 /// Constants of ellipsoids.vert and ellipsoids.frag.
@@ -66,6 +67,13 @@ struct Ellipsoids {
     PixelRays rays;
     unsigned layer_number;
     IR_FIELDS(projection, shade, rays, layer_number)
+};
+
+/// Constants of put.glsl where it is translucent.
+struct Translucency {
+    float opacity, near_plane, far_plane;
+    bool has_linear_depth;
+    IR_FIELDS(opacity, near_plane, far_plane, has_linear_depth)
 };
 
 /// Constants of points_begin.comp, and what points.comp and points.frag share with it.
@@ -151,9 +159,9 @@ void LayerPainter::write_block(const LayerPlan& plan, std::size_t index) {
 }
 
 const gl::Program& LayerPainter::begin(const LayerPlan& plan, std::size_t index,
-                                       std::vector<std::string> files) {
+                                       const gl::ProgramSource& source) {
     write_block(plan, index);
-    const auto& program = tools_.programs.get({std::move(files)});
+    const auto& program = tools_.programs.get(source);
     program.use();
     program.bind_buffer("Elements", plan.buffer);
     program.bind_buffer("LayerBlock", blocks_[index]->name());
@@ -165,8 +173,59 @@ void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& s
                         bool show_centres) {
     if (plan.primitive == Primitive::sphere) return draw_sphere(plan, index, sight, target, show_centres);
     if (plan.primitive == Primitive::points) return draw_points(plan, index, sight, target);
+    draw_shapes(plan, index, sight);
+}
+
+void LayerPainter::draw_translucent(const std::vector<LayerPlan>& plans, const Sight& sight, Target& target) {
     const auto& gl = tools_.api;
-    const auto& program = begin(plan, index, shaders_of(plan.primitive));
+    const auto draw_all = [&](auto&& draw_one) {
+        for (std::size_t i = 0; i < plans.size(); ++i)
+            if (plans[i].is_translucent()) draw_one(plans[i], i);
+    };
+    target.begin_translucent();
+    gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_BLEND);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+    draw_all([&](const LayerPlan& plan, std::size_t i) { draw_shapes(plan, i, sight); });
+    target.end_translucent();
+    gl.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    compose(target);
+    gl.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.Disable(GL_BLEND);
+    gl.DepthMask(GL_TRUE);
+    gl.ColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_all([&](LayerPlan plan, std::size_t i) {
+        plan.opacity = 1;
+        draw(plan, i, sight, target, false);
+    });
+    gl.ColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void LayerPainter::compose(const Target& target) {
+    const auto& gl = tools_.api;
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    const auto& program = tools_.programs.get({{"lib/full_screen.vert", "passes/viewers/compose.frag"}});
+    program.use();
+    program.bind_texture("weighted", target.weighted());
+    program.bind_texture("optical_depth", target.optical_depth());
+    gl.BindVertexArray(vertex_array_);
+    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Enable(GL_DEPTH_TEST);
+}
+
+void LayerPainter::draw_shapes(const LayerPlan& plan, std::size_t index, const Sight& sight) {
+    const auto& gl = tools_.api;
+    gl::ProgramSource source{shaders_of(plan.primitive)};
+    if (plan.is_translucent()) source.defines["TRANSLUCENT"] = "1";
+    const auto& program = begin(plan, index, source);
+    if (plan.is_translucent())
+        program.set(Translucency{.opacity = plan.opacity,
+                                 .near_plane = sight.view.near_plane,
+                                 .far_plane = sight.view.far_plane,
+                                 .has_linear_depth = sight.orthographic});
     program.bind_texture("colour_map", map_texture(plan));
     const auto count = static_cast<GLsizei>(plan.block.drawn);
     const auto samples = static_cast<float>(sight.pixel_samples);
@@ -181,7 +240,8 @@ void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& s
         program.set(FlatGlyphs{.projection = projection(sight),
                                .shade = shade(sight),
                                .layer_number = plan.block.number,
-                               .round = plan.primitive == Primitive::discs});
+                               .round = plan.primitive != Primitive::parallelograms,
+                               .point_px = plan.block.size_px * samples});
     gl.DrawArrays(GL_TRIANGLES, 0, corners * count);
 }
 
@@ -198,14 +258,14 @@ void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const S
         program.bind_buffer("NearestKeys", nearest_keys_.name());
         program.bind_buffer("NearestElements", nearest_elements_.name());
     };
-    const auto& first = begin(plan, index, {"passes/viewers/points_begin.comp"});
+    const auto& first = begin(plan, index, {{"passes/viewers/points_begin.comp"}});
     bind(first);
     first.set(points);
     first.bind_texture("depth_behind", target.depth());
     first.dispatch(sight.view.width, sight.view.height);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
-    const auto& compete = begin(plan, index, {"passes/viewers/points.comp"});
+    const auto& compete = begin(plan, index, {{"passes/viewers/points.comp"}});
     bind(compete);
     for (const bool name_elements : {false, true}) {
         compete.set(CompetingPoints{points, elements_per_invocation, name_elements});
@@ -213,7 +273,7 @@ void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const S
         gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
 
-    const auto& program = begin(plan, index, {"lib/full_screen.vert", "passes/viewers/points.frag"});
+    const auto& program = begin(plan, index, {{"lib/full_screen.vert", "passes/viewers/points.frag"}});
     bind(program);
     program.bind_texture("colour_map", map_texture(plan));
     program.set(NearestPoints{points, samples});
@@ -227,13 +287,13 @@ void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const S
     const auto& gl = tools_.api;
     const int width = sight.view.width, height = sight.view.height;
     const auto regions = target.regions();
-    const auto& find = begin(plan, index, {"passes/viewers/sphere.comp"});
+    const auto& find = begin(plan, index, {{"passes/viewers/sphere.comp"}});
     find.set(SphereRegions{eye(sight), pixel_rays(sight.view), {width, height}});
     find.bind_image("regions", regions, gl::Format::r32ui);
     find.dispatch(width, height);
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 
-    const auto& program = begin(plan, index, {"lib/full_screen.vert", "passes/viewers/sphere.frag"});
+    const auto& program = begin(plan, index, {{"lib/full_screen.vert", "passes/viewers/sphere.frag"}});
     program.bind_texture("colour_map", map_texture(plan));
     program.bind_texture("regions", regions);
     // of a sphere at the middle of the picture; regions cover it twice, in front and behind
@@ -258,7 +318,7 @@ void LayerPainter::mark(const LayerPlan& plan, std::size_t index, const Sight& s
     if (selected < 0 || static_cast<std::uint64_t>(selected) >= plan.drawn.elements) return;
     if (plan.primitive == Primitive::sphere) return;  // marked where its region is drawn
     const auto& gl = tools_.api;
-    const auto& program = begin(plan, index, {"passes/viewers/mark.vert", "passes/viewers/mark.frag"});
+    const auto& program = begin(plan, index, {{"passes/viewers/mark.vert", "passes/viewers/mark.frag"}});
     const int segments = plan.primitive == Primitive::lines            ? 1
                          : plan.primitive == Primitive::parallelograms ? 4
                                                                        : 64;

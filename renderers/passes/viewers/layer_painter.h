@@ -26,12 +26,16 @@ class LayerPainter {
     void measure(std::vector<LayerPlan>& plans, const Sight& sight, scene::Bounds& bounds);
     void draw(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
               bool show_centres);
+    /// The translucent ones among these, once all others are drawn. What stands at a pixel is the nearest.
+    void draw_translucent(const std::vector<LayerPlan>& plans, const Sight& sight, Target& target);
     /// Outlines the selected element, on top of everything.
     void mark(const LayerPlan& plan, std::size_t index, const Sight& sight);
 
   private:
     gl::Name map_texture(const LayerPlan& plan);
-    const gl::Program& begin(const LayerPlan& plan, std::size_t index, std::vector<std::string> files);
+    const gl::Program& begin(const LayerPlan& plan, std::size_t index, const gl::ProgramSource& source);
+    void draw_shapes(const LayerPlan& plan, std::size_t index, const Sight& sight);
+    void compose(const Target& target);
     void draw_points(const LayerPlan& plan, std::size_t index, const Sight& sight, const Target& target);
     void draw_sphere(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
                      bool show_centres);

@@ -16,6 +16,7 @@ struct LayerPlan {
     bool drawable = false;
     bool has_own_space = false;  ///< stands apart from the scene
     Primitive primitive = Primitive::points;
+    float opacity = 1;
     FieldType colour_type = FieldType::f32;
     std::vector<Category> categories;  ///< of the field that colours, where its numbers are names
     LayerBlock block{.step = 1,
@@ -26,6 +27,7 @@ struct LayerPlan {
                      .colour_offset = -1,
                      .high = 1};
     gl::Name buffer = 0;
+    bool is_translucent() const { return drawable && opacity < 1; }
 };
 
 /// What a layer is and where its fields stand. `buffer` is absent where the graph has no such contents;

@@ -88,7 +88,7 @@ void LayerPainter::measure(std::vector<LayerPlan>& plans, const Sight& sight, sc
     measures_.write(std::as_bytes(std::span(measures)), "3D view, ranges");
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (!plans[i].drawable) continue;
-        const auto& program = begin(plans[i], i, {"passes/viewers/measure.comp"});
+        const auto& program = begin(plans[i], i, {{"passes/viewers/measure.comp"}});
         program.bind_buffer("Measure", measures_.name(), i * sizeof(Measure), sizeof(Measure));
         program.set(MeasureElements{eye(sight), elements_per_invocation});
         program.dispatch((plans[i].block.drawn + elements_per_invocation - 1) / elements_per_invocation);

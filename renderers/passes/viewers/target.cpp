@@ -27,24 +27,33 @@ struct Average {
 }  // namespace
 
 void Target::release() {
-    if (framebuffer_) api_.DeleteFramebuffers(1, &framebuffer_);
-    for (auto* image : {&colour_, &ids_, &depth_, &regions_, &mean_colour_, &mean_ids_}) {
+    for (auto* framebuffer : {&framebuffer_, &translucent_}) {
+        if (*framebuffer) api_.DeleteFramebuffers(1, framebuffer);
+        *framebuffer = 0;
+    }
+    for (auto* image :
+         {&colour_, &ids_, &depth_, &regions_, &weighted_, &optical_depth_, &mean_colour_, &mean_ids_}) {
         if (*image) device_.destroy_image(*image);
         *image = 0;
     }
-    framebuffer_ = 0;
+}
+
+GLuint Target::make_framebuffer(gl::Name first, gl::Name second) const {
+    GLuint framebuffer = 0;
+    api_.CreateFramebuffers(1, &framebuffer);
+    api_.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, first, 0);
+    api_.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT1, second, 0);
+    api_.NamedFramebufferTexture(framebuffer, GL_DEPTH_ATTACHMENT, depth_, 0);
+    const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    api_.NamedFramebufferDrawBuffers(framebuffer, 2, buffers);
+    return framebuffer;
 }
 
 void Target::make(int width, int height) {
     colour_ = device_.create_image(shape(width, height, gl::Format::rgba32f), "3D view, colour");
     ids_ = device_.create_image(shape(width, height, gl::Format::rg32ui), "3D view, layer and element");
     depth_ = device_.create_image(shape(width, height, gl::Format::depth32f), "3D view, depth");
-    api_.CreateFramebuffers(1, &framebuffer_);
-    api_.NamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, colour_, 0);
-    api_.NamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT1, ids_, 0);
-    api_.NamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, depth_, 0);
-    const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    api_.NamedFramebufferDrawBuffers(framebuffer_, 2, buffers);
+    framebuffer_ = make_framebuffer(colour_, ids_);
     if (api_.CheckNamedFramebufferStatus(framebuffer_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the driver cannot draw a 3D view of " + std::to_string(width) + " × " +
                     std::to_string(height) + " pixels");
@@ -67,6 +76,25 @@ void Target::begin(int width, int height, int oversampling) {
     api_.ClearBufferfv(GL_COLOR, 0, background);
     api_.ClearBufferuiv(GL_COLOR, 1, nothing);
     api_.ClearBufferfv(GL_DEPTH, 0, &far);
+}
+
+void Target::begin_translucent() {
+    const int across = width_ * oversampling_, down = height_ * oversampling_;
+    if (!translucent_) {
+        weighted_ =
+            device_.create_image(shape(across, down, gl::Format::rgba32f), "3D view, translucent colours");
+        optical_depth_ =
+            device_.create_image(shape(across, down, gl::Format::r32f), "3D view, optical depth");
+        translucent_ = make_framebuffer(weighted_, optical_depth_);
+    }
+    api_.BindFramebuffer(GL_FRAMEBUFFER, translucent_);
+    const float nothing[4] = {0, 0, 0, 0};
+    api_.ClearBufferfv(GL_COLOR, 0, nothing);
+    api_.ClearBufferfv(GL_COLOR, 1, nothing);
+}
+
+void Target::end_translucent() const {
+    api_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
 }
 
 void Target::end() const {

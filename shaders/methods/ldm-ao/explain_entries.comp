@@ -58,9 +58,6 @@ void write_texel(MapFrame frame, LdmBand band) {
                               floats(0.5 * frame.step_u.xyz), floats(0.5 * frame.step_v.xyz), frame_index);
 }
 
-/// Steepest that outlines of nodes are drawn, in sides of a texel per texel.
-const float DRAWN_SLOPE = 4.0;
-
 /// Quanta per texel.
 vec2 slopes_of(LdmCursor c, MapFrame frame) {
 #ifdef LDM_SLOPES
@@ -74,7 +71,7 @@ void write_node(MapFrame frame, vec3 centre, vec2 slope, uint layer, uint role) 
     uint place = node_count++;
     if (place >= uint(node_outlines.length())) return;
     vec2 gain = slope * frame.direction.w;  // m per texel
-    float steepest = DRAWN_SLOPE * ldm_texel_quanta(frame) * frame.direction.w;
+    float steepest = ldm_steepest_drawn_ws(frame);
     vec2 drawn = clamp(gain, -steepest, steepest);
     node_outlines[place] = NodeOutline(floats(centre), floats(0.5 * (frame.step_u.xyz + drawn.x * frame.direction.xyz)),
                                        floats(0.5 * (frame.step_v.xyz + drawn.y * frame.direction.xyz)),

@@ -75,8 +75,7 @@ void main() {
         own = found.own;
         distance_ws = found.found ? max(found.distance, 0.0) * frame.direction.w
                                   : open_length(x.position, direction);
-        float open = !found.found ? 1.0 : params.max_distance > 0.0 ? visibility(distance_ws) : 0.0;
-        contribution = open * cosine / all_cosines;
+        contribution = openness(found.found, distance_ws) * cosine / all_cosines;
     }
     write_region(2u * map + (forward ? 0u : 1u), hit, distance_ws, contribution, own);
     write_region(2u * map + (forward ? 1u : 0u), BELOW, 0.0, 0.0, false);

@@ -17,6 +17,9 @@ float ldm_texel_quanta(MapFrame frame) {
     return max(length(frame.step_u.xyz), length(frame.step_v.xyz)) / frame.direction.w;
 }
 
+/// Most that views let outlines of nodes rise along the map's direction, metres per texel.
+float ldm_steepest_drawn_ws(MapFrame frame) { return 4.0 * ldm_texel_quanta(frame) * frame.direction.w; }
+
 /// Metres from the scene's near end to a depth in quanta.
 float ldm_metres(MapFrame frame, uint depth) {
     return (float(depth) - LDM_DEPTH_MARGIN) * frame.direction.w;

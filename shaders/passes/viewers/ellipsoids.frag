@@ -1,5 +1,6 @@
 // The ray through the pixel meets the ellipsoid as a unit sphere.
 #include "lib/pixel_rays.glsl"
+#include "passes/viewers/put.glsl"
 #include "passes/viewers/shade.glsl"
 
 uniform uint layer_number;
@@ -11,8 +12,6 @@ layout(location = 2) flat in vec3 centre_ws;
 layout(location = 3) flat in vec3 row_0;
 layout(location = 4) flat in vec3 row_1;
 layout(location = 5) flat in vec3 row_2;
-layout(location = 0) out vec4 out_colour;
-layout(location = 1) out uvec2 out_id;
 
 vec3 to_sphere(vec3 v) { return vec3(dot(row_0, v), dot(row_1, v), dot(row_2, v)); }
 
@@ -33,6 +32,5 @@ void main() {
     vec4 clip = clip_from_world * vec4(hit_ws, 1);
     gl_FragDepth = clamp(clip.z / clip.w, 0.0, 1.0);
     float rim = 1.0 - smoothstep(0.05, 0.3, abs(dot(normal_ws, normalize(ray))));
-    out_colour = vec4(colour * light_shade(normal_ws, hit_ws) * mix(1.0, 0.6, rim), 1);
-    out_id = uvec2(layer_number, element);
+    put(colour * light_shade(normal_ws, hit_ws) * mix(1.0, 0.6, rim), layer_number, element, gl_FragDepth);
 }

@@ -1,8 +1,10 @@
-// Discs and parallelograms: six vertices for each element.
+// Discs, parallelograms, and points of a translucent layer as discs that face the viewer: six vertices for each element.
 #include "lib/spaces.glsl"
 #include "passes/viewers/layer.glsl"
 #include "passes/viewers/colour.glsl"
 #include "passes/viewers/project.glsl"
+
+uniform float point_px;  // diameter of points, in samples of the picture
 
 layout(location = 0) flat out vec3 colour;
 layout(location = 1) flat out uint element;
@@ -34,7 +36,18 @@ void main() {
     colour = normal_ws = position_ws = vec3(0);
     place = vec2(0);
     gl_Position = outside;
-    if (!half_sides(base, u, v) || !is_finite(centre_ws) || !passes_filters(base)) return;
+    if (!is_finite(centre_ws) || !passes_filters(base)) return;
+    if (layer.primitive == PRIMITIVE_POINTS) {
+        vec4 clip = clip_position(centre_ws);
+        if (clip.w < min_w) return;
+        colour = element_colour(base, centre_ws);
+        place = quad_corner(gl_VertexID % 6);
+        position_ws = centre_ws;
+        normal_ws = normalize(towards_viewer(centre_ws));
+        gl_Position = clip + vec4(point_px * place / size_px * clip.w, 0, 0);
+        return;
+    }
+    if (!half_sides(base, u, v)) return;
     vec3 across = cross(u, v);
     float area = length(across);
     if (area == 0.0) return;

@@ -310,9 +310,11 @@ TEST_F(WindowTest, DisplayFollowsTheActiveViewIntoSpaceAndTables) {
     EXPECT_EQ(layers->layers()[0].key, "cloud");
     auto changed = layers->layers();
     changed[0].size_px = 9;
+    changed[0].opacity = 0.5f;
     emit layers->layers_chosen(changed);
     ASSERT_TRUE(settle());
     EXPECT_EQ(window.views().active_state().space.layers[0].size_px, 9);
+    EXPECT_EQ(window.views().active_state().space.layers[0].opacity, 0.5f);
     EXPECT_EQ(window.workspace().active_pane().space().view().scene().layers[0].size_px, 9);
     trigger("buffer-main");
     EXPECT_NE(qobject_cast<widgets::DisplayPanel*>(dock->currentWidget()), nullptr);

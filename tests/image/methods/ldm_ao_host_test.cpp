@@ -51,6 +51,8 @@ const std::vector<Case> cases{
     {"Leaks", "builtin:crevice", "wall-half", maps(64, 200, 0)},
     {"WideDip", atrium, "nave", maps(32, 100, 2, set({{"max_dip", 4.0}, {"slope_tolerance", 2.0}}))},
     {"Hairs", "builtin:hairball?detail=0.1", "", maps(32, 150, 0)},
+    {"Coarse", atrium, "nave", maps(32, 200, 1, set({{"detail", 0.3}}))},
+    {"CoarseMasks", "builtin:graveyard?detail=0.3", "", maps(32, 200, 0, set({{"detail", 0.5}}))},
     {"Tilted", atrium, "nave", maps(32, 200, 1, set({{"orientation", std::string("tilted")}}))},
     {"Sloped", atrium, "nave", sloped(maps(32, 200, 1)), 6e-5},  // codes, too, are rounded differently
     {"SlopedSmooth", atrium, "gallery", sloped(maps(32, 200, 5, set({{"falloff", std::string("smooth")}}))),
@@ -257,6 +259,17 @@ TEST_F(LdmAoStream, SelfHitsAreCountedAsOnTheDevice) {
 bool has_pass(const FrameReport& report, const std::string& name) {
     return std::any_of(report.passes.begin(), report.passes.end(),
                        [&](const auto& pass) { return pass.name == name && !pass.culled; });
+}
+
+TEST_F(LdmAoStream, CoarserScenesMissMoreOwnEntriesAndLeak) {
+    load(atrium);
+    processor = Processor::host;
+    std::map<std::string, double> missing;
+    for (const double detail : {1.0, 0.5, 0.1})
+        missing[std::to_string(detail)] = mean(render(
+            camera("nave"), 60, 45, maps(16, 200, 1, set({{"detail", detail}})), {}, 0, "ldm.missing"));
+    EXPECT_GT(missing[std::to_string(0.5)], missing[std::to_string(1.0)]);
+    EXPECT_GT(missing[std::to_string(0.1)], missing[std::to_string(0.5)]);
 }
 
 TEST_F(LdmAoStream, StandsForTheDefaultStorageAlone) {

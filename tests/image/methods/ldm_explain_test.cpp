@@ -98,8 +98,9 @@ TEST_F(LdmExplain, AnotherPixelOrMapNeedsNoFrame) {
     }
 }
 
-const std::vector<std::string> explanations{"ldm.explain.hits", "ldm.explain.rays",  "ldm.explain.entries",
-                                            "ldm.explain.walk", "ldm.explain.texel", "ldm.explain.nodes"};
+const std::vector<std::string> explanations{"ldm.explain.hits",   "ldm.explain.rays",  "ldm.explain.entries",
+                                            "ldm.explain.walk",   "ldm.explain.texel", "ldm.explain.nodes",
+                                            "ldm.explain.effects"};
 
 TEST_F(LdmExplain, NothingIsExplainedWithoutAPixelOrASurface) {
     load("builtin:corner", "view");

@@ -56,6 +56,37 @@ TEST_F(LdmExplain, PointsLieOnTheSceneAndAreSortedByTexel) {
             }
 }
 
+TEST_F(LdmExplain, SheetsOfTheXRayLieInTheirTriangles) {
+    load("builtin:cornell");
+    const int resolution = 70;
+    for (const int map : {0, 11}) {
+        render(maps(12, resolution), choose(map));
+        const auto points = elements("ldm.points"), sheets = elements("ldm.xray");
+        const auto v = elements("ldm.directions").vector(2 * map, "centre");
+        ASSERT_EQ(sheets.size(), points.size());
+        EXPECT_GT(sheets.size(), 2000u);
+        std::size_t flat = 0;
+        for (std::size_t i = 0; i < sheets.size(); ++i) {
+            EXPECT_EQ(sheets.vector(i, "centre"), points.vector(i, "position"));
+            for (const char* field : {"layer", "map", "facing", "depth"})
+                EXPECT_EQ(sheets.integer(i, field), points.integer(i, field)) << field;
+            const auto u = sheets.vector(i, "axis_u"), w = sheets.vector(i, "axis_v"),
+                       normal = points.vector(i, "normal");
+            // Across the map's direction all are the same texel.
+            const auto across = [&](const glm::dvec3& side) { return side - v * glm::dot(side, v); };
+            EXPECT_NEAR(glm::length(across(u)), glm::length(across(sheets.vector(0, "axis_u"))), 1e-6);
+            EXPECT_NEAR(glm::length(across(w)), glm::length(across(sheets.vector(0, "axis_v"))), 1e-6);
+            if (std::abs(glm::dot(normal, v)) < 0.3) continue;  // those are not drawn so steep
+            ++flat;
+            EXPECT_NEAR(glm::dot(normal, u), 0, 1e-5);
+            EXPECT_NEAR(glm::dot(normal, w), 0, 1e-5);
+        }
+        EXPECT_GT(flat, sheets.size() / 2);
+    }
+    render(maps(12, resolution), choose(Inspection::all));
+    EXPECT_EQ(elements("ldm.xray").size(), elements("ldm.points").size());
+}
+
 TEST_F(LdmExplain, FacingAlternatesInAClosedBlock) {
     load("builtin:crevice");
     for (const std::string builder : {"compute", "raster"})
@@ -86,10 +117,10 @@ TEST_F(LdmExplain, AllMapsShowAllNodesAlsoInBatchesAndGrownBuffers) {
     }
     EXPECT_GT(*std::min_element(seen.begin(), seen.end()), 1000);
     const auto most = image("ldm.layers");
-    // Batches make maps smaller, but not points.
+    // Batches make maps smaller, but not what shows points.
     std::uint64_t of_points = 0;
     for (const auto& resource : report.resources)
-        if (resource.key == "ldm.points") of_points = resource.bytes;
+        if (resource.key == "ldm.points" || resource.key == "ldm.xray") of_points += resource.bytes;
     const auto budget = of_points + (report.peak_memory_bytes - of_points) * 7 / 10;
 
     graph::FrameOptions options;

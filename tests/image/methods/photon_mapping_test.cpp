@@ -87,6 +87,29 @@ TEST(PhotonMappingPicture, WallsGetTheLightThatTheReferenceSays) {
     EXPECT_GT(std::abs(mean_of(printed, 0, 0, 20, 20) / expected - 1), 0.065);
 }
 
+// The same photons, found by marching through three layered depth maps: what falls through their texels is
+// lost.
+TEST(PhotonMappingPicture, ALayeredDepthCubeFindsAlmostTheSamePhotons) {
+    const Settings few{
+        {"photons", std::int64_t{50000}}, {"filter_passes", std::int64_t{0}}, {"temporal", false}};
+    const auto exact = still_life("photon-mapping", with(few, {{"tracer", std::string("embree")}}));
+    std::map<std::string, double> errors;
+    for (const std::string maps : {"all", "closest"}) {
+        const auto marched =
+            still_life("photon-mapping", with(few, {{"tracer", std::string("cube")}, {"cube_maps", maps}}));
+        if (maps == "all") {
+            EXPECT_NEAR(
+                marched.report.counters.at("photons.count") / exact.report.counters.at("photons.count"), 1,
+                0.03);
+            EXPECT_NEAR(mean_of(marched.image, 0, 0, 96, 64) / mean_of(exact.image, 0, 0, 96, 64), 1, 0.05);
+        }
+        for (std::size_t i = 0; i < exact.image.pixels.size(); ++i)
+            errors[maps] += std::abs(double{marched.image.pixels[i]} - double{exact.image.pixels[i]});
+    }
+    EXPECT_GT(errors["all"], 0);
+    EXPECT_LT(errors["all"], 0.5 * errors["closest"]);
+}
+
 TEST(PhotonMappingPicture, BuffersThatStartAThousandTimesTooSmallGiveTheSamePicture) {
     const auto large = still_life("photon-mapping", {{"photons", std::int64_t{50000}}});
     const auto small = still_life("photon-mapping", {{"photons", std::int64_t{50000}}, {"reserve", 0.001}});

@@ -141,6 +141,101 @@ TEST_F(GlyphsTest, EllipsoidsMeetWhereTheirSurfacesCross) {
     EXPECT_EQ(element_at(picture, {glyph_width / 2 + 3, glyph_height / 2}), 1);
 }
 
+/// Of the colour behind that is seen through a picture of one colour.
+float seen_through(glm::vec3 seen, glm::vec3 over, glm::vec3 behind) {
+    return (seen.g - over.g) / (behind.g - over.g);
+}
+
+TEST_F(GlyphsTest, TranslucentOnesLetThroughWhatTheirOpacityLeaves) {
+    const float opacity = 0.3f;
+    for (const bool perspective : {false, true}) {
+        camera_.orthographic = !perspective;
+        for (const int count : {1, 2, 5}) {
+            auto buffer = parallelograms();
+            for (int i = 0; i < count; ++i)
+                buffer.add(glm::vec3(0, 0, 0.3f * static_cast<float>(i)), glm::vec3(1, 0, 0),
+                           glm::vec3(0, 1, 0));
+            run({buffer});
+            const glm::vec2 middle(glyph_width / 2, glyph_height / 2), beside(3, 3);
+            const auto opaque = draw({{.key = "glyphs"}}, glyph_width, glyph_height);
+            const auto clear = draw({{.key = "glyphs", .opacity = opacity}}, glyph_width, glyph_height);
+            EXPECT_NEAR(
+                seen_through(colour_at(clear, middle), colour_at(opaque, middle), colour_at(clear, beside)),
+                std::pow(1 - opacity, count), 1e-4)
+                << count;
+            EXPECT_EQ(element_at(clear, middle), count - 1) << "the nearest";
+        }
+    }
+}
+
+TEST_F(GlyphsTest, TranslucentColoursDoNotDependOnTheOrderAndTheNearestWeighMost) {
+    const auto colour_of = [&](float first, float second) {
+        auto buffer = parallelograms();
+        buffer.fields.push_back({"value", FieldType::f32, 1});
+        buffer.add(glm::vec3(0, 0, first), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), 0.0);
+        buffer.add(glm::vec3(0, 0, second), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), 1.0);
+        run({buffer});
+        const auto picture =
+            draw({{.key = "glyphs", .colour_by = "value", .colour_map = "grey", .opacity = 0.9f}}, 40, 30);
+        return colour_at(picture, {20, 15}).g;
+    };
+    const auto turned = [&](float first, float second) {
+        auto buffer = parallelograms();
+        buffer.fields.push_back({"value", FieldType::f32, 1});
+        buffer.add(glm::vec3(0, 0, second), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), 1.0);
+        buffer.add(glm::vec3(0, 0, first), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), 0.0);
+        run({buffer});
+        const auto picture =
+            draw({{.key = "glyphs", .colour_by = "value", .colour_map = "grey", .opacity = 0.9f}}, 40, 30);
+        return colour_at(picture, {20, 15}).g;
+    };
+    EXPECT_NEAR(colour_of(-1, 1), turned(-1, 1), 1e-5);
+    EXPECT_GT(colour_of(-1, 1), colour_of(1, -1) + 0.3f) << "white before black is brighter than behind it";
+}
+
+TEST_F(GlyphsTest, WhatIsOpaqueHidesTranslucentOnesBehindIt) {
+    auto clear = parallelograms(), opaque = parallelograms();
+    opaque.key = "opaque";
+    clear.add(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0));
+    opaque.add(glm::vec3(0.5f, 0, 1), glm::vec3(0.5f, 0, 0), glm::vec3(0, 1, 0));
+    run({clear, opaque});
+    const glm::vec2 left(glyph_width / 2 - 20, glyph_height / 2),
+        right(glyph_width / 2 + 20, glyph_height / 2);
+    const auto alone = draw({{.key = "opaque"}, {.key = "opaque"}}, glyph_width, glyph_height);
+    const auto both =
+        draw({{.key = "glyphs", .opacity = 0.5f}, {.key = "opaque"}}, glyph_width, glyph_height);
+    EXPECT_EQ(colour_at(both, right), colour_at(alone, right));
+    EXPECT_NE(colour_at(both, left), colour_at(alone, left));
+    EXPECT_EQ(both.layer.at(pixel(both, left)), 0);
+    EXPECT_EQ(both.layer.at(pixel(both, right)), 1);
+}
+
+TEST_F(GlyphsTest, AllShapesButSpheresMayBeTranslucent) {
+    auto ellipsoid = ellipsoids();
+    ellipsoid.add(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1));
+    auto disc = discs();
+    disc.key = "disc";
+    disc.add(1.0, glm::vec3(0, 0, 1), glm::vec3(0));
+    TestBuffer point("point", OutputKind::point_set, {position_field}),
+        line("line", OutputKind::line_set, {{"start", FieldType::f32, 3}, {"end", FieldType::f32, 3}});
+    point.add(glm::vec3(0));
+    line.add(glm::vec3(-1, 0, 0), glm::vec3(1, 0, 0));
+    run({ellipsoid, disc, point, line});
+    const glm::vec2 middle(glyph_width / 2, glyph_height / 2), beside(3, 3);
+    for (const std::string key : {"glyphs", "disc", "point", "line"}) {
+        const auto opaque = draw({{.key = key, .size_px = 40}}, glyph_width, glyph_height);
+        const auto clear = draw({{.key = key, .size_px = 40, .opacity = 0.25f}}, glyph_width, glyph_height);
+        EXPECT_EQ(element_at(clear, middle), 0) << key;
+        const auto behind = colour_at(clear, beside), seen = colour_at(clear, middle);
+        EXPECT_NE(seen, behind) << key;
+        EXPECT_LT(glm::distance(seen, behind), 0.4f * glm::distance(colour_at(opaque, middle), behind))
+            << key;
+        EXPECT_NEAR(static_cast<double>(pixels_of(clear, 0)), static_cast<double>(pixels_of(opaque, 0)),
+                    0.02 * static_cast<double>(pixels_of(opaque, 0)))
+            << key;
+    }
+}
+
 TEST_F(GlyphsTest, OnesThatLieOnTheSceneAreSeen) {
     add_square({0, 0, 0}, glm::normalize(glm::vec3(0.3, 0.5, 1)), 3);
     auto buffer = discs();

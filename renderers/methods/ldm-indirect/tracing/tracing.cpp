@@ -12,6 +12,7 @@
 #include "renderers/methods/ldm-indirect/tracing/host/split_on_host.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
 #include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/ldm/coarse_scene.h"
 #include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/ldm/map_views.h"
 #include "renderers/passes/ldm/sky.h"
@@ -111,18 +112,20 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     std::optional<ldm::Sky> sky;
     if (queries_sky(builder.inputs(), parameters)) sky = ldm::declare_sky(builder, maps, {});
     if (sky && host_has_maps)
-        ldm::trace_sky_on_host(builder, gbuffer, ldm::declare_meshlets(builder), maps, *sky,
-                               ldm::self_hit_rule(parameters.maps));
+        ldm::trace_sky_on_host(builder, gbuffer, ldm::declare_meshlets(builder, maps->options.detail), maps,
+                               *sky, ldm::self_hit_rule(parameters.maps));
+    const auto of_maps = ldm::map_scene(builder, scene, maps->options.detail);
     // Beside the host's passes whole maps are built only while something looks at them.
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
-        ldm::build_maps(builder, scene, maps, batch);
+        ldm::build_maps(builder, of_maps, maps, batch);
         if (splitter) splitter->split(builder, batch);
         if (splitter && photons.looks) look_from_pixels(builder, gbuffer, maps, batch, *photons.looks);
         if (sky && !host_has_maps)
             ldm::trace_sky(builder, gbuffer, maps, batch, *sky, "methods/ldm-indirect/sky.comp");
         ldm::show_layers(builder, maps, batch, chosen, layers);
-        ldm::find_points(builder, scene, maps, batch, points);
+        ldm::find_points(builder, of_maps, maps, batch, points);
     }
+    ldm::show_sheets(builder, *maps, points);
     if (sky) {
         ldm::finish_sky(builder, *sky, parameters.progressive);
         photons.sky = sky->light;

@@ -189,8 +189,8 @@ TracedEmission trace_emission(graph::GraphBuilder& builder, const passes::SceneB
                                   .elements = std::max<std::uint64_t>(1, sources.traced_rows.size()),
                                   .fingerprint = fingerprint});
     start_rays(builder, traced, sources, points, sets);
-    passes::trace_rays(builder, "trace emission", scene, tracer_of(builder.inputs(), parameters),
-                       traced.rays);
+    passes::trace_rays(builder, "trace emission", scene, tracer_of(builder.inputs(), parameters), traced.rays,
+                       parameters.cube);
     traced.surfaces = passes::hit_surfaces(builder, scene);
     return traced;
 }

@@ -1,6 +1,45 @@
 #include "renderers/methods/photon-mapping/parameters.h"
 
 namespace ir::methods::photon_mapping {
+namespace {
+
+/// What layered depth cubes are made of.
+ParameterTable<passes::CubeOptions> cube_parameters() {
+    using passes::CubeOptions;
+    const Condition with_cube{"tracer", {std::string("cube")}};
+    ParameterTable<CubeOptions> table;
+    table
+        .add(&CubeOptions::resolution,
+             {.key = "cube_resolution",
+              .label = "Resolution of the cube",
+              .doc = "Texels along the longest side of the scene's bounds, in each of the three maps.",
+              .unit = "texels",
+              .hard = {1, 8192},
+              .soft = {64, 2048},
+              .active_when = with_cube})
+        .add(&CubeOptions::maps,
+             {.key = "cube_maps",
+              .label = "Maps of the cube",
+              .doc = "Which maps a ray marches through.",
+              .citation = "Aalund15 §2.2",
+              .choices = {{"all", "All three",
+                           "Each surface stands in the map that sees it best, and the nearest hit counts."},
+                          {"closest", "The closest one",
+                           "As published: the map whose direction is closest to the ray's has all surfaces. "
+                           "Those that it sees edge-on are gaps."}},
+              .active_when = with_cube})
+        .add(&CubeOptions::tolerance, {.key = "cube_tolerance",
+                                       .label = "Depth tolerance of the cube",
+                                       .doc = "How far a ray may pass a node and still hit it.",
+                                       .unit = "texels",
+                                       .citation = "Aalund15 §2.2",
+                                       .hard = {0, 64},
+                                       .soft = {0, 4},
+                                       .active_when = with_cube});
+    return table;
+}
+
+}  // namespace
 
 void add_tracing_parameters(ParameterTable<Parameters>& table) {
     table
@@ -8,13 +47,17 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
             &Parameters::tracer,
             {.key = "tracer",
              .label = "Ray tracer",
-             .doc = "What finds the surfaces that photons hit. Both know the same triangles and alpha masks; "
-                    "where a ray meets an edge they may name different ones.",
+             .doc =
+                 "What finds the surfaces that photons hit. Compute and Embree know the same triangles and "
+                 "alpha masks; where a ray meets an edge they may name different ones.",
              .citation = "Smal19 §4.3",
-             .choices = {{"auto", "Automatic", "Embree where passes with two bodies run on the host."},
-                         {"compute", "Compute", "A bounding volume hierarchy on the device."},
-                         {"embree", "Embree", "On the processor: the oracle."}},
-             .effect = Effect::cost})
+             .choices =
+                 {{"auto", "Automatic", "Embree where passes with two bodies run on the host.", Effect::cost},
+                  {"compute", "Compute", "A bounding volume hierarchy on the device.", Effect::cost},
+                  {"embree", "Embree", "On the processor: the oracle.", Effect::cost},
+                  {"cube", "Layered depth cube",
+                   "On the processor: rays march through three layered depth maps along the axes, as coarse "
+                   "as their texels. [Lischinski98]"}}})
         .add(&Parameters::roulette,
              {.key = "roulette",
               .label = "Russian roulette",
@@ -46,6 +89,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                   "the largest kernel, or on surfaces that turn their back. They are counted.",
               .citation = "Smal19 §4.3",
               .effect = Effect::cost});
+    table.include(&Parameters::cube, cube_parameters());
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -201,7 +201,8 @@ void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
 
 void Wavefront::advance(GraphBuilder& builder, int number, const Photons& photons) const {
     const auto name = std::to_string(number);
-    passes::trace_rays(builder, "trace " + name, scene_, tracer_of(builder.inputs(), parameters_), rays_);
+    passes::trace_rays(builder, "trace " + name, scene_, tracer_of(builder.inputs(), parameters_), rays_,
+                       parameters_.cube);
     follow(builder, number);
     land(builder, number, photons);
     if (number < parameters_.transport.min_bounces && !keeps_mirrored()) return;

@@ -2,7 +2,10 @@
 
 #include <tbb/info.h>
 
+#include <optional>
+
 #include "renderers/graph/pass_context.h"
+#include "renderers/passes/ldm/coarse_scene.h"
 
 namespace ir::passes::ldm {
 
@@ -37,19 +40,26 @@ HostCounters declare_host_counters(graph::GraphBuilder& builder) {
                                     "building them."})};
 }
 
-graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder) {
+graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder, float detail) {
     graph::ObjectDesc desc;
     desc.text.key = "ldm.meshlets";
     for (std::size_t i = 0; i < builder.objects().size(); ++i)
         if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
     desc.text.label = "Meshlets";
     desc.text.doc = "The scene's triangles in groups that lie together, for maps that are built on the host.";
-    desc.fingerprint = builder.inputs().geometry_fingerprint;
+    std::optional<graph::ObjectRef> coarse;
+    if (detail < 1) coarse = coarse_world(builder, detail);
+    desc.fingerprint = coarse ? builder.objects()[static_cast<std::size_t>(coarse->index)].fingerprint
+                              : builder.inputs().geometry_fingerprint;
     const auto result = builder.object(desc);
-    builder.pass("meshlets", graph::Queue::cpu).writes(result).execute([result](graph::PassContext& context) {
+    auto pass = builder.pass("meshlets", graph::Queue::cpu);
+    if (coarse) pass.reads(*coarse);
+    pass.writes(result).execute([result, coarse](graph::PassContext& context) {
         const auto& inputs = context.inputs();
-        const auto made = std::make_shared<HostScene>(HostScene{make_meshlets(*inputs.world, inputs.threads),
-                                                                AlphaMasks(*inputs.scene, *inputs.world)});
+        const auto simplified = coarse ? context.object<scene::World>(*coarse) : nullptr;
+        const auto& world = simplified ? *simplified : *inputs.world;
+        const auto made = std::make_shared<HostScene>(
+            HostScene{make_meshlets(world, inputs.threads), AlphaMasks(*inputs.scene, world)});
         context.store(result, made, made->meshlets.bytes() + made->masks.bytes());
     });
     return result;

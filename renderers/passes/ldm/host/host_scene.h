@@ -34,7 +34,7 @@ struct HostCounters {
 HostCounters declare_host_counters(graph::GraphBuilder& builder);
 
 /// Declares the object "ldm.meshlets", a HostScene, and its pass (cpu), kept while the world stays the same.
-/// Who asks again in a frame gets the same.
-graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder);
+/// Of the coarser world where `detail` is below 1. Who asks again in a frame gets the same.
+graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder, float detail);
 
 }  // namespace ir::passes::ldm

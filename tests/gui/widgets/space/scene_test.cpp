@@ -14,6 +14,31 @@ std::string colour_of(OutputKind kind, std::vector<Field> fields) {
         .colour_by;
 }
 
+TEST(DefaultLayer, StacksAreTranslucentAndHideTheSceneThatWouldHideThem) {
+    const Field centre{"centre", FieldType::f32, 3}, depth{"depth", FieldType::f32, 1},
+        layer{"layer", FieldType::u32, 1};
+    const auto of = [&](OutputKind kind, std::vector<Field> fields) {
+        return default_layer(
+            {.key = "k", .label = "K", .kind = kind, .doc = {}, .fields = std::move(fields)});
+    };
+    const auto stack = of(OutputKind::glyphs, {centre, depth, layer}),
+               glyphs = of(OutputKind::glyphs, {centre, layer});
+    EXPECT_LT(stack.opacity, 1);
+    EXPECT_EQ(glyphs.opacity, 1);
+    EXPECT_EQ(of(OutputKind::point_set, {depth, layer}).opacity, 1);
+    SpaceScene scene;
+    begin_with(scene, {glyphs});
+    EXPECT_TRUE(scene.show_scene);
+    begin_with(scene, {stack});
+    EXPECT_FALSE(scene.show_scene);
+    begin_with(scene, {glyphs});
+    EXPECT_TRUE(scene.show_scene);
+    scene.show_scene = false;  // by a person
+    begin_with(scene, {stack});
+    begin_with(scene, {stack, glyphs});
+    EXPECT_FALSE(scene.show_scene);
+}
+
 TEST(DefaultLayer, ColoursByWhatTellsElementsApart) {
     const Field position{"position", FieldType::f32, 3}, normal{"normal", FieldType::f32, 3};
     const Field depth{"depth", FieldType::f32, 1}, layer{"layer", FieldType::u32, 1};

@@ -320,7 +320,7 @@ std::size_t count_direct(std::span<const std::uint32_t> fates) {
 void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const ldm::MapsPointer& maps,
                    const Primaries& primaries, Photons& photons, std::optional<graph::BufferRef> direct_fates,
                    const Parameters& parameters) {
-    const auto meshlets = ldm::declare_meshlets(builder);
+    const auto meshlets = ldm::declare_meshlets(builder, maps->options.detail);
     const auto counters = ldm::declare_host_counters(builder);
     const auto split = std::make_shared<HostSplit>(maps, parameters, ldm::host_threads(builder.inputs()));
     const auto stored = builder.buffer({.text = {.key = "indirect.stored",
