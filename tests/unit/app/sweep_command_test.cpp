@@ -277,5 +277,11 @@ TEST_F(SweepCommand, ProjectsAreRenderedInShards) {
     EXPECT_EQ(shards["q"], 1);
 }
 
+TEST_F(SweepCommand, GoesToWhereTheWindowLooksForIt) {
+    output("sweep " + project() + " s --quiet --out " + project() + "/results/sweeps/s");
+    EXPECT_EQ(list("p.interreflect/results/sweeps/s/sweep.json")["points"].size(), 3u);
+    expect_refused("sweep " + project() + " s --quiet --out " + project() + "/results/s", 2, "project");
+}
+
 }  // namespace
 }  // namespace ir
