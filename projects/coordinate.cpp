@@ -1,5 +1,7 @@
 #include "projects/coordinate.h"
 
+#include <utility>
+
 #include "projects/document_fields.h"
 #include "projects/text.h"
 #include "projects/value_reader.h"
@@ -70,4 +72,38 @@ Experiment with_coordinate(const Project& project, const Experiment& experiment,
     return result;
 }
 
+namespace edits {
+namespace {
+
+/// `changed` has the new value.
+EditPtr set_coordinate(const Project& project, const Registry& registry, const Experiment& changed,
+                       const std::string& key) {
+    const auto& id = changed.id;
+    if (key == "size") return set_size(project, id, changed.size);
+    if (key == "seed") return set_seed(project, id, changed.seed);
+    if (key == "frames") return set_frames(project, id, changed.frames);
+    if (key == "time") return set_time(project, id, changed.time);
+    if (key == "camera") return set_camera_of(project, id, changed.camera);
+    if (key == "lights") return set_lights_of(project, id, changed.lights);
+    if (key == "scene") return set_scene_of(project, id, changed.scene);
+    return set_values(project, registry, id, {{key, changed.values.at(key)}});
+}
+
+}  // namespace
+
+EditPtr set_coordinates(const Project& project, const Registry& registry, const std::string& experiment,
+                        const Json& coordinates, const std::string& label) {
+    auto now = project;
+    std::vector<EditPtr> steps;
+    for (const auto& [key, value] : coordinates.items()) {
+        const auto* item = find_item(now.experiments, experiment);
+        if (!item) throw UsageError("there is no experiment '" + printable(experiment, 60) + "' any more");
+        const auto changed = with_coordinate(now, *item, key, value, registry);
+        steps.push_back(set_coordinate(now, registry, changed, key));
+        steps.back()->apply(now);  // the next one is made against it
+    }
+    return group(label, std::move(steps));
+}
+
+}  // namespace edits
 }  // namespace ir::projects

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "projects/document.h"
+#include "projects/edits.h"
 #include "renderers/core/method.h"
 
 namespace ir::projects {
@@ -18,4 +19,12 @@ const std::vector<std::string>& general_keys();
 Experiment with_coordinate(const Project& project, const Experiment& experiment, const std::string& key,
                            const Json& value, const Registry& registry);
 
+namespace edits {
+
+/// Values of such keys, an object, become the experiment's own, as set_values() and its like have it.
+/// Throws UsageError.
+EditPtr set_coordinates(const Project& project, const Registry& registry, const std::string& experiment,
+                        const Json& coordinates, const std::string& label);
+
+}  // namespace edits
 }  // namespace ir::projects

@@ -6,6 +6,7 @@
 #include "projects/object_reader.h"
 #include "projects/plots.h"
 #include "projects/results.h"
+#include "projects/sweep.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 
@@ -226,6 +227,18 @@ std::vector<Message> check_results(const ResultIndex& index, const fs::path& pro
     return messages;
 }
 
+namespace {
+
+/// What a sweep of the project has rendered; its list says what is there.
+bool is_of_sweep(const Project& project, const fs::path& path) {
+    return std::any_of(project.sweeps.begin(), project.sweeps.end(), [&](const Sweep& sweep) {
+        const auto inside = path.lexically_relative(sweep_path(sweep.id));
+        return !inside.empty() && *inside.begin() != "..";
+    });
+}
+
+}  // namespace
+
 Pruned prune_results(const Project& project, const Registry& registry, const fs::path& project_folder,
                      const CancelToken* cancel) {
     Pruned pruned;
@@ -258,7 +271,8 @@ Pruned prune_results(const Project& project, const Registry& registry, const fs:
     for (const auto& entry : fs::recursive_directory_iterator(results)) {
         if (entry.is_directory() && !entry.is_symlink())
             folders.push_back(entry.path());
-        else if (named.count(entry.path().lexically_relative(results)) == 0)
+        else if (named.count(entry.path().lexically_relative(results)) == 0 &&
+                 !is_of_sweep(project, entry.path().lexically_relative(results)))
             unnamed.push_back(entry.path());
     }
     for (const auto& file : unnamed) {

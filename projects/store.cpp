@@ -5,6 +5,7 @@
 #include "projects/hash.h"
 #include "projects/lock.h"
 #include "projects/scene_files.h"
+#include "projects/sweep.h"
 #include "renderers/core/error.h"
 
 namespace ir::projects {
@@ -135,7 +136,8 @@ bool is_own_file(const LoadedProject& loaded, const fs::path& file) {
     const auto inside = target.lexically_relative(place_of(loaded.folder));
     const auto first = inside.empty() ? std::string("..") : inside.begin()->string();
     const auto begins_with = [&](const char* name) { return first.starts_with(name); };
-    if (begins_with("project.json") || begins_with("session.json") || first == "results") return true;
+    if (begins_with("project.json") || begins_with("session.json")) return true;
+    if (first == "results") return !inside.generic_string().starts_with("results/" + sweep_path(""));
     for (const auto& source : sources_of(loaded.project)) {
         if (is_builtin(source)) continue;
         for (const auto& one : files_of(resolve(source, loaded.folder)))

@@ -54,7 +54,8 @@ std::vector<Message> upgrade_project(const std::filesystem::path& given, const R
                                      const CancelToken* cancel = nullptr);
 
 /// Whether the file is the project's: its document, what is written beside it, a kept result, or a file of a
-/// scene, an environment or an image. Links are followed; the file need not exist.
+/// scene, an environment or an image. What sweeps leave in results/ is not: others go on with it. Links are
+/// followed; the file need not exist.
 bool is_own_file(const LoadedProject& project, const std::filesystem::path& file);
 
 /// session.json: layout, zoom, pins. Free JSON of the window; neither undone nor dirty. A missing or damaged

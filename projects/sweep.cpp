@@ -58,4 +58,8 @@ std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep,
     return points;
 }
 
+std::string sweep_path(const std::string& sweep) {
+    return "sweeps/" + sweep;
+}
+
 }  // namespace ir::projects

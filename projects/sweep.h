@@ -18,4 +18,7 @@ struct SweepPoint {
 /// that the method refuses, and beyond 100,000 points.
 std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep, const Registry& registry);
 
+/// Where a window puts what a sweep renders, relative to results/, '/' as separator. The id is a valid one.
+std::string sweep_path(const std::string& sweep);
+
 }  // namespace ir::projects

@@ -3,7 +3,6 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/pictures.h"
 #include "renderers/core/error.h"
-#include "renderers/image/channels.h"
 
 namespace ir::cli {
 namespace {
@@ -36,7 +35,8 @@ void OutputFiles::writes(const std::string& option, const std::string& file) {
 
 bool has_picture_ending(const std::string& file) {
     auto extension = std::filesystem::path(file).extension().string();
-    for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    for (char& letter : extension)
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     return extension == ".exr" || extension == ".png" || extension == ".hdr" || extension == ".jpg";
 }
 
@@ -47,17 +47,6 @@ void require_picture(const std::string& file, const std::vector<std::string>& du
     if (extension == ".png" && !dumps.empty())
         throw UsageError("--dump cannot be used with --out '" + file + "'; layers need a file.exr");
     require_folder_of(file, "--out");
-}
-
-void write_picture(const std::filesystem::path& file, const engine::Execution& execution,
-                   const std::vector<std::string>& dumps) {
-    if (file.extension() == ".exr") {
-        compress_exr_in_threads();
-        write_exr(file, engine::layers(execution, dumps), engine::attributes(execution));
-        return;
-    }
-    Image colours;  // a result's fourth channel is no opacity
-    write_png(file, values_of(engine::main_result(execution), Semantic::radiance, colours));
 }
 
 }  // namespace ir::cli

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 #include "projects/store.h"
 
 namespace ir::cli {
@@ -34,9 +34,6 @@ bool has_picture_ending(const std::string& file);
 /// that cannot hold `dumps`, and where its folder is missing.
 void require_picture(const std::string& file, const std::vector<std::string>& dumps);
 
-/// The main result and the layers that match `dumps` with all attributes as .exr, or the main result as
-/// .png, as screens show it. Throws Error.
-void write_picture(const std::filesystem::path& file, const engine::Execution& execution,
-                   const std::vector<std::string>& dumps);
+using engine::write_picture;
 
 }  // namespace ir::cli

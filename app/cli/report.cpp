@@ -95,7 +95,8 @@ class ReportCommand {
             for (const auto& row : engine::read_table(list).rows) {
                 if (!row.image.empty()) files_.reads("P", (folder / row.image).string());
                 if (!row.reference.empty())
-                    files_.reads("P", (folder / "references" / (row.reference + ".exr")).string());
+                    files_.reads("P",
+                                 (folder / engine::references_folder / (row.reference + ".exr")).string());
             }
         }
         check_out();

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <optional>
 
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
@@ -13,7 +12,7 @@
 #include "app/cli/run_frames.h"
 #include "app/cli/shard.h"
 #include "app/engine/pictures.h"
-#include "app/engine/sweep_run.h"
+#include "app/engine/sweep_job.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
 #include "renderers/core/words.h"
@@ -85,45 +84,6 @@ int plan(const SweepFlags& flags, bool as_json) {
     return plan_sweep(std::move(plan));
 }
 
-/// The files that say what became of each variation: a line each as it ends, and the list in the sweep's
-/// order, which is there from the beginning, so that it tells what is not rendered yet however the sweep
-/// ends.
-class SweepFiles {
-  public:
-    SweepFiles(const fs::path& stem, const SweepTable& table)
-        : list_(stem.string() + ".json"), lines_(stem.string() + ".jsonl"), table_(table) {
-        std::string text;
-        for (const auto& row : table.rows)
-            if (row.is_done()) text += engine::row_line(row);
-        write_file(lines_, text);
-        stream_.open(lines_, std::ios::binary | std::ios::app);
-        write_list();
-    }
-
-    const fs::path& list() const { return list_; }
-
-    /// A row of the table is complete.
-    void put(const SweepRow& row) {
-        stream_ << engine::row_line(row) << std::flush;
-        if (!stream_) throw Error(lines_.string() + ": cannot be written; is the disk full?");
-        if (Clock::now() - written_ > std::chrono::seconds(1) + 20 * writing_) write_list();
-    }
-    void write_list() {
-        const auto start = Clock::now();
-        write_file(list_, engine::table_json(table_));
-        written_ = Clock::now();
-        writing_ = written_ - start;
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    const fs::path list_, lines_;
-    const SweepTable& table_;
-    std::ofstream stream_;
-    Clock::time_point written_;
-    Clock::duration writing_{0};
-};
-
 class SweepCommand {
   public:
     explicit SweepCommand(const SweepFlags& flags)
@@ -136,7 +96,7 @@ class SweepCommand {
 
     int run() {
         const auto& sweep = chosen_sweep(loaded_.project, flags_.name);
-        auto points = points_of(flags_, loaded_.project);
+        const auto points = points_of(flags_, loaded_.project);
         OutputFiles files;
         files.reads(loaded_);
         for (const char* extension : {".json", ".jsonl"}) files.writes("--out", stem_.string() + extension);
@@ -151,105 +111,83 @@ class SweepCommand {
         if (!flags_.json.empty() && flags_.json != "-") require_folder_of(flags_.json, "--json");
         if (!flags_.csv.empty()) require_folder_of(flags_.csv, "--csv");
         engine::Machine machine(machine_options(flags_.machine));
-        engine::SweepRun variations(machine, loaded_.project, loaded_.folder, options());
-        std::vector<SweepRow> rows;
-        for (const auto& point : points) rows.push_back(variations.planned(point));
-        table_ = {sweep.id, sweep.experiment, engine::sweep_plan(rows), shard_, part_of(rows, shard_)};
-        points = part_of(points, shard_);
-        if (flags_.resume) resume();
-        render(variations, points);
+        render(machine, sweep, points);
         tell();
         return status_;
     }
 
   private:
-    engine::SweepOptions options() {
-        engine::SweepOptions options;
-        options.is_judged = flags_.is_judged;
-        options.samples = samples_;
-        options.repeats = repeats_;
-        options.references = fs::path(flags_.out) / "references";
-        options.frame = frame_options(flags_.machine, flags_.dumps);
+    engine::SweepJob job_of(const projects::Sweep& sweep) const {
+        engine::SweepJob job;
+        job.project = loaded_.project;
+        job.folder = loaded_.folder;
+        job.sweep = sweep;
+        job.out = flags_.out;
+        job.shard = shard_;
+        job.is_judged = flags_.is_judged;
+        job.samples = samples_;
+        job.repeats = repeats_;
+        job.has_pictures = flags_.has_pictures();
+        job.resumes = flags_.resume;
+        job.dumps = flags_.dumps;
+        return job;
+    }
+
+    double work_of(const projects::SweepPoint& point) const {
+        return frames_of(point.experiment) * (1 + repeats_);
+    }
+
+    engine::SweepCallbacks callbacks(const std::vector<projects::SweepPoint>& points) {
+        engine::SweepCallbacks told;
+        told.frame = frame_options(flags_.machine, flags_.dumps);
         if (!flags_.quiet)
-            options.frame.progress = [this](const std::string& what, double part) {
-                line_->tell(what, part);
-            };
-        options.note = [this](const std::string& note) {
+            told.frame.progress = [this](const std::string& what, double part) { line_->tell(what, part); };
+        told.note = [this](const std::string& note) {
             line_->clear();
             std::cerr << "note: " << note << "\n";
         };
-        return options;
-    }
-
-    void resume() {
-        const auto count = engine::resume_rows(table_, flags_.out, repeats_ > 0, flags_.has_pictures());
-        if (count > 0 && !flags_.quiet)
-            std::cerr << "interreflect-cli: " << count << " of " << table_.rows.size()
-                      << " variations are there already\n";
-    }
-
-    void render(engine::SweepRun& variations, const std::vector<projects::SweepPoint>& points) {
-        SweepFiles files(stem_, table_);
-        const auto work_of = [&](const projects::SweepPoint& point) {
-            return frames_of(point.experiment) * (1 + repeats_);
+        told.planned = [this, part = part_of(points, shard_)](const SweepTable& table, std::size_t resumed) {
+            if (resumed > 0 && !flags_.quiet)
+                std::cerr << "interreflect-cli: " << resumed << " of " << table.rows.size()
+                          << " variations are there already\n";
+            double work = 0;
+            for (std::size_t i = 0; i < part.size(); ++i)
+                if (!table.rows[i].is_done()) work += work_of(part[i]);
+            line_.emplace(!flags_.quiet, work);
         };
-        double work = 0;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (!table_.rows[i].is_done()) work += work_of(points[i]);
-        line_.emplace(!flags_.quiet, work);
-        try {
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                auto& row = table_.rows[i];
-                if (row.is_done()) continue;
-                line_->begin(row.id, work_of(points[i]));
-                render_one(variations, points[i], row);
-                files.put(row);
-            }
-        } catch (const Cancelled&) {
+        told.begun = [this](std::size_t, const projects::SweepPoint& point) {
+            line_->begin(point.experiment.id, work_of(point));
+        };
+        told.seen = [this](const engine::Execution& execution, const FrameReport& report) {
+            engine::require_matches("--dump", flags_.dumps, report);
             line_->clear();
-            files.write_list();
+            print_messages(execution, report);
+        };
+        // What goes wrong stands in the row.
+        told.ended = [this](std::size_t, const SweepRow& row, bool was_refused) {
+            line_->clear();
+            if (row.is_done()) return print(row);
+            complain(row.id + ": " + row.problem);
+            status_ = std::max(status_, was_refused ? int{bad_input} : int{failed});
+        };
+        return told;
+    }
+
+    void render(engine::Machine& machine, const projects::Sweep& sweep,
+                const std::vector<projects::SweepPoint>& points) {
+        const auto job = job_of(sweep);
+        try {
+            engine::run_sweep(machine, job, points, callbacks(points), table_);
+        } catch (const Cancelled&) {
+            if (!line_) throw;
+            line_->clear();
             const auto done = std::count_if(table_.rows.begin(), table_.rows.end(),
                                             [](const SweepRow& row) { return row.is_done(); });
             std::cerr << "interreflect-cli: rendered " << done << " of " << table_.rows.size()
-                      << " variations; " << files.list().string()
+                      << " variations; " << job.list().string()
                       << " lists which, and --resume renders the others\n";
             throw;
-        } catch (...) {  // the device is lost, the disk is full
-            try {
-                files.write_list();
-            } catch (const Error&) {  // what went wrong first is told
-            }
-            throw;
         }
-        files.write_list();
-    }
-
-    /// What goes wrong stands in the row.
-    void render_one(engine::SweepRun& variations, const projects::SweepPoint& point, SweepRow& row) {
-        bool was_refused = row.problem != SweepRow::not_rendered;
-        if (!was_refused)
-            variations.render(
-                point, row,
-                [&](const engine::Execution& execution, const FrameReport& report) {
-                    engine::require_matches("--dump", flags_.dumps, report);
-                    line_->clear();
-                    print_messages(execution, report);
-                    return flags_.has_pictures() ? written(execution, report, point.experiment.id) : "";
-                },
-                was_refused);
-        line_->clear();
-        if (row.is_done()) return print(row);
-        complain(row.id + ": " + row.problem);
-        status_ = std::max(status_, was_refused ? int{bad_input} : int{failed});
-    }
-
-    std::string written(const engine::Execution& execution, const FrameReport& report,
-                        const std::string& id) const {
-        const auto stem = (fs::path(flags_.out) / id).string();
-        write_picture(stem + ".exr", execution, flags_.dumps);
-        write_picture(stem + ".png", execution, {});
-        write_file(stem + ".json", engine::statistics_json(execution, report) + "\n");
-        return id + ".exr";
     }
 
     void print(const SweepRow& row) const {

@@ -162,4 +162,15 @@ ImageAttributes attributes(const Execution& execution) {
     return result;
 }
 
+void write_picture(const std::filesystem::path& file, const Execution& execution,
+                   const std::vector<std::string>& dumps) {
+    if (file.extension() == ".exr") {
+        compress_exr_in_threads();
+        write_exr(file, layers(execution, dumps), attributes(execution));
+        return;
+    }
+    Image colours;  // a result's fourth channel is no opacity
+    write_png(file, values_of(main_result(execution), Semantic::radiance, colours));
+}
+
 }  // namespace ir::engine

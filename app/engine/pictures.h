@@ -23,5 +23,9 @@ inline const std::string attribute_prefix = "interreflect.";
 inline const std::string recipe_attribute = attribute_prefix + "recipe";
 /// Parameters, seed, camera, scene hash, versions, recipe: for the EXR header.
 ImageAttributes attributes(const Execution& execution);
+/// The main result and the layers that match `dumps` with all attributes as .exr, or the main result as
+/// .png, as screens show it. Throws Error.
+void write_picture(const std::filesystem::path& file, const Execution& execution,
+                   const std::vector<std::string>& dumps);
 
 }  // namespace ir::engine

@@ -28,7 +28,7 @@ DrawnStudy draw_study(const projects::Project& project, const Registry& registry
 std::string point_id(const ErrorPoint& point);
 const ErrorPoint* find_point(const ErrorStudy& study, const std::string& id);
 
-/// A value as people write it: "256", "tangent-plane".
+/// A value as people write it: "256", "tangent-plane", "640×480".
 std::string value_text(const projects::Json& value);
 
 /// "RMSE", "PSNR (dB)": for axes and headings.

@@ -200,6 +200,24 @@ SweepTable read_table(const fs::path& file) {
     return table;
 }
 
+SweepTable read_tables(const fs::path& folder) {
+    const auto lists = sweep_lists(folder);
+    if (lists.empty())
+        throw InputError(folder.string(), "",
+                         "has no list of a sweep (sweep.json); `sweep PROJECT NAME --out` writes one");
+    for (const auto& list : lists)
+        if (list.stem() == table_name({})) return read_table(list);
+    auto table = read_table(lists.front());
+    for (std::size_t i = 1; i < lists.size(); ++i) {
+        const auto next = read_table(lists[i]);
+        if (next.plan != table.plan)
+            throw InputError(lists[i].string(), "",
+                             "is of another sweep than " + lists.front().filename().string());
+        table.rows.insert(table.rows.end(), next.rows.begin(), next.rows.end());
+    }
+    return table;
+}
+
 std::string table_csv(const SweepTable& table) {
     std::vector<std::string> coordinates, metrics;
     std::set<std::string> counters;

@@ -43,12 +43,16 @@ struct SweepTable {
 std::string table_name(const Shard& shard);
 /// The lists of sweeps and shards that lie in a folder itself, such as sweep-2-of-4.json.
 std::vector<std::filesystem::path> sweep_lists(const std::filesystem::path& folder);
+/// Beside the lists: ground truths, as KEY.exr.
+inline constexpr const char* references_folder = "references";
 /// Of all rows, those of other shards included.
 std::string sweep_plan(const std::vector<SweepRow>& rows);
 
 std::string table_json(const SweepTable& table);
 /// Throws InputError with one line.
 SweepTable read_table(const std::filesystem::path& file);
+/// The one list of a folder, or those of its shards after one another. Throws InputError with one line.
+SweepTable read_tables(const std::filesystem::path& folder);
 /// A heading, then one line a row, with a column for each coordinate, metric and counter. [RFC 4180]
 std::string table_csv(const SweepTable& table);
 

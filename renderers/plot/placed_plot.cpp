@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <utility>
+
+#include "renderers/image/colour_map.h"
+#include "renderers/image/luminance.h"
 
 namespace ir {
 namespace {
@@ -37,11 +41,51 @@ bool is_level_near(const PlotLevel& level, const PlotAxis& axis, const std::vect
     return level.y > 0 && (std::isinf(lowest) || level.y * farthest_level > lowest);
 }
 
+constexpr const char* heat_colours = "viridis";
+
+PlacedPlot::Heat heat_of(const PlotData& data) {
+    PlacedPlot::Heat heat;
+    bool is_first = true;
+    for (const auto& series : data.series)
+        for (const auto& point : series.points) {
+            if (!std::isfinite(point.value)) continue;
+            heat.low = is_first ? point.value : std::min(heat.low, point.value);
+            heat.high = is_first ? point.value : std::max(heat.high, point.value);
+            is_first = false;
+        }
+    heat.log = heat.low > 0 && heat.high > 10 * heat.low;
+    return heat;
+}
+
+const std::array<unsigned char, 3>& entry_of(const PlacedPlot::Heat& heat, double value) {
+    const auto& colours = colour_map(heat_colours);
+    const auto place = [&](double v) { return heat.log ? std::log(std::max(v, heat.low)) : v; };
+    const double range = place(heat.high) - place(heat.low);
+    const double part = range > 0 && !std::isnan(value) ? (place(value) - place(heat.low)) / range : 0;
+    return colours[static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * double(colours.size() - 1) + 0.5)];
+}
+
 void add_remark(PlacedPlot& plot, int count, const std::string& one, const std::string& many) {
     if (count > 0) plot.remarks.push_back(std::to_string(count) + (count == 1 ? one : many));
 }
 
 }  // namespace
+
+PlotColour PlacedPlot::Heat::colour(double value) const {
+    const auto& [r, g, b] = entry_of(*this, value);
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", r, g, b);
+    return text;
+}
+
+PlotColour PlacedPlot::Heat::ink(double value) const {
+    const auto& [r, g, b] = entry_of(*this, value);
+    return luminance(double(r), double(g), double(b)) > 115 ? "#000000" : "#ffffff";
+}
+
+double PlacedPlot::Heat::at(double fraction) const {
+    return log ? low * std::pow(high / low, fraction) : low + fraction * (high - low);
+}
 
 bool PlacedPlot::has_rings() const {
     return std::any_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.ring; });
@@ -54,8 +98,8 @@ PlacedPlot place_plot(const PlotData& data, double width, double height) {
     PlacedPlot plot{PlotScale(data.x, values_of(data, &PlotPoint::x), max_ticks(width, tick_width)),
                     PlotScale(data.y, heights, max_ticks(height, tick_height)),
                     {},
-                    shows_level,
-                    {}};
+                    shows_level};
+    if (data.heat) plot.heat = heat_of(data);
     if (data.level && !shows_level)
         plot.remarks.push_back(data.level->label + ": " + plot_number(data.level->y) +
                                ", far below all points");
@@ -76,7 +120,8 @@ PlacedPlot place_plot(const PlotData& data, double width, double height) {
             const bool is_displaced = plot.x.is_displaced(point.x) || plot.y.is_displaced(point.y);
             displaced += is_displaced ? 1 : 0;
             plot.marks.push_back({point.id, int(s), plot.x.place(point.x), plot.y.place(point.y), point.ring,
-                                  is_displaced, i % every == first, std::exchange(begins, false)});
+                                  is_displaced, i % every == first, std::exchange(begins, false),
+                                  point.value});
         }
     }
     add_remark(plot, displaced, " point is zero or infinite, and stands hollow at the edge",

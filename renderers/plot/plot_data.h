@@ -18,7 +18,8 @@ struct PlotPoint {
     double x = 0, y = 0;
     std::string label;  ///< what a tooltip says, several lines
     bool ring = false;  ///< marked
-    std::vector<PlotCell> cells;
+    std::vector<PlotCell> cells = {};
+    double value = 0;  ///< of a heat map's tile
     bool operator==(const PlotPoint&) const = default;
 };
 
@@ -37,6 +38,12 @@ struct PlotAxis {
     bool operator==(const PlotAxis&) const = default;
 };
 
+/// Points are tiles whose colours stand for their values; both axes have names.
+struct PlotHeat {
+    std::string title;  ///< of the values, with the unit
+    bool operator==(const PlotHeat&) const = default;
+};
+
 /// A horizontal line.
 struct PlotLevel {
     double y = 0;
@@ -50,6 +57,7 @@ struct PlotData {
     PlotAxis x, y;
     std::vector<PlotSeries> series;
     std::optional<PlotLevel> level;
+    std::optional<PlotHeat> heat;
     std::string ring_name;    ///< of the marked points, in the legend
     bool join_rings = false;  ///< a line through them, from left to right
     /// Each series is a function read at many places: only some points have marks, and the line breaks where

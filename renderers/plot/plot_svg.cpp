@@ -65,6 +65,12 @@ class Drawing {
                        {{"class", "ground"}, {"width", w}, {"height", h}, {"fill", style_.background}});
             text(12, 22, data_.title, "start", style_.text, "text", true);
         }
+        if (plot_.heat) {
+            draw_heat_legend();
+            draw_axes();
+            for (const auto& mark : plot_.marks) draw_tile(mark);
+            return out_.close().str();
+        }
         draw_legend();
         draw_axes();
         draw_level();
@@ -120,7 +126,9 @@ class Drawing {
             legend_.push_back({shown, series, x, y});
             x += needed + legend_gap;
         };
-        for (std::size_t s = 0; s < data_.series.size(); ++s) add(data_.series[s].name, int(s));
+        if (plot_.heat) add(data_.heat->title, -1);
+        for (std::size_t s = 0; s < data_.series.size() && !plot_.heat; ++s)
+            add(data_.series[s].name, int(s));
         if (plot_.has_rings() && !data_.ring_name.empty()) add(data_.ring_name, -1);
         top_ = y + (legend_.empty() ? 0 : line_height);
         bottom_ = std::max(top_ + 40, height_ - bottom_margin);
@@ -138,6 +146,39 @@ class Drawing {
             }
             text(x + 18, y + 4, entry.text, "start", style_.text, "text");
         }
+    }
+
+    /// The colours with the least and the greatest value, and what they stand for.
+    void draw_heat_legend() {
+        constexpr double width = 120, height = 12;
+        constexpr int steps = 24;
+        const auto low = plot_number(plot_.heat->low), high = plot_number(plot_.heat->high);
+        const double left = 12 + width_of(low) + tick_gap, y = legend_.front().y;
+        text(12, y + 4, low, "start", style_.text, "text");
+        for (int i = 0; i < steps; ++i)
+            out_.empty("rect", {{"x", number(left + i * width / steps)},
+                                {"y", number(y - height / 2)},
+                                {"width", number(width / steps + 0.5)},
+                                {"height", number(height)},
+                                {"fill", plot_.heat->colour(plot_.heat->at((i + 0.5) / steps))}});
+        text(left + width + tick_gap, y + 4, high + "  " + data_.heat->title, "start", style_.text, "text");
+    }
+
+    void draw_tile(const PlacedPlot::Mark& mark) {
+        const double left = x_at(mark.x - 0.5), top = y_at(mark.y + 0.5);
+        const double width = x_at(mark.x + 0.5) - left, height = y_at(mark.y - 0.5) - top;
+        out_.open("g");
+        if (const auto* point = data_.find(mark.id)) out_.line("title", point->label);
+        out_.empty("rect", {{"x", number(left)},
+                            {"y", number(top)},
+                            {"width", number(width)},
+                            {"height", number(height)},
+                            {"fill", plot_.heat->colour(mark.value)},
+                            {"class", "tile"}});
+        if (width >= min_tile_width && height >= min_tile_height)
+            text(left + width / 2, top + height / 2 + 4, plot_number(mark.value), "middle",
+                 plot_.heat->ink(mark.value), "value");
+        out_.close();
     }
 
     void draw_axes() {

@@ -316,5 +316,11 @@ TEST_F(SweepCommand, ShardsWriteTablesOfTheirOwn) {
     EXPECT_EQ(list("l-2-of-2.json")["points"].size(), 1u);
 }
 
+TEST_F(SweepCommand, GoesToWhereTheWindowLooksForIt) {
+    output("sweep " + project() + " s --quiet --out " + project() + "/results/sweeps/s");
+    EXPECT_EQ(list("p.interreflect/results/sweeps/s/sweep.json")["points"].size(), 3u);
+    expect_refused("sweep " + project() + " s --quiet --out " + project() + "/results/s", 2, "project");
+}
+
 }  // namespace
 }  // namespace ir

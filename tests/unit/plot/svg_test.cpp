@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <regex>
+#include <set>
 
 #include "renderers/plot/placed_plot.h"
 #include "renderers/plot/plot_style.h"
@@ -81,6 +83,53 @@ TEST(PlotStyle, SeriesDifferInColourOrShape) {
             EXPECT_TRUE(PlotStyle::paper().series(a) != PlotStyle::paper().series(b) ||
                         mark_corners(a) != mark_corners(b))
                 << a << " and " << b;
+}
+
+/// Values 1, 10, 100 and none, at two by two places.
+PlotData tiles() {
+    PlotData data;
+    data.title = "RMSE over a and b";
+    data.x = {"a", false, {"small", "large"}, {}};
+    data.y = {"b", false, {"4", "8"}, {}};
+    data.heat = PlotHeat{"RMSE"};
+    const auto tile = [](const char* id, double x, double y, double value) {
+        PlotPoint point{id, x, y, id};
+        point.value = value;
+        return point;
+    };
+    data.series = {{"b = 4", {tile("p", 0, 0, 1), tile("q", 1, 0, 10)}}, {"b = 8", {tile("r", 0, 1, 100)}}};
+    return data;
+}
+
+TEST(PlotSvg, TilesOfAHeatMapTouchAndHaveTheColoursOfTheirValues) {
+    const auto svg = plot_svg(tiles(), 640, 400, true);
+    const std::regex rect(
+        R"re(<g><title>(\w)</title><rect x="([\d.]+)" y="([\d.]+)" width="([\d.]+)" height="([\d.]+)" fill="(#\w+)")re");
+    std::map<std::string, std::vector<double>> boxes;
+    std::map<std::string, std::string> colours;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), rect), end; it != end; ++it) {
+        for (int i = 2; i <= 5; ++i) boxes[(*it)[1]].push_back(std::stod((*it)[i]));
+        colours[(*it)[1]] = (*it)[6];
+    }
+    ASSERT_EQ(boxes.size(), 3u) << svg;
+    EXPECT_NEAR(boxes["p"][0] + boxes["p"][2], boxes["q"][0], 0.02);
+    EXPECT_NEAR(boxes["r"][1] + boxes["r"][3], boxes["p"][1], 0.02) << "larger values of b stand higher";
+    // Two decades: the middle one in the middle of the colours.
+    const auto placed = place_plot(tiles(), 500, 300);
+    ASSERT_TRUE(placed.heat && placed.heat->log);
+    EXPECT_NEAR(placed.heat->at(0.5), 10, 1e-9);
+    EXPECT_EQ(colours["q"], placed.heat->colour(10));
+    EXPECT_EQ(std::set<std::string>({colours["p"], colours["q"], colours["r"]}).size(), 3u);
+    EXPECT_EQ(placed.heat->ink(1), "#ffffff");
+    EXPECT_EQ(placed.heat->ink(100), "#000000");
+    EXPECT_EQ(count(svg, ">10</text>"), 1u) << "the value is written in its tile";
+    EXPECT_EQ(count(svg, "polyline"), 0u);
+}
+
+TEST(PlotSvg, AHeatMapOfOneValueHasAColour) {
+    auto data = tiles();
+    data.series = {{"b = 4", {data.series[0].points[0]}}};
+    EXPECT_EQ(count(plot_svg(data, 640, 400, true), "class=\"tile\""), 1u);
 }
 
 }  // namespace

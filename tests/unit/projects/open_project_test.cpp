@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "projects/check.h"
+#include "projects/coordinate.h"
 #include "projects/hash.h"
 #include "projects/keep.h"
 #include "projects/results.h"
@@ -418,6 +419,34 @@ TEST(Sweeps, RefuseWhatCannotRun) {
     refused({"seed", {-1}});
     refused({"frames", {0}});
     refused({"time", std::vector<Json>(99999, 0.5)});
+}
+
+TEST(Sweeps, AVariationsValuesBecomeTheExperimentsInOneStep) {
+    auto project = sample_project();
+    const auto before = project;
+    const Json coordinates{{"samples", 16},
+                           {"seed", 9},
+                           {"frames", 3},
+                           {"size", {32, 24}},
+                           {"time", 0.5},
+                           {"lights", scene_lights},
+                           {"camera", project.cameras[0].id}};
+    auto edit = edits::set_coordinates(project, registry(), "fog-nave", coordinates, "Load it");
+    EXPECT_EQ(edit->label(), "Load it");
+    EXPECT_EQ(project, before) << "an edit that is made changes nothing";
+    edit->apply(project);
+    const auto now = effective(*find_item(project.experiments, "fog-nave"));
+    EXPECT_EQ(now.values.at("samples"), Value{std::int64_t{16}});
+    EXPECT_EQ(now.seed, 9u);
+    EXPECT_EQ(now.frames, 3);
+    EXPECT_EQ(now.size, glm::ivec2(32, 24));
+    EXPECT_EQ(now.time, 0.5);
+    EXPECT_EQ(now.lights, scene_lights);
+    EXPECT_EQ(now.camera, project.cameras[0].id);
+    edit->revert(project);
+    EXPECT_EQ(project, before);
+    EXPECT_THROW(edits::set_coordinates(project, registry(), "gone", coordinates, ""), UsageError);
+    EXPECT_THROW(edits::set_coordinates(project, registry(), "fog-nave", {{"smaples", 1}}, ""), UsageError);
 }
 
 }  // namespace

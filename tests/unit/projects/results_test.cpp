@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "projects/hash.h"
+#include "projects/sweep.h"
 #include "renderers/core/error.h"
 #include "tests/unit/projects/sample.h"
 
@@ -236,6 +237,8 @@ TEST(ResultIndex, PruneKeepsWhatExperimentsNeed) {
         testing::write_text(folder.path() / "results" / key / "main.exr", "pixels");
     }
     testing::write_text(folder.path() / "results/stray.exr", "x");
+    testing::write_text(folder.path() / "results" / sweep_path("counts") / "sweep.json", "{}");
+    testing::write_text(folder.path() / "results" / sweep_path("gone") / "sweep.json", "{}");
     testing::write_text(folder.path() / "keep.txt", "outside");
     fs::create_symlink(folder.path() / "keep.txt", folder.path() / "results/link");
     index.set_last_kept("fog-nave", "last");
@@ -243,10 +246,13 @@ TEST(ResultIndex, PruneKeepsWhatExperimentsNeed) {
 
     const auto pruned = prune_results(project, registry(), folder.path());
     EXPECT_EQ(pruned.keys, std::vector<std::string>{"old"});
-    EXPECT_EQ(pruned.files, (std::vector<std::string>{"link", "old/main.exr", "stray.exr"}));
+    EXPECT_EQ(pruned.files,
+              (std::vector<std::string>{"link", "old/main.exr", "stray.exr", "sweeps/gone/sweep.json"}));
     EXPECT_EQ(ResultIndex::load(folder.path()).entries().size(), 2u);
     EXPECT_TRUE(fs::exists(folder.path() / "results/last/main.exr"));
     EXPECT_TRUE(fs::exists(folder.path() / "results" / current / "main.exr"));
+    EXPECT_TRUE(fs::exists(folder.path() / "results/sweeps/counts/sweep.json"))
+        << "of a sweep of the project";
     EXPECT_FALSE(fs::exists(folder.path() / "results/old"));
     EXPECT_TRUE(fs::exists(folder.path() / "keep.txt"));
     EXPECT_TRUE(prune_results(project, registry(), folder.path()).files.empty());
