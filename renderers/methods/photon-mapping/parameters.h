@@ -20,6 +20,7 @@ enum class Roulette { multichannel, per_channel };
 enum class Tracer { automatic, compute, embree, cube };
 enum class MicrofacetSampling { visible_normals, ggx, ggx_printed };
 enum class SplatResolution { full, half, quarter };
+enum class Splatting { drawn, tiles };
 enum class InsideTest { ellipsoid, linear_depth };
 enum class Precision { half_float, single_float };
 enum class Accumulation { recent, progressive };
@@ -54,6 +55,7 @@ struct Parameters {
     bool culling = true;
 
     // splatting/parameters.cpp
+    Splatting splatting = Splatting::drawn;
     SplatResolution splat_resolution = SplatResolution::full;
     InsideTest inside_test = InsideTest::ellipsoid;
     Precision sum_precision = Precision::half_float;
@@ -67,7 +69,7 @@ struct Parameters {
     float normal_axis = 0.25f;          ///< s_n
     float max_stretch = 3;              ///< s_max
     bool facing_test = false;           ///< kernels light what faces their light alone
-    bool edge_probes = false;           ///< what hangs over edges goes to the rest of the kernel
+    bool edge_probes = true;            ///< what hangs over edges goes to the rest of the kernel
 
     // filtering/parameters.cpp
     bool temporal = true;

@@ -40,10 +40,17 @@ inline pm::Photon packed(const SomePhoton& photon, float power_unit) {
     return result;
 }
 
+/// Kernels that have the power of their photons wherever they lie. Probes at edges have tests of their own.
+inline pm::Parameters plain_kernels() {
+    pm::Parameters parameters;
+    parameters.edge_probes = false;
+    return parameters;
+}
+
 /// What a run differs in.
 struct SplatRun {
     std::vector<SomePhoton> photons;
-    pm::Parameters parameters;
+    pm::Parameters parameters = plain_kernels();
     float power_unit = 1;
     std::uint64_t capacity = 0;   ///< 0: as many as there are photons
     std::uint32_t uncounted = 0;  ///< added to the counter: photons that found no place
@@ -96,6 +103,41 @@ class SplatTest : public PassTest {
     }
 
     FrameReport splat(const Shot& shot, const SplatRun& run) { return run_shot(shot, method(run), run); }
+
+    struct Sums {
+        Image irradiance, direction;
+    };
+    /// Of a graph that has run nothing before.
+    Sums sums(const Shot& shot, SplatRun run, Processor processor = Processor::gl, int threads = 0) {
+        run.wanted = {"splat.irradiance", "splat.direction"};
+        graph().reset_history();
+        run_shot(shot, method(run), run, 0, processor, threads);
+        return {read("splat.irradiance"), read("splat.direction")};
+    }
+    /// One texel in so many may differ: at the border of a kernel it may be on either side, by rounding.
+    static void expect_equal(const Sums& expected, const Sums& sums, const std::string& name,
+                             int of_texels = 100) {
+        ASSERT_EQ(expected.irradiance.width, sums.irradiance.width);
+        double sum = 0, difference = 0;
+        int lit = 0, other = 0;
+        for (int y = 0; y < sums.irradiance.height; ++y)
+            for (int x = 0; x < sums.irradiance.width; ++x) {
+                const float value = expected.irradiance.at(x, y, 1);
+                const auto is_near = [&](const Image& a, const Image& b, int c) {
+                    return std::abs(a.at(x, y, c) - b.at(x, y, c)) <= 1e-5f * (1e-6f + 3 * value);
+                };
+                bool equal = true;
+                for (int c = 0; c < 4; ++c) equal = equal && is_near(expected.irradiance, sums.irradiance, c);
+                for (int c = 0; c < 2; ++c) equal = equal && is_near(expected.direction, sums.direction, c);
+                lit += value > 0;
+                other += !equal;
+                sum += value;
+                difference += sums.irradiance.at(x, y, 1) - value;
+            }
+        EXPECT_GT(lit, 20) << name;
+        EXPECT_LE(other, 2 + lit / of_texels) << name << ", of " << lit;
+        EXPECT_NEAR(difference / sum, 0, 2e-3) << name;
+    }
     std::vector<ExplainedPhoton> explained_photons() const {
         return elements<ExplainedPhoton>("splat.explain.photons");
     }
@@ -136,7 +178,7 @@ inline scene::Scene wide_square() {
 
 /// Kernels of this radius (m) everywhere, whatever the density.
 inline pm::Parameters with_radius(const Shot& shot, float radius) {
-    pm::Parameters parameters;
+    auto parameters = plain_kernels();
     parameters.min_radius = parameters.max_radius = radius / shot.world.bounds.radius();
     parameters.min_radius_texels = 0;
     return parameters;

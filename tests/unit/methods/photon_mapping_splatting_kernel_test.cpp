@@ -32,7 +32,7 @@ class SplattingKernel : public SplatTest {
         return side * side;
     }
     static pm::Parameters unbounded() {
-        pm::Parameters parameters;
+        auto parameters = plain_kernels();
         parameters.min_radius = 0;
         parameters.max_radius = 10;
         parameters.min_radius_texels = 0;

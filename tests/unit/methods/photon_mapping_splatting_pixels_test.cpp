@@ -63,7 +63,7 @@ TEST_F(SplattedRoom, WithoutPhotonsItIsDark) {
 }
 
 TEST_F(SplattedRoom, WhatFoundNoPlaceIsNotRead) {
-    SplatRun run{photons(50), {}};
+    SplatRun run{photons(50), plain_kernels()};
     splat(shot_, run);
     const auto expected = read("splat.irradiance");
     run.uncounted = 1000000;
@@ -76,7 +76,7 @@ TEST_F(SplattedRoom, WhatFoundNoPlaceIsNotRead) {
 }
 
 TEST_F(SplattedRoom, SameBytesTwice) {
-    const SplatRun run{photons(3000), {}};
+    const SplatRun run{photons(3000), plain_kernels()};
     splat(shot_, run);
     const auto irradiance = read("splat.irradiance"), direction = read("splat.direction"),
                overlay = read("photons.overlay");
@@ -190,7 +190,7 @@ TEST_F(Splatted, WithATestOfNormalsLightDoesNotGoAroundEdges) {
 /// 10 kernels a texel. Measured: root mean square 0.22 %, mean -0.20 % (software rasterisers cut off), at
 /// most 0.65 %; the parameter's doc quotes it.
 TEST_F(SplattedRoom, HalfFloatsLoseLittle) {
-    SplatRun run{photons(20000), {}};
+    SplatRun run{photons(20000), plain_kernels()};
     run.wanted = {"splat.irradiance"};
     run.parameters.kernel_scale = 4;
     run.parameters.sum_precision = pm::Precision::single_float;

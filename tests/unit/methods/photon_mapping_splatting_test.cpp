@@ -122,6 +122,23 @@ TEST_F(Splatting, ProbesKeepTheLightThatHangsOverEdges) {
     EXPECT_NEAR(light[true], 1, 0.02);
 }
 
+/// A thing so small that all probes miss it.
+TEST_F(Splatting, ProbesMakeAPhotonEightThirdsAsBrightAtMost) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 0.05f);
+    const Shot shot(small.scene(), camera_at({0, 0, 1}, {0, 0, 0}), splats_size, splats_size);
+    double light[2];
+    for (const bool probes : {false, true}) {
+        SplatRun run{{{.position_ws = {0, 0, 0}}}, with_radius(shot, 0.5f)};
+        run.parameters.sum_precision = Precision::single_float;
+        run.parameters.edge_probes = probes;
+        run.wanted = {"splat.irradiance", "splat.depth"};
+        splat(shot, run);
+        light[probes] = flux(shot, {0, 0, 1}, 1).r;
+    }
+    EXPECT_NEAR(light[true] / light[false], 8.0 / 3, 1e-3);
+}
+
 /// 2,000 photons whose kernels would have a radius of 0.2 texels. A disc of √½ texels covers 1.57 middles in
 /// the mean, 1 to 2 of them: the flux has a relative standard deviation of 0.7 %; alpha = 1e-4.
 TEST_F(Splatting, KernelsBelowTexelsKeepTheFluxWithLessNoise) {

@@ -9,6 +9,20 @@ const std::string bound_of_radius =
 
 void add_targets(ParameterTable<Parameters>& table) {
     table
+        .add(&Parameters::splatting,
+             {.key = "splatting",
+              .label = "Splatting",
+              .doc = "How kernels are added up. The picture is the same but for rounding.",
+              .citation = "Smal19 §6.2, §6.3",
+              .choices = {{"drawn", "Drawn",
+                           "Kernels are drawn as solids around them, and blending adds; on the host, threads "
+                           "add them to rows of texels."},
+                          {"tiles", "Tiles",
+                           "Compute shaders list the photons of each tile of 16 × 16 texels in order, and "
+                           "texels add up their tile's. On the device alone."}},
+              .effect = Effect::cost,
+              .on_change = OnChange::reallocate,
+              .since_version = 5})
         .add(
             &Parameters::splat_resolution,
             {.key = "splat_resolution",
@@ -133,8 +147,10 @@ void add_shape(ParameterTable<Parameters>& table) {
               .doc =
                   "Divides a photon's power by the area that its kernel can light, estimated by eight looks "
                   "at the picture's depths, instead of by all of its area: what hangs over edges is not "
-                  "lost.",
-              .since_version = 3});
+                  "lost. At least three of them count, so that no photon on a thin thing becomes a bright "
+                  "dot.",
+              .since_version = 5,
+              .value_in_older_projects = Value{false}});
 }
 
 }  // namespace

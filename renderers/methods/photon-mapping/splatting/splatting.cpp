@@ -32,8 +32,11 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
     const KernelPass sums{.name = "splat photons",
                           .command_key = "splat.command",
                           .targets = {splat.irradiance, splat.direction},
-                          .has_two_bodies = parameters.inside_test == InsideTest::ellipsoid};
-    if (sums.has_two_bodies && builder.inputs().processor == Processor::host)
+                          .has_two_bodies = parameters.splatting == Splatting::drawn &&
+                                            parameters.inside_test == InsideTest::ellipsoid};
+    if (parameters.splatting == Splatting::tiles)
+        gather_kernels(builder, kernels, sums);
+    else if (sums.has_two_bodies && builder.inputs().processor == Processor::host)
         splat_on_host(builder, gbuffer, kernels, sums);
     else
         draw_kernels(builder, kernels, sums);

@@ -65,6 +65,10 @@ struct KernelPass {
 };
 void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass);
 
+/// Declares the same sums by a gather: photons are listed by the tiles that their kernels reach, and texels
+/// sum those of their tile, in the order of the photons. Half floats are rounded once.  [Smal19 §6.3]
+void gather_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass);
+
 /// Declares the same pass on the host's threads, for ellipsoids: irradiance and direction are those of the
 /// device but for rounding. Half floats are rounded once, from sums in single precision.
 void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Kernels& kernels,

@@ -1,6 +1,2 @@
-// How many photons of each column each bin gets.
-#include "methods/ldm-indirect/splatting/bins.glsl"
-
-layout(std430) buffer Counts { uint counts[]; };
-
-void visit(uint slot, uint photon) { counts[slot] += 1u; }
+#include "methods/ldm-indirect/splatting/seen_pixels.glsl"
+#include "passes/photons/count_bins.glsl"

@@ -1,6 +1,7 @@
 // Sums the kernels of a bin's photons over its pixels. An invocation sums ROWS pixels of a column: what it reads of a
 // kernel serves all of them, which is most of the time where buffers are read lane by lane.
 #include "methods/ldm-indirect/splatting/packed_kernel.glsl"
+#include "passes/photons/binned.glsl"
 
 #ifdef CLIPPED
 #include "methods/ldm-indirect/splatting/clipping.glsl"
@@ -12,25 +13,18 @@ const uint GATHERED_TILE = 16u;
 
 layout(local_size_x = GATHERED_TILE, local_size_y = GATHERED_TILE / ROWS) in;
 layout(std430) readonly buffer Kernels { PackedKernel kernels[]; };
-layout(std430) readonly buffer Places { uint places[]; };
-layout(std430) readonly buffer Lists { uint lists[]; };
 uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_geometric_normal;
 layout(rgba32f) uniform image2D sums;
 layout(rgba32f) uniform image2D directions;
 
-uniform uint tiles_across, bins_across, first_tile;
-uniform uint round_first, round_size;  // entries of each list
+uniform uint tiles_across, first_tile;
 
 void main() {
     uint tile = first_tile + gl_WorkGroupID.x;
     uvec2 at = uvec2(tile % tiles_across, tile / tiles_across) * GATHERED_TILE;
-    uint bin = at.y / BIN * bins_across + at.x / BIN;
-    uint begin = bin == 0u ? 0u : places[bin * COLUMNS - 1u];
-    uint end = min(places[bin * COLUMNS + COLUMNS - 1u], uint(lists.length()));
-    begin += round_first;
-    end = min(end, begin + round_size);
-    if (begin >= end) return;
+    uvec2 entries = entries_of(at);
+    if (entries.x >= entries.y) return;
     ivec2 first = ivec2(at + gl_LocalInvocationID.xy * uvec2(1, ROWS)), size = imageSize(sums);
     vec3 position_ws[ROWS], normal_ws[ROWS], direction[ROWS];
     vec4 sum[ROWS];
@@ -42,7 +36,7 @@ void main() {
         sum[i] = inside ? imageLoad(sums, pixel) : vec4(0);
         direction[i] = inside ? imageLoad(directions, pixel).xyz : vec3(0);
     }
-    for (uint entry = begin; entry < end; ++entry) {
+    for (uint entry = entries.x; entry < entries.y; ++entry) {
         Kernel k = unpacked_kernel(kernels[lists[entry]]);
         for (int i = 0; i < ROWS; ++i) {
             vec3 irradiance;

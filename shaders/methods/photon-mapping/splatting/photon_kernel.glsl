@@ -48,6 +48,9 @@ float kernel_radius(Photon photon) {
 /// Places of a kernel that are looked at.
 // C++: ir::methods::photon_mapping::probe_count
 const int PROBES = 8;
+/// Of them so many count at least: without a bound single photons on thin things would be eight times as bright.
+// C++: ir::methods::photon_mapping::least_found
+const int LEAST_FOUND = 3;
 /// Between them, radians.
 // C++: ir::methods::photon_mapping::golden_angle
 const float GOLDEN_ANGLE = 2.3999632;
@@ -73,7 +76,7 @@ float covered_part(Kernel k) {
         vec3 place_ws = k.centre_ws + place.x * k.u_ws + place.y * k.t_ws;
         found += int(finds_surface(k, place_ws, sqrt(1.0 - squared) * k.axes.z));
     }
-    return float(max(found, 1)) / float(PROBES);
+    return float(max(found, LEAST_FOUND)) / float(PROBES);
 }
 #endif
 

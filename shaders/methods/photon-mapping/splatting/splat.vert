@@ -38,13 +38,19 @@ vec4 corner_of_ellipsoid(Kernel k) {
     return place;
 }
 
-/// Moved towards the viewer by the half-thickness, so that surfaces in front of the kernel hide it.
+const float SQUARE_SCALE = 1.01;
+
+/// Moved towards the viewer by the half-thickness, so that surfaces in front of the kernel hide it. All of a square
+/// that comes before the near plane is before all surfaces: depths between its corners would be wrong there.
 vec4 corner_of_plane(Kernel k) {
-    vec2 corner = 1.01 * (2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0) * k.axes.xy;
-    vec3 position_ws = k.centre_ws + corner.x * k.u_ws + corner.y * k.t_ws;
+    vec2 corner = (2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0) * k.axes.xy;
+    vec3 position_ws = k.centre_ws + SQUARE_SCALE * (corner.x * k.u_ws + corner.y * k.t_ws);
     vec4 place = place_in_picture(position_ws);
-    float depth = view_depth(position_ws) - 1.01 * k.axes.z;
-    place.z = perspective && depth < near_plane ? abs(place.w) : reversed_depth(depth) * place.w;
+    vec2 reach = abs(vec2(dot(k.u_ws, view_axis_ws), dot(k.t_ws, view_axis_ws)));
+    float nearest = view_depth(k.centre_ws) - SQUARE_SCALE * (dot(reach, k.axes.xy) + k.axes.z);
+    place.z = perspective && nearest < near_plane
+                  ? abs(place.w)
+                  : reversed_depth(view_depth(position_ws) - SQUARE_SCALE * k.axes.z) * place.w;
     return place;
 }
 

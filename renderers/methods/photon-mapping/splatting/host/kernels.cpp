@@ -130,7 +130,7 @@ float KernelMaker::covered_part(const HostKernel& kernel, const glm::mat3& half_
         found +=
             finds_surface(kernel, n, kernel.centre_ws + place, std::sqrt(1 - squared) * sizes.z, longest);
     }
-    return static_cast<float>(std::max(found, 1)) / probe_count;
+    return static_cast<float>(std::max(found, least_found)) / probe_count;
 }
 
 std::optional<HostKernel> KernelMaker::make(const Photon& photon, TexelBox& box) const {

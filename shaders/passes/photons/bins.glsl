@@ -1,10 +1,8 @@
 // Sorts photons into bins, squares of BIN pixels, so that each bin's list is in the order of the photons on every
 // device: the photons are cut into COLUMNS equal parts, one invocation goes through one part in order, and no
-// other writes to its column of counts.
-#include "methods/ldm-indirect/splatting/outline.glsl"
+// other writes to its column of counts. What includes this has `uint stored`, and seen_pixels().
 
 layout(local_size_x = 64) in;
-layout(std430) readonly buffer Photons { Photon photons[]; };
 
 uniform uint first_of_column, end_of_column;  // which photons of each column
 uniform uint bins_across;
@@ -12,11 +10,9 @@ uniform uint bins_across;
 void visit(uint slot, uint photon);
 
 void visit_bins(uint column, uint i) {
-    Footprint f = footprint_of(photons[i]);
-    if (!f.counts) return;
-    Outline o = outline_of(f);
-    if (!is_in_view(o)) return;
-    uvec4 bins = uvec4(pixels_of(o)) / BIN;
+    uvec4 pixels;  // first and last
+    if (!seen_pixels(i, pixels)) return;
+    uvec4 bins = pixels / BIN;
     for (uint y = bins.y; y <= bins.w; ++y)
         for (uint x = bins.x; x <= bins.z; ++x) visit((y * bins_across + x) * COLUMNS + column, i);
 }
