@@ -7,6 +7,7 @@
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/json_fields.h"
+#include "app/gui/redraw.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
@@ -16,7 +17,6 @@ namespace {
 
 using widgets::BenchmarkLine;
 
-constexpr int redraw_ms = 60;
 constexpr int max_repeats = 1000;
 
 const QString own_place = QStringLiteral("own"), experiments_place = QStringLiteral("experiment");

@@ -34,12 +34,13 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results", "plots", "timeline", "benchmarks", "profile"}},
+          "timings", "messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}},
         {"results", {"results"}},
         {"plots", {"plots"}},
+        {"sweeps", {"sweeps"}},
         {"timeline", {"timeline"}},
         {"benchmarks", {"benchmarks"}},
         {"profile", {"profile"}},
@@ -159,7 +160,8 @@ void DockLayout::arrange() {
     window_.addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
     tabify("messages", "results");
     tabify("results", "plots");
-    tabify("plots", "timeline");
+    tabify("plots", "sweeps");
+    tabify("sweeps", "timeline");
     tabify("timeline", "benchmarks");
     tabify("benchmarks", "profile");
     for (auto* each : docks()) each->show();
@@ -168,7 +170,7 @@ void DockLayout::arrange() {
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.
-    for (const char* quiet : {"messages", "results", "plots", "timeline", "benchmarks", "profile"})
+    for (const char* quiet : {"messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile"})
         dock(quiet)->hide();
 }
 
@@ -183,7 +185,7 @@ void DockLayout::apply(const QString& name) {
         if (name != QLatin1String(layout.name)) continue;
         restore_default();
         for (auto* each : docks()) each->setVisible(layout.docks.contains(each->objectName()));
-        if (QStringList{"plots", "benchmarks", "profile"}.contains(name))
+        if (QStringList{"plots", "sweeps", "benchmarks", "profile"}.contains(name))
             window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);
         return show(has_project_);
     }

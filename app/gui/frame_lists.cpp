@@ -19,6 +19,7 @@ FrameLists::FrameLists(Session& session, LivePictures& live, ViewModel& views)
       counters_(new RowsPanel(widgets::counter_headings(), tr("This method has counted nothing yet."))) {
     buffers_->set_picture_size(QSize(48, 32));
     buffers_->set_name_width(190);
+    buffers_->set_searchable(tr("Search buffers"));
     buffers_->setMinimumWidth(240);
     timings_->view()->setRootIsDecorated(false);
     timings_->set_name_width(80);

@@ -66,6 +66,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       document_(new DocumentDock(session_, scenes_, workspace_)),
       results_(new ResultsDock(session_, live_, renderer_, views(), kept_)),
       plots_(new PlotsDock(session_, preferences_, options.study_runner)),
+      sweeps_(new SweepsDock(session_, preferences_, options.sweep_runner)),
       benchmarks_(new BenchmarkDock(session_, preferences_, options.benchmark_runner)),
       parameters_(new ParameterDock(session_, scenes_, notices_)),
       scene_(new SceneDock(session_, scenes_)),
@@ -160,6 +161,7 @@ void MainWindow::make_docks() {
     docks_.add("messages", tr("Messages"), messages_, K(Qt::CTRL | Qt::Key_9));
     docks_.add("results", tr("Results"), results_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
     docks_.add("plots", tr("Plots"), scrolled(plots_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
+    docks_.add("sweeps", tr("Sweeps"), sweeps_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
     docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
     docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
@@ -169,6 +171,7 @@ void MainWindow::make_docks() {
         inspector_.set_thumbnails_wanted(docks_.is_seen("buffers"));
         results_->set_visible_to_user(docks_.is_seen("results"));
         plots_->set_visible_to_user(docks_.is_seen("plots"));
+        sweeps_->set_visible_to_user(docks_.is_seen("sweeps"));
         metrics_.set_visible(docks_.is_seen("metrics"));
         profile_.set_visible(docks_.is_seen("profile"), docks_.is_seen("metrics"));
     });
@@ -295,15 +298,30 @@ void MainWindow::join_panels() {
     connect(&document_->tree(), &widgets::ProjectPanel::item_activated, &joins_,
             [this](const widgets::ItemRef& item) {
                 if (item.kind == widgets::ItemKind::plot) show_plot(item.id.toStdString());
+                if (item.kind != widgets::ItemKind::sweep) return;
+                docks_.raise("sweeps");
+                sweeps_->show_sweep(item.id.toStdString());
             });
-    connect(plots_, &PlotsDock::loaded, &joins_,
-            [this](const QString& experiment) { session_.select_experiment(experiment.toStdString()); });
-    connect(plots_, &PlotsDock::edit_wanted, &joins_, [this](const QString& plot) {
-        document_->select({widgets::ItemKind::plot, plot});
-        edit_in_document();
-    });
+    const auto select = [this](const QString& experiment) {
+        session_.select_experiment(experiment.toStdString());
+    };
+    connect(plots_, &PlotsDock::loaded, &joins_, select);
+    connect(sweeps_, &SweepsDock::loaded, &joins_, select);
+    connect(sweeps_, &SweepsDock::report_wanted, &report_,
+            [this](const QString& folder, const QString& title) {
+                report_.ask_for_sweep(folder.toStdString(), title);
+            });
+    const auto edit = [this](widgets::ItemKind kind) {
+        return [this, kind](const QString& id) {
+            document_->select({kind, id});
+            edit_in_document();
+        };
+    };
+    connect(plots_, &PlotsDock::edit_wanted, &joins_, edit(widgets::ItemKind::plot));
+    connect(sweeps_, &SweepsDock::edit_wanted, &joins_, edit(widgets::ItemKind::sweep));
     notices_.follow(*results_, "results");
     notices_.follow(*plots_, "plots");
+    notices_.follow(*sweeps_, "sweeps");
     notices_.follow(*benchmarks_, "benchmarks");
 }
 
@@ -315,6 +333,7 @@ void MainWindow::save_memory() {
     profile_.save(memory);
     figure_.save(memory);
     plots_->save(memory);
+    sweeps_->save(memory);
     benchmarks_->save(memory);
     playback_.save(memory);
     memory["notes"] = {{"folded", notes_->is_folded()}};
@@ -328,6 +347,7 @@ void MainWindow::load_memory() {
     profile_.load(memory);
     figure_.load(memory);
     plots_->load(memory);
+    sweeps_->load(memory);
     benchmarks_->load(memory);
     playback_.load(memory);
     notes_->set_folded(field_or(member_or_null(memory, "notes"), "folded", height() < min_height_for_notes));
@@ -385,11 +405,13 @@ void MainWindow::go_to(const Message& message) {
 bool MainWindow::is_settled() const {
     return live_.is_settled() && !images_.is_reading() && !kept_.is_busy() && workspace_.is_settled() &&
            metrics_.is_settled() && profile_.is_settled() && figure_.is_settled() && plots_->is_settled() &&
-           benchmarks_->is_settled();
+           sweeps_->is_settled() && benchmarks_->is_settled();
 }
 
 void MainWindow::end_work() {
     benchmarks_->cancel();
+    sweeps_->cancel();
+    profile_.leave();
     if (remember_) docks_.remember();
 }
 
@@ -414,6 +436,7 @@ void MainWindow::changeEvent(QEvent* event) {
     session_.files().look_at_files();
     kept_.look();
     plots_->look();
+    sweeps_->look();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -449,7 +472,8 @@ void MainWindow::show_shortcuts() {
         {tr("Slide the camera (Orbit, Fly)"), tr("Shift+drag, right drag")},
         {tr("Camera nearer or farther (Orbit, Fly)"), tr("Ctrl+wheel")},
         {tr("Move the camera (Fly)"), tr("W A S D, Q E; Shift is faster")},
-        {tr("Load a point's setting (Plots)"), tr("Click, Enter")},
+        {tr("Load a point's or variation's setting (Plots, Sweeps)"), tr("Click, Enter")},
+        {tr("Zoom all pictures, move them, show all of them (Sweeps)"), tr("Ctrl+wheel, + −; drag; 0")},
         {tr("Walk through points (Plots)"), tr("Arrows, Home, End")},
     };
     auto* dialog = new widgets::ShortcutsDialog(actions_.in_order(), gestures, this);

@@ -22,6 +22,7 @@
 #include "app/gui/report_controller.h"
 #include "app/gui/result_controller.h"
 #include "app/gui/scene_dock.h"
+#include "app/gui/sweeps_dock.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
 #include "widgets/panels/manual_window.h"
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
         engine::MachineFlags machine = {};              ///< of the command line
         engine::StudyRunner study_runner = {};          ///< without one they get machines of their own
         engine::BenchmarkRunner benchmark_runner = {};  ///< as above
+        engine::SweepRunner sweep_runner = {};          ///< as above
     };
     MainWindow(Renderer& renderer, const Registry& registry, const Options& options);
 
@@ -132,6 +134,7 @@ class MainWindow : public QMainWindow {
     DocumentDock* document_;
     ResultsDock* results_;
     PlotsDock* plots_;
+    SweepsDock* sweeps_;
     BenchmarkDock* benchmarks_;
     ParameterDock* parameters_;
     SceneDock* scene_;

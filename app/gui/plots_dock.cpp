@@ -10,6 +10,7 @@
 #include "app/gui/exports.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/new_plot.h"
+#include "app/gui/redraw.h"
 #include "app/gui/text_of.h"
 #include "projects/coordinate.h"
 #include "projects/plots.h"
@@ -25,8 +26,6 @@ namespace {
 using engine::KeptStudy;
 using projects::Json;
 using widgets::PlotPanel;
-
-constexpr int redraw_ms = 60;
 
 /// A point of the value that another had replaces that one.
 void put_point(std::vector<engine::ErrorPoint>& points, const engine::ErrorPoint& point) {
@@ -307,18 +306,10 @@ void PlotsDock::load_point(const QString& id) {
     if (session_.open_project().is_read_only())
         return emit failed(tr("%1 is not loaded: the project is open read-only: %2")
                                .arg(setting, text_of(session_.open_project().read_only_reason())));
-    namespace edits = projects::edits;
     const bool changed = session_.edit([&](const projects::Project& project) {
-        const auto& registry = session_.registry();
-        const auto run = projects::with_coordinate(project, *experiment, key, point->value, registry);
-        std::vector<projects::EditPtr> steps;
-        if (key == "frames")
-            steps.push_back(edits::set_frames(project, run.id, run.frames));
-        else if (key == "seed")
-            steps.push_back(edits::set_seed(project, run.id, run.seed));
-        else
-            steps.push_back(edits::set_values(project, registry, run.id, {{key, run.values.at(key)}}));
-        return edits::group("Load " + setting.toStdString() + " from plot", std::move(steps));
+        return projects::edits::set_coordinates(project, session_.registry(), point->experiment,
+                                                projects::Json::object({{key, point->value}}),
+                                                "Load " + setting.toStdString() + " from plot");
     });
     session_.end_gesture();
     const auto name = text_of(point->experiment);

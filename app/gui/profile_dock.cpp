@@ -49,6 +49,10 @@ void ProfileDock::on_drawn() {
     }
 }
 
+void ProfileDock::leave() {
+    if (std::exchange(came_by_drawing_, false)) emit emptied();
+}
+
 void ProfileDock::update() {
     if (!visible_) return panel_->set_fields({.why_empty = tr("No pictures.")});
     const auto& tools = workspace_.tools();

@@ -20,6 +20,8 @@ class ProfileDock : public QObject {
     widgets::ProfilePanel& panel() { return *panel_; }
     /// Metrics measure a rectangle, too: seen, they are enough for one.
     void set_visible(bool visible, bool metrics_visible);
+    /// The window closes: a panel that came by drawing is not open at the next start.
+    void leave();
     bool is_settled() const { return !panel_->is_computing(); }
 
     void save(projects::Json& memory) const;

@@ -11,11 +11,24 @@
 #include "app/report/write_html.h"
 
 namespace ir::gui {
+namespace {
+
+/// Of the work, from that fraction on.
+report::Work half(const report::Work& work, double from) {
+    return {work.cancel, [&work, from](const std::string& what, double fraction) {
+                work.progress(what, from + fraction / 2);
+            }};
+}
+
+}  // namespace
 
 ReportController::ReportController(QWidget& window, Session& session, Notices& notices, Actions& actions)
     : window_(window), session_(session), notices_(notices) {
     action_ = actions.add("report", tr("&Report …"), nullptr, {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_R)},
-                          [this] { ask(); });
+                          [this] {
+                              const auto file = ask_for_file(text_of(session_.document().name));
+                              if (!file.isEmpty()) write_to(file);
+                          });
     action_->setData(
         tr("One HTML file of the kept results: pictures to wipe and flip, metrics, plots, settings"));
     follow(session_, this, &ReportController::update);
@@ -35,27 +48,33 @@ void ReportController::update() {
                              : QString());
 }
 
-void ReportController::ask() {
+QString ReportController::ask_for_file(const QString& title) {
     const QString suffix = QStringLiteral(".html");
-    QString file = QFileDialog::getSaveFileName(&window_, tr("Report"),
-                                                export_proposal(text_of(session_.document().name), suffix),
-                                                tr("Web page (*.html)"));
-    if (file.isEmpty()) return;
+    const auto file = QFileDialog::getSaveFileName(&window_, tr("Report"), export_proposal(title, suffix),
+                                                   tr("Web page (*.html)"));
+    if (file.isEmpty()) return {};
     remember_export(file);
-    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
-    write_to(file);
+    return file.endsWith(suffix, Qt::CaseInsensitive) ? file : file + suffix;
+}
+
+void ReportController::ask_for_sweep(const std::filesystem::path& folder, const QString& title) {
+    if (is_writing()) return notices_.say(tr("A report is being written."));
+    const auto file = ask_for_file(title);
+    if (!file.isEmpty()) write_to(file, of_sweep(folder));
 }
 
 void ReportController::write_to(const QString& file) {
     write_to(file, [project = session_.document(), folder = session_.open_project().folder()](
                        const std::string& path, const report::Work& work) {
-        const auto half = [&work](double from) {
-            return report::Work{work.cancel, [&work, from](const std::string& what, double fraction) {
-                                    work.progress(what, from + fraction / 2);
-                                }};
-        };
-        report::write_html(path, report::report_of(project, folder, half(0)), {}, half(0.5));
+        report::write_html(path, report::report_of(project, folder, half(work, 0)), {}, half(work, 0.5));
     });
+}
+
+ReportController::Maker ReportController::of_sweep(const std::filesystem::path& folder) {
+    return [folder](const std::string& path, const report::Work& work) {
+        const auto made = report::report_of_sweep(folder, report::usual_sweep_pictures, half(work, 0));
+        report::write_html(path, made, {}, half(work, 0.5));
+    };
 }
 
 void ReportController::write_to(const QString& file, const Maker& make) {

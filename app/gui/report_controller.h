@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <thread>
@@ -29,9 +30,14 @@ class ReportController : public QObject {
     /// With another way to make it, for tests.
     void write_to(const QString& file, const Maker& make);
     bool is_writing() const { return dialog_ != nullptr; }
+    /// Of the lists and pictures that a sweep has left in a folder.
+    static Maker of_sweep(const std::filesystem::path& folder);
+    /// Asks where it is to be written.
+    void ask_for_sweep(const std::filesystem::path& folder, const QString& title);
 
   private:
-    void ask();
+    /// Empty: nowhere.
+    QString ask_for_file(const QString& title);
     void run(const QString& file, const Maker& make);
     void show_progress(const std::string& what, double fraction);
     void finish(const QString& file, const QString& error, bool cancelled);

@@ -135,18 +135,4 @@ QVariant BenchmarkModel::headerData(int section, Qt::Orientation orientation, in
     return {};
 }
 
-BenchmarkOrder::BenchmarkOrder(QObject* parent) : QSortFilterProxyModel(parent) {
-    setSortRole(BenchmarkModel::sort_role);
-    setSortCaseSensitivity(Qt::CaseInsensitive);
-    setDynamicSortFilter(true);
-}
-
-bool BenchmarkOrder::lessThan(const QModelIndex& a, const QModelIndex& b) const {
-    if (a.column() == 0) return QSortFilterProxyModel::lessThan(a, b);
-    const auto left = a.data(BenchmarkModel::sort_role), right = b.data(BenchmarkModel::sort_role);
-    const bool ascending = sortOrder() == Qt::AscendingOrder;
-    if (left.isNull() != right.isNull()) return ascending ? right.isNull() : left.isNull();
-    return left.toDouble() < right.toDouble();
-}
-
 }  // namespace ir::widgets

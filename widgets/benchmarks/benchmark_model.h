@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <QSortFilterProxyModel>
 #include <optional>
 #include <vector>
 
@@ -59,16 +58,6 @@ class BenchmarkModel : public QAbstractTableModel {
     QVariant label_data(const BenchmarkLine& line, int role) const;
     BenchmarkTable table_;
     bool fixed_ = false;
-};
-
-/// Sorted by number; rows without one stand last in either order.
-class BenchmarkOrder : public QSortFilterProxyModel {
-    Q_OBJECT
-  public:
-    explicit BenchmarkOrder(QObject* parent = nullptr);
-
-  protected:
-    bool lessThan(const QModelIndex& a, const QModelIndex& b) const override;
 };
 
 }  // namespace ir::widgets

@@ -15,48 +15,17 @@
 #include <algorithm>
 
 #include "renderers/core/limits.h"
+#include "widgets/panels/controls.h"
 #include "widgets/panels/empty_tree_view.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
-namespace {
-
-/// What a control does, and why it cannot.
-QString tip_with(const QString& tip, const QString& why_not) {
-    return why_not.isEmpty() ? tip : QStringLiteral("%1.\n%2").arg(tip, why_not);
-}
-
-/// A label that is cut rather than widening the panel.
-QLabel* make_line(const char* name) {
-    auto* label = new QLabel;
-    label->setObjectName(QLatin1String(name));
-    label->setTextFormat(Qt::PlainText);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    label->setMinimumWidth(1);
-    return label;
-}
-
-void fill(QComboBox* list, const std::vector<Option>& options, const QString& current) {
-    bool same = list->count() == int(options.size());
-    for (std::size_t i = 0; same && i < options.size(); ++i)
-        same = list->itemData(int(i)).toString() == options[i].id &&
-               list->itemText(int(i)) == options[i].label &&
-               list->itemData(int(i), Qt::ToolTipRole).toString() == options[i].tooltip;
-    if (!same) {
-        list->clear();
-        for (const auto& option : options) {
-            list->addItem(option.label, option.id);
-            list->setItemData(list->count() - 1, option.tooltip, Qt::ToolTipRole);
-        }
-    }
-    list->setCurrentIndex(list->findData(current));
-}
-
-}  // namespace
 
 BenchmarkPanel::BenchmarkPanel(QWidget* parent)
-    : QWidget(parent), model_(new BenchmarkModel(this)), order_(new BenchmarkOrder(this)) {
+    : QWidget(parent),
+      model_(new BenchmarkModel(this)),
+      order_(new NumberOrder(BenchmarkModel::sort_role, this)) {
     make_view();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -124,7 +93,7 @@ QWidget* BenchmarkPanel::make_head() {
     progress_->setMinimumWidth(60);
     progress_->setMaximumHeight(16);
     row->addWidget(progress_, 1);
-    doing_ = make_line("doing");
+    doing_ = make_cut_label("doing");
     row->addWidget(doing_, 4);
     export_ = add_button(row, "export", "export", tr("Export"));
     export_->setPopupMode(QToolButton::InstantPopup);
@@ -187,15 +156,15 @@ QWidget* BenchmarkPanel::make_foot() {
     foot_icon_ = new QLabel;
     foot_icon_->setPixmap(icon("warning").pixmap(14));
     row->addWidget(foot_icon_);
-    foot_ = make_line("foot");
+    foot_ = make_cut_label("foot");
     row->addWidget(foot_, 1);
     return foot;
 }
 
 void BenchmarkPanel::set_fields(const BenchmarkFields& fields) {
     fields_ = fields;
-    fill(benchmarks_, fields.benchmarks, fields.benchmark);
-    fill(places_, fields.places, fields.place);
+    show_options(benchmarks_, fields.benchmarks, fields.benchmark);
+    show_options(places_, fields.places, fields.place);
     const QSignalBlocker silent(repeats_);
     repeats_->setValue(fields.repeats);
     model_->set_fixed(fields.is_running);
@@ -262,18 +231,7 @@ void BenchmarkPanel::choose_all(bool chosen) {
 }
 
 QString BenchmarkPanel::text() const {
-    QStringList headings;
-    for (int c = 0; c < order_->columnCount(); ++c)
-        headings << order_->headerData(c, Qt::Horizontal).toString();
-    QStringList lines{headings.join(QLatin1Char('\t'))};
-    const auto* selection = view_->selectionModel();
-    for (int row = 0; row < order_->rowCount(); ++row) {
-        if (selection->hasSelection() && !selection->isRowSelected(row, {})) continue;
-        QStringList cells;
-        for (int c = 0; c < order_->columnCount(); ++c) cells << order_->index(row, c).data().toString();
-        lines << cells.join(QLatin1Char('\t'));
-    }
-    return lines.join(QLatin1Char('\n'));
+    return rows_as_text(*order_, *view_->selectionModel());
 }
 
 /// Esc belongs to the window, too, which cancels rendering with it.

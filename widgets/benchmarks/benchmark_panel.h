@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "widgets/benchmarks/benchmark_model.h"
+#include "widgets/models/number_order.h"
 #include "widgets/parameters/option.h"
 
 class QBoxLayout;
@@ -72,7 +73,7 @@ class BenchmarkPanel : public QWidget {
 
     BenchmarkFields fields_;
     BenchmarkModel* model_;
-    BenchmarkOrder* order_;
+    NumberOrder* order_;
     EmptyTreeView* view_ = nullptr;
     QComboBox *benchmarks_ = nullptr, *places_ = nullptr;
     QSpinBox* repeats_ = nullptr;

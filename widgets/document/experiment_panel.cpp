@@ -13,6 +13,7 @@
 
 #include "projects/document_fields.h"
 #include "widgets/document/fields.h"
+#include "widgets/panels/controls.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/section.h"
 
@@ -27,21 +28,10 @@ QString label_of(const char* key) {
     return QString::fromStdString(text_of(key).label);
 }
 
-void show_options(QComboBox* box, const std::vector<Option>& options, const QString& current) {
-    const QString held = box->property("options").toString();
-    QString now;
-    for (const auto& option : options)
-        now += option.id + QLatin1Char('\n') + option.label + QLatin1Char('\n');
-    if (now != held || box->count() != int(options.size())) {
-        box->clear();
-        for (const auto& option : options) {
-            box->addItem(option.label, option.id);
-            box->setItemData(box->count() - 1, option.tooltip, Qt::ToolTipRole);
-        }
-        box->setProperty("options", now);
-    }
-    box->setCurrentIndex(box->findData(current));
-    box->setToolTip(box->currentData(Qt::ToolTipRole).toString());
+/// With the chosen one's description.
+void show_described(QComboBox* list, const std::vector<Option>& options, const QString& current) {
+    show_options(list, options, current);
+    list->setToolTip(list->currentData(Qt::ToolTipRole).toString());
 }
 
 }  // namespace
@@ -146,12 +136,12 @@ void ExperimentPanel::choose_seed() {
 }
 
 void ExperimentPanel::set_fields(const ExperimentFields& fields) {
-    show_options(experiment_, fields.experiments, fields.experiment);
-    show_options(method_, fields.methods, fields.method);
-    show_options(scene_, fields.scenes, fields.scene);
-    show_options(camera_, fields.cameras, fields.camera);
-    show_options(lights_, fields.lights, fields.light);
-    show_options(preset_, fields.presets, fields.preset);
+    show_described(experiment_, fields.experiments, fields.experiment);
+    show_described(method_, fields.methods, fields.method);
+    show_described(scene_, fields.scenes, fields.scene);
+    show_described(camera_, fields.cameras, fields.camera);
+    show_described(lights_, fields.lights, fields.light);
+    show_described(preset_, fields.presets, fields.preset);
     width_->show_value(fields.size.width());
     height_->show_value(fields.size.height());
     frames_->show_value(fields.frames);

@@ -64,7 +64,7 @@ SweepEditor::SweepEditor(QWidget* parent) : ItemForm(parent) {
 }
 
 void SweepEditor::make_command(QGridLayout* grid) {
-    auto* how = new QLabel(tr("A sweep is run by this command in a terminal:"), this);
+    auto* how = new QLabel(tr("The Sweeps panel runs it, or this command in a terminal:"), this);
     how->setWordWrap(true);
     add_wide(grid, how);
     command_ = new QLineEdit(this);
@@ -195,18 +195,19 @@ void SweepEditor::show_count(const ShownProject& shown) {
 }
 
 void SweepEditor::show_command(const CommandLine& line) {
-    const QString out = q(sweep_.id);
+    const QString id = q(sweep_.id),
+                  out = line.folder + QStringLiteral("/results/") + q(projects::sweep_path(sweep_.id));
     QStringList words = {line.program, QStringLiteral("sweep"), line.folder,
-                         out,          QStringLiteral("--out"), out};
+                         id,           QStringLiteral("--out"), out};
     for (auto& word : words) word = shell_word(word);
     const bool is_known = !line.folder.isEmpty();
     command_->setText(is_known ? words.join(QLatin1Char(' ')) : QString());
     command_->setCursorPosition(0);
     set_usable(copy_, is_known ? QString() : tr("Save the project first: the command names its folder."));
     const QString outcome =
-        tr("A picture of each point, and the list sweep.json, go to the folder %1, which is "
-           "made where the command is run.")
-            .arg(out);
+        tr("A picture of each point, and the list sweep.json, go to the project's folder results/%1, where "
+           "the panel finds them.")
+            .arg(q(projects::sweep_path(sweep_.id)));
     outcome_->setText(line.is_saved ? outcome
                                     : tr("It reads the project as it was saved: save it first. ") + outcome);
 }

@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -43,6 +45,7 @@ RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWi
         restoring_ = true;
         restore_folding({});
         restoring_ = false;
+        search();
     });
     auto* copy_action = new QAction(tr("Copy"), view_);
     copy_action->setShortcut(QKeySequence::Copy);
@@ -57,11 +60,78 @@ void RowsPanel::set_rows(std::vector<Row> rows) {
     fit_columns();
 }
 
+void RowsPanel::set_searchable(const QString& hint) {
+    search_ = new QLineEdit(this);
+    search_->setObjectName(QStringLiteral("search"));
+    search_->setPlaceholderText(hint);
+    search_->setAccessibleName(hint);
+    search_->setClearButtonEnabled(true);
+    search_->installEventFilter(this);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(0, search_);
+    connect(search_, &QLineEdit::textChanged, this, &RowsPanel::search);
+    connect(search_, &QLineEdit::returnPressed, this, [this] {
+        const auto found = first_match({});
+        if (!found.isValid()) return;
+        view_->setCurrentIndex(found);
+        emit row_clicked(found.data(RowsModel::key_role).toString());
+    });
+}
+
+void RowsPanel::search() {
+    if (!search_) return;
+    const auto words = search_->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    restoring_ = true;
+    show_matching({}, words);
+    words.isEmpty() ? restore_folding({}) : view_->expandAll();
+    restoring_ = false;
+}
+
+/// Whether one is shown.
+bool RowsPanel::show_matching(const QModelIndex& parent, const QStringList& words) {
+    bool is_any = false;
+    for (int i = 0; i < model_->rowCount(parent); ++i) {
+        const auto row = model_->index(i, 0, parent);
+        const auto text = row.data().toString() + QLatin1Char(' ') + row.data(RowsModel::key_role).toString();
+        const bool matches = std::all_of(words.begin(), words.end(), [&](const QString& word) {
+            return text.contains(word, Qt::CaseInsensitive);
+        });
+        const bool is_shown = show_matching(row, matches ? QStringList() : words) || matches;
+        view_->setRowHidden(i, parent, !is_shown);
+        is_any |= is_shown;
+    }
+    return is_any;
+}
+
+/// Without children of its own, as those are groups.
+QModelIndex RowsPanel::first_match(const QModelIndex& parent) const {
+    for (int i = 0; i < model_->rowCount(parent); ++i) {
+        if (view_->isRowHidden(i, parent)) continue;
+        const auto row = model_->index(i, 0, parent);
+        if (!model_->hasChildren(row)) return row;
+        if (const auto below = first_match(row); below.isValid()) return below;
+    }
+    return {};
+}
+
 void RowsPanel::set_picture_size(QSize size) {
     view_->setIconSize(size);
 }
 
 bool RowsPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == search_) {
+        const bool is_key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+        const int key = is_key ? static_cast<QKeyEvent*>(event)->key() : 0;
+        if (key == Qt::Key_Escape && !search_->text().isEmpty()) {
+            event->accept();
+            if (event->type() == QEvent::KeyPress) search_->clear();
+            return true;
+        }
+        if (key == Qt::Key_Down && event->type() == QEvent::KeyPress) {
+            view_->setFocus();
+            return true;
+        }
+        return QWidget::eventFilter(watched, event);
+    }
     // The viewport, not the panel: scroll bars come and go.
     if (event->type() == QEvent::Resize) fit_columns();
     return QWidget::eventFilter(watched, event);

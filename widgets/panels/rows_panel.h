@@ -4,6 +4,7 @@
 
 #include "widgets/models/rows_model.h"
 
+class QLineEdit;
 class QTreeView;
 
 namespace ir::widgets {
@@ -15,6 +16,9 @@ class RowsPanel : public QWidget {
   public:
     RowsPanel(const QStringList& headings, const QString& empty_text, QWidget* parent = nullptr);
     void set_rows(std::vector<Row> rows);
+    /// A line above the rows: those without all of its words, in key or name, are hidden, but for groups of
+    /// shown ones. Enter clicks the first, Esc clears it.
+    void set_searchable(const QString& hint);
     /// Size of pictures in the first column, logical pixels.
     void set_picture_size(QSize size);
     /// The first column gives way to the others only down to this many logical pixels.
@@ -32,9 +36,13 @@ class RowsPanel : public QWidget {
   private:
     void restore_folding(const QModelIndex& parent);
     void fit_columns();
+    void search();
+    bool show_matching(const QModelIndex& parent, const QStringList& words);
+    QModelIndex first_match(const QModelIndex& parent) const;
     void copy();
     RowsModel* model_;
     QTreeView* view_;
+    QLineEdit* search_ = nullptr;
     QString empty_text_;
     QHash<QString, bool> open_;  ///< what a person folded or unfolded
     int name_width_ = 110;

@@ -127,7 +127,8 @@ void PlotChart::lay_out_legend() {
         legend_.push_back({shown, series, {x, y + line / 2}});
         x += needed;
     };
-    for (std::size_t s = 0; s < data_.series.size(); ++s)
+    if (is_heat()) add(QString::fromStdString(data_.heat->title), rest_entry);
+    for (std::size_t s = 0; s < data_.series.size() && !is_heat(); ++s)
         add(QString::fromStdString(data_.series[s].name), int(s));
     if (placed_.has_rings() && !data_.ring_name.empty())
         add(QString::fromStdString(data_.ring_name), rings_entry);
@@ -175,6 +176,7 @@ void PlotChart::add_line(const std::vector<QPointF>& points, const QPen& pen) {
 }
 
 void PlotChart::make_lines() {
+    if (is_heat()) return;
     std::vector<QPointF> line, front;
     for (std::size_t i = 0; i < marks().size(); ++i) {
         const auto& mark = marks()[i];
@@ -202,6 +204,10 @@ void PlotChart::paint_marks(QPainter& painter) const {
     if (marks().empty()) return;
     painter.save();
     painter.setClipRect(plotArea().adjusted(-9, -9, 9, 9));
+    if (is_heat()) {
+        paint_tiles(painter);
+        return painter.restore();
+    }
     paint_level(painter);
     paint_points(painter);
     painter.restore();
@@ -215,6 +221,7 @@ void PlotChart::paint_header(QPainter& painter) const {
         QRectF(12, 8, size().width() - 24, bold.height() + 2), Qt::AlignLeft | Qt::AlignTop,
         bold.elidedText(QString::fromStdString(data_.title), Qt::ElideRight, size().width() - 24));
     painter.setFont(font_);
+    if (is_heat()) return paint_heat_legend(painter);
     const QFontMetricsF metrics(font_);
     for (const auto& entry : legend_) {
         const double baseline = entry.at.y() + (metrics.ascent() - metrics.descent()) / 2;
@@ -252,6 +259,59 @@ void PlotChart::paint_level(QPainter& painter) const {
     painter.setFont(font_);
     painter.setPen(colour_of(style_.dim));
     painter.drawText(QPointF(area.right() - width - 6, above ? y - 5 : y + metrics.ascent() + 4), text);
+}
+
+QRectF PlotChart::tile(const Mark& mark) const {
+    Mark low = mark, high = mark;
+    low.x -= 0.5, low.y -= 0.5;
+    high.x += 0.5, high.y += 0.5;
+    return QRectF(position(low), position(high)).normalized();
+}
+
+bool PlotChart::is_in_tile(const Mark& mark, const QPointF& place) const {
+    return tile(mark).contains(place);
+}
+
+/// The colours with the least and the greatest value, and what they stand for.
+void PlotChart::paint_heat_legend(QPainter& painter) const {
+    if (legend_.empty()) return;
+    constexpr int width = 120, steps = 24;
+    const auto& heat = *placed_.heat;
+    const QFontMetricsF metrics(font_);
+    const auto low = QString::fromStdString(plot_number(heat.low)),
+               high = QString::fromStdString(plot_number(heat.high));
+    const double middle = legend_.front().at.y(),
+                 baseline = middle + (metrics.ascent() - metrics.descent()) / 2,
+                 left = 12 + metrics.horizontalAdvance(low) + 6;
+    for (int i = 0; i < steps; ++i)
+        painter.fillRect(
+            QRectF(left + double(i) * width / steps, middle - 6, double(width) / steps + 0.5, 12),
+            colour_of(heat.colour(heat.at((i + 0.5) / steps))));
+    painter.setPen(colour_of(style_.text));
+    painter.drawText(QPointF(12, baseline), low);
+    painter.drawText(QPointF(left + width + 6, baseline), high + QStringLiteral("  ") + legend_.front().text);
+}
+
+void PlotChart::paint_tiles(QPainter& painter) const {
+    painter.setFont(font_);
+    for (const auto& mark : marks()) {
+        const auto box = tile(mark);
+        painter.fillRect(box, colour_of(placed_.heat->colour(mark.value)));
+        if (box.width() < min_tile_width || box.height() < min_tile_height) continue;
+        painter.setPen(colour_of(placed_.heat->ink(mark.value)));
+        painter.drawText(box, Qt::AlignCenter, QString::fromStdString(plot_number(mark.value)));
+    }
+    painter.setBrush(Qt::NoBrush);
+    const auto frame = [&](const QString& id, double width) {
+        const auto* chosen = mark(id);
+        if (!chosen) return;
+        painter.setPen(QPen(colour_of(style_.background), width + 2));
+        painter.drawRect(tile(*chosen).adjusted(1, 1, -1, -1));
+        painter.setPen(QPen(colour_of(style_.selection), width));
+        painter.drawRect(tile(*chosen).adjusted(1, 1, -1, -1));
+    };
+    frame(hovered_, 1);
+    frame(selected_, 2.5);
 }
 
 void PlotChart::paint_points(QPainter& painter) const {

@@ -26,6 +26,9 @@ class PlotChart : public QChart {
     const Mark* mark(const QString& id) const;
     /// In the chart's coordinates.
     QPointF position(const Mark& mark) const;
+    /// Whether a place in the chart's coordinates lies in a heat map's tile.
+    bool is_in_tile(const Mark& mark, const QPointF& place) const;
+    bool is_heat() const { return placed_.heat.has_value(); }
     /// Points whose values the axes cannot show, and levels that lie far from all points: a line each.
     const std::vector<std::string>& remarks() const { return placed_.remarks; }
     void set_selected(const QString& id);
@@ -53,6 +56,9 @@ class PlotChart : public QChart {
     void paint_header(QPainter& painter) const;
     void paint_level(QPainter& painter) const;
     void paint_points(QPainter& painter) const;
+    void paint_heat_legend(QPainter& painter) const;
+    void paint_tiles(QPainter& painter) const;
+    QRectF tile(const Mark& mark) const;
     double y_at(double place) const;
 
     PlotStyle style_;

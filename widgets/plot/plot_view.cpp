@@ -57,6 +57,11 @@ QPointF PlotView::position_of(const QString& id) const {
 
 QString PlotView::point_at(const QPointF& viewport) const {
     const QPointF at = chart_->mapFromScene(mapToScene(viewport.toPoint()));
+    if (chart_->is_heat()) {
+        for (const auto& mark : chart_->marks())
+            if (chart_->is_in_tile(mark, at)) return QString::fromStdString(mark.id);
+        return {};
+    }
     double nearest = reach;
     QString found;
     for (const auto& mark : chart_->marks()) {

@@ -68,6 +68,16 @@ TEST_F(ProfileWindowTest, ADrawnLineBringsTheProfileOfAllViewsAndTakesItAway) {
     EXPECT_FALSE(is_seen()) << "it has nothing to say";
 }
 
+TEST_F(ProfileWindowTest, APanelThatCameByDrawingIsNotRemembered) {
+    trigger("line");
+    draw(0, {10, 8}, {40, 20});
+    ASSERT_TRUE(is_seen());
+    const QTemporaryDir folder;
+    window.session().files().save_as(folder.filePath("left.interreflect").toStdString());
+    window.leave();
+    EXPECT_FALSE(is_seen()) << "the arrangement that is remembered has no such panel";
+}
+
 TEST_F(ProfileWindowTest, APanelThatSomebodyOpenedStays) {
     window.findChild<QDockWidget*>("profile")->show();
     ASSERT_TRUE(settle());

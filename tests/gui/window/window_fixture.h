@@ -111,13 +111,16 @@ class WindowTest : public testing::Test {
     engine::StudyRunner on_study = [](const engine::StudyRequest&, const engine::StudyCallbacks&) {
         return engine::ErrorStudy{};
     };
+    /// What the sweep's thread does.
+    engine::SweepRunner on_sweep = [](const engine::SweepRequest&, const engine::SweepCallbacks&) {};
     MainWindow window{renderer,
                       fake_registry(),
                       {.remember = false,
                        .surface = painted,
-                       .study_runner = [this](const auto& request, const auto& callbacks) {
-                           return on_study(request, callbacks);
-                       }}};
+                       .study_runner = [this](const auto& request,
+                                              const auto& callbacks) { return on_study(request, callbacks); },
+                       .sweep_runner = [this](const auto& request,
+                                              const auto& callbacks) { on_sweep(request, callbacks); }}};
 };
 
 }  // namespace ir::gui

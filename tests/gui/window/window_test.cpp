@@ -5,6 +5,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QSignalSpy>
@@ -160,6 +161,32 @@ TEST_F(WindowTest, AClickedBufferIsShownAndComputed) {
     EXPECT_EQ(window.view().picture()->semantic, Semantic::depth);
 }
 
+TEST_F(WindowTest, BuffersAreFoundByWordsOfTheirNames) {
+    open_scene();
+    auto* buffers = window.findChild<QDockWidget*>("buffers");
+    auto* view = buffers->findChild<QTreeView*>();
+    auto* model = qobject_cast<widgets::RowsModel*>(view->model());
+    auto* search = buffers->findChild<QLineEdit*>("search");
+    const auto is_hidden = [&](const char* key) {
+        const auto row = model->index_of(key);
+        return view->isRowHidden(row.row(), row.parent());
+    };
+    ASSERT_FALSE(is_hidden("depth"));
+    QTest::mouseClick(search, Qt::LeftButton);
+    QTest::keyClicks(search, "DEP");
+    EXPECT_FALSE(is_hidden("depth"));
+    EXPECT_TRUE(is_hidden("levels"));
+    // New rows, too, are only those that are searched.
+    trigger("rerun");
+    EXPECT_TRUE(is_hidden("levels"));
+    QTest::keyClick(search, Qt::Key_Return);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().shown_key(), "depth");
+    QTest::keyClick(search, Qt::Key_Escape);
+    EXPECT_FALSE(is_hidden("levels"));
+    EXPECT_EQ(search->text(), "");
+}
+
 TEST_F(WindowTest, RenderingShowsProgressAndEscapeCancels) {
     open_scene();
     renderer.hold = true;
@@ -289,7 +316,7 @@ TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
     }
     window.action("layout-default")->trigger();
     QApplication::processEvents();
-    const QStringList quiet{"messages", "results", "plots", "timeline", "benchmarks", "profile"};
+    const QStringList quiet{"messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile"};
     for (auto* dock : docks)
         EXPECT_EQ(dock->isHidden(), quiet.contains(dock->objectName())) << dock->objectName().toStdString();
     window.action("dock-messages")->trigger();

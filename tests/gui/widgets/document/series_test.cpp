@@ -62,8 +62,9 @@ TEST_F(SeriesTest, ASweepSaysByWhichCommandItIsRun) {
     QApplication::clipboard()->clear();
     field<QToolButton>("copy-command")->click();
     EXPECT_EQ(QApplication::clipboard()->text(),
-              "interreflect-cli sweep '/data/it'\\''s mine/a.interreflect' " + id + " --out " + id);
-    EXPECT_TRUE(field<QLabel>("outcome")->text().contains("folder " + id));
+              "interreflect-cli sweep '/data/it'\\''s mine/a.interreflect' " + id +
+                  " --out '/data/it'\\''s mine/a.interreflect/results/sweeps/" + id + "'");
+    EXPECT_TRUE(field<QLabel>("outcome")->text().contains("results/sweeps/" + id));
     EXPECT_FALSE(field<QLabel>("outcome")->text().contains("save it first"));
     editor->set_command_line({"interreflect-cli", "/data/a.interreflect", false});
     EXPECT_TRUE(field<QLabel>("outcome")->text().contains("save it first"));

@@ -1,0 +1,474 @@
+#include "app/gui/sweeps_dock.h"
+
+#include <QFileDialog>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/gui/dialog_folder.h"
+#include "app/gui/json_fields.h"
+#include "app/gui/redraw.h"
+#include "app/gui/text_of.h"
+#include "projects/coordinate.h"
+#include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
+#include "widgets/document/makers.h"
+
+namespace ir::gui {
+namespace {
+
+namespace fs = std::filesystem;
+using engine::SweepRow;
+using projects::Json;
+using widgets::SweepLine, widgets::SweepPanel;
+
+}  // namespace
+
+SweepsDock::SweepsDock(Session& session, const Preferences& preferences, engine::SweepRunner runner,
+                       QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      preferences_(preferences),
+      runs_(std::move(runner)),
+      panel_(new SweepPanel) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(panel_);
+    redraw_.setSingleShot(true);
+    redraw_.setInterval(redraw_ms);
+    connect(&redraw_, &QTimer::timeout, this, &SweepsDock::update);
+    connect_panel();
+    connect_runs();
+    connect(&session_, &Session::project_replaced, this, &SweepsDock::forget_all);
+    connect(&session_, &Session::document_changed, this, &SweepsDock::look);
+    connect(&session_.files(), &ProjectFiles::files_changed, this, &SweepsDock::look);
+    update();
+}
+
+void SweepsDock::connect_panel() {
+    connect(panel_, &SweepPanel::sweep_chosen, this,
+            [this](const QString& id) { show_sweep(id.toStdString()); });
+    connect(panel_, &SweepPanel::new_wanted, this, &SweepsDock::add_sweep);
+    connect(panel_, &SweepPanel::edit_wanted, this, [this] { emit edit_wanted(text_of(chosen())); });
+    connect(panel_, &SweepPanel::run_wanted, this, &SweepsDock::run);
+    connect(panel_, &SweepPanel::pause_wanted, this, &SweepsDock::pause);
+    connect(panel_, &SweepPanel::cancel_wanted, this, &SweepsDock::cancel);
+    connect(panel_, &SweepPanel::judging_chosen, this, [this](bool judges) {
+        judges_ = judges;
+        update();
+    });
+    connect(panel_, &SweepPanel::plot_chosen, this, [this](const QString& id) {
+        plot_ = id.toStdString();
+        update();
+    });
+    connect(panel_, &SweepPanel::quantity_chosen, this, [this](const QString& id) {
+        quantity_ = id.toStdString();
+        update();
+    });
+    connect(panel_, &SweepPanel::tab_chosen, this, &SweepsDock::update);
+    connect(panel_, &SweepPanel::variation_chosen, this, &SweepsDock::load_variation);
+    connect(panel_, &SweepPanel::csv_wanted, this, &SweepsDock::export_csv);
+    connect(panel_, &SweepPanel::report_wanted, this,
+            [this] { emit report_wanted(text_of(folder().string()), text_of(chosen())); });
+    connect(panel_, &SweepPanel::folder_wanted, this, &SweepsDock::ask_for_folder);
+    connect(panel_, &SweepPanel::own_folder_wanted, this, [this] { open_folder({}); });
+}
+
+void SweepsDock::connect_runs() {
+    connect(&runs_, &SweepRuns::planned, this, [this](const engine::SweepTable& table) {
+        if (!shows_run()) return;
+        engine::SweepSheet sheet;
+        sheet.table = table;
+        sheet.stale.resize(table.rows.size());
+        take(std::move(sheet));
+    });
+    connect(&runs_, &SweepRuns::begun, this, [this](std::size_t row) {
+        const auto before = std::exchange(at_, row);
+        fraction_ = 0;
+        doing_.clear();
+        if (run_ == Run::paused) run_ = Run::running;
+        if (!shows_run()) return;
+        for (const auto each : {before, row})
+            if (each < sheet_.table.rows.size()) panel_->set_line(int(each), line(each));
+        if (!redraw_.isActive()) redraw_.start();
+    });
+    connect(&runs_, &SweepRuns::rows_arrived, this, [this](const SweepRuns::Rows& rows) {
+        if (!shows_run()) return;
+        for (const auto& [row, outcome] : rows)
+            if (row < sheet_.table.rows.size()) sheet_.table.rows[row] = outcome;
+        if (sweep_columns(sheet_.table) != columns_)
+            show_rows();
+        else
+            for (const auto& [row, outcome] : rows)
+                if (row < sheet_.table.rows.size()) panel_->set_line(int(row), line(row));
+        if (!redraw_.isActive()) redraw_.start();
+    });
+    connect(&runs_, &SweepRuns::progressed, this, [this](const QString& what, double fraction) {
+        doing_ = what;
+        fraction_ = fraction;
+        if (!redraw_.isActive()) redraw_.start();
+    });
+    connect(&runs_, &SweepRuns::paused, this, [this] {
+        if (run_ == Run::pausing) run_ = Run::paused;
+        update();
+    });
+    connect(&runs_, &SweepRuns::noted, this, &SweepsDock::said);
+    connect(&runs_, &SweepRuns::finished, this, [this] {
+        end_run({});
+        const auto failures = std::count_if(sheet_.table.rows.begin(), sheet_.table.rows.end(),
+                                            [](const SweepRow& row) { return !row.is_done(); });
+        emit said(failures == 0 ? tr("The sweep is through")
+                                : tr("The sweep is through; %1 variation(s) failed").arg(failures));
+    });
+    connect(&runs_, &SweepRuns::failed, this, [this](const QString& error, bool cancelled) {
+        end_run(cancelled ? QString() : error);
+        cancelled ? emit said(tr("Cancelled the sweep; Run goes on with it")) : emit failed(error);
+    });
+}
+
+bool SweepsDock::shows_run() const {
+    return run_ != Run::none && running_ == chosen() && running_folder_ == folder();
+}
+
+void SweepsDock::end_run(const QString& problem) {
+    problem_ = problem;
+    running_.clear();
+    run_ = Run::none;
+    look();
+}
+
+const projects::Sweep* SweepsDock::sweep() const {
+    return session_.has_project() ? projects::find_item(session_.document().sweeps, chosen()) : nullptr;
+}
+
+const projects::Experiment* SweepsDock::base() const {
+    return session_.experiment(sheet_.is_foreign ? sheet_.table.experiment
+                               : sweep()         ? sweep()->experiment
+                                                 : std::string());
+}
+
+std::string SweepsDock::chosen() const {
+    if (!session_.has_project()) return {};
+    const auto& sweeps = session_.document().sweeps;
+    if (projects::find_item(sweeps, chosen_)) return chosen_;
+    return sweeps.empty() ? std::string() : sweeps.front().id;
+}
+
+fs::path SweepsDock::own_folder() const {
+    const auto& project = session_.open_project().folder();
+    return project.empty() ? fs::path() : project / "results" / projects::sweep_path(chosen());
+}
+
+fs::path SweepsDock::folder() const {
+    const auto opened = opened_.find(chosen());
+    return opened == opened_.end() ? own_folder() : opened->second;
+}
+
+engine::SweepJob SweepsDock::job() const {
+    engine::SweepJob job;
+    job.project = session_.document();
+    job.folder = session_.open_project().folder();
+    job.sweep = *sweep();
+    job.out = folder();
+    job.is_judged = judges_;
+    job.repeats = judges_ ? 1 : 0;
+    job.resumes = true;
+    return job;
+}
+
+void SweepsDock::show_sweep(const std::string& id) {
+    if (chosen_ != id) sheet_ = {};
+    chosen_ = id;
+    problem_.clear();
+    look();
+}
+
+void SweepsDock::add_sweep() {
+    if (!session_.has_project()) return;
+    const auto* shown = session_.experiment();
+    if (!session_.edit(widgets::makers::add_sweep(shown ? shown->id : std::string()))) return;
+    session_.end_gesture();
+    show_sweep(session_.document().sweeps.back().id);
+    emit edit_wanted(text_of(chosen()));
+}
+
+void SweepsDock::open_folder(const fs::path& folder) {
+    if (folder.empty())
+        opened_.erase(chosen());
+    else
+        opened_[chosen()] = folder;
+    sheet_ = {};
+    look();
+}
+
+void SweepsDock::ask_for_folder() {
+    const auto start = folder().empty() ? dialog_folder(session_) : text_of(folder().string());
+    const auto chosen_folder = QFileDialog::getExistingDirectory(this, tr("Results of a sweep"), start);
+    if (!chosen_folder.isEmpty()) open_folder(chosen_folder.toStdString());
+}
+
+void SweepsDock::set_visible_to_user(bool seen) {
+    if (std::exchange(seen_, seen) == seen) return;
+    if (seen_ && outdated_) look();
+}
+
+bool SweepsDock::is_settled() const {
+    return !runs_.is_running() && !reader_.is_running() &&
+           !(panel_->sheet().isVisible() && panel_->sheet().pictures().is_reading());
+}
+
+/// Another project: what runs is not its own.
+void SweepsDock::forget_all() {
+    runs_.cancel();
+    opened_.clear();
+    sheet_ = {};
+    problem_.clear();
+    look();
+}
+
+void SweepsDock::look() {
+    outdated_ = !seen_;
+    if (!seen_) return;
+    reader_.drop_waiting();
+    if (!sweep()) {
+        sheet_ = {};
+        show_rows();
+        return update();
+    }
+    update();
+    if (shows_run()) return;  // its run tells more
+    reader_.start([this, job = job(), shown = chosen(),
+                   &registry = session_.registry()](const std::atomic<bool>& cancelled) {
+        auto sheet = std::make_shared<engine::SweepSheet>(
+            engine::look_at_sweep(job, registry, [&cancelled] { return cancelled.load(); }));
+        return [this, sheet, shown, out = job.out] {
+            if (!sweep() || shown != chosen() || out != folder()) return;
+            if (!shows_run()) take(std::move(*sheet));
+        };
+    });
+}
+
+void SweepsDock::take(engine::SweepSheet sheet) {
+    sheet_ = std::move(sheet);
+    show_rows();
+    update();
+}
+
+QString SweepsDock::why_not_run() const {
+    if (!sweep()) return tr("There is no sweep.");
+    const auto& open = session_.open_project();
+    if (open.folder().empty())
+        return tr("Save the project first (Ctrl+S): the variations are files in its folder.");
+    if (open.is_read_only() && !opened_.count(chosen()))
+        return tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    if (sheet_.is_foreign) return tr("These results are of another sweep; go back to the project's.");
+    return text_of(sheet_.refused);
+}
+
+void SweepsDock::run() {
+    if (runs_.is_running() || !why_not_run().isEmpty()) return;
+    if (!runs_.start({job(), preferences_.machine(), preferences_.machine_settings().memory_budget()}))
+        return;
+    running_ = chosen();
+    running_folder_ = folder();
+    run_ = Run::running;
+    at_ = sheet_.table.rows.size();
+    doing_ = tr("Starting …");
+    fraction_ = 0;
+    problem_.clear();
+    update();
+}
+
+void SweepsDock::pause(bool pauses) {
+    if (run_ == Run::none) return;
+    run_ = pauses ? Run::pausing : Run::running;
+    runs_.pause(pauses);
+    update();
+}
+
+void SweepsDock::cancel() {
+    runs_.cancel();
+}
+
+void SweepsDock::load_variation(const QString& id) {
+    const auto& rows = sheet_.table.rows;
+    const auto wanted = id.toStdString();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const SweepRow& each) { return each.id == wanted; });
+    if (row == rows.end()) return;
+    const auto* experiment = base();
+    if (!experiment) return emit said(tr("The experiment of this variation is gone."));
+    const auto setting = text_of(engine::name_of(*row)), name = text_of(experiment->name);
+    if (session_.open_project().is_read_only())
+        return emit failed(tr("%1 is not loaded: the project is open read-only: %2")
+                               .arg(setting, text_of(session_.open_project().read_only_reason())));
+    const auto experiment_id = experiment->id;
+    const auto coordinates = row->coordinates;
+    const bool changed = session_.edit([&](const projects::Project& project) {
+        return projects::edits::set_coordinates(project, session_.registry(), experiment_id, coordinates,
+                                                "Load " + setting.toStdString() + " from sweep");
+    });
+    session_.end_gesture();
+    emit said(changed ? tr("Loaded %1 into %2").arg(setting, name) : tr("%2 has %1").arg(setting, name));
+    emit loaded(text_of(experiment_id));
+}
+
+void SweepsDock::save(Json& memory) const {
+    auto& own = memory["sweeps"];
+    own = {{"chosen", chosen()},
+           {"judges", judges_},
+           {"plot", plot_},
+           {"quantity", quantity_},
+           {"tab", panel_->tab()},
+           {"shows", panel_->shows()},
+           {"sorted_by", panel_->sorted_by().toStdString()},
+           {"descending", panel_->is_descending()}};
+    for (const auto& [id, folder] : opened_) own["folders"][id] = folder.string();
+}
+
+void SweepsDock::load(const Json& memory) {
+    const auto& own = member_or_null(memory, "sweeps");
+    chosen_ = field_or(own, "chosen", std::string());
+    judges_ = field_or(own, "judges", true);
+    plot_ = field_or(own, "plot", std::string());
+    quantity_ = field_or(own, "quantity", std::string());
+    panel_->set_tab(field_or(own, "tab", 0));
+    panel_->set_shows(field_or(own, "shows", 0));
+    opened_.clear();
+    if (const auto& folders = member_or_null(own, "folders"); folders.is_object())
+        for (const auto& [id, folder] : folders.items())
+            if (folder.is_string()) opened_[id] = folder.get<std::string>();
+    sheet_ = {};
+    panel_->sort_by(text_of(field_or(own, "sorted_by", std::string())), field_or(own, "descending", false));
+    look();
+}
+
+std::size_t SweepsDock::count_done() const {
+    return std::size_t(std::count_if(sheet_.table.rows.begin(), sheet_.table.rows.end(),
+                                     [](const SweepRow& row) { return row.is_done(); }));
+}
+
+SweepLine SweepsDock::line(std::size_t row) const {
+    return sweep_line(sheet_, columns_, row, folder(), shows_run() && row == at_);
+}
+
+void SweepsDock::show_rows() {
+    columns_ = sweep_columns(sheet_.table);
+    auto rows = sweep_headings(columns_);
+    for (std::size_t i = 0; i < sheet_.table.rows.size(); ++i) rows.lines.push_back(line(i));
+    panel_->set_rows(std::move(rows));
+}
+
+void SweepsDock::update() {
+    panel_->set_fields(fields());
+}
+
+widgets::SweepFields SweepsDock::fields() const {
+    widgets::SweepFields fields;
+    if (!session_.has_project()) {
+        fields.empty = tr("No project is open.");
+        fields.why_read_only = fields.empty;
+        fields.why_not_run = fields.empty;
+        return fields;
+    }
+    const auto& document = session_.document();
+    const auto& open = session_.open_project();
+    for (const auto& each : document.sweeps)
+        fields.sweeps.push_back(
+            {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.id)});
+    fields.sweep = text_of(chosen());
+    if (open.is_read_only())
+        fields.why_read_only = tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    if (!sweep()) {
+        const bool can_have = !document.experiments.empty() && !open.is_read_only();
+        fields.empty =
+            tr("A sweep renders an experiment at all combinations of some values: parameters, size, "
+               "seed, frames, time, camera, lights or scene. Its variations are seen beside each "
+               "other, as a table and as plots.");
+        fields.empty +=
+            QStringLiteral("\n\n") + (can_have                       ? tr("This project has none yet.")
+                                      : document.experiments.empty() ? tr("It needs an experiment.")
+                                                                     : fields.why_read_only);
+        if (can_have) fields.button = tr("New sweep");
+        fields.why_not_run = tr("There is no sweep.");
+        return fields;
+    }
+    fields.is_judged = judges_;
+    fields.is_elsewhere = opened_.count(chosen()) != 0;
+    fields.run = run_;
+    fields.why_not_run = why_not_run();
+    const auto done = count_done();
+    fields.run_tip = done > 0
+                         ? tr("Render the variations that are missing, that failed, and that would be other "
+                              "pictures now")
+                         : tr("Render all variations");
+    if (run_ != Run::none) {
+        fields.doing = doing();
+        const double count = std::max<double>(1, double(sheet_.table.rows.size()));
+        fields.fraction = (double(done) + fraction_) / count;
+    }
+    if (const auto* experiment = base())
+        if (const auto* method = session_.registry().find(experiment->method))
+            if (const auto* output = main_output(*method, projects::effective(*experiment).values))
+                fields.semantic = output->semantic;
+    fill_sweep_plot(fields, sheet_.table, columns_, {plot_, quantity_});
+    if (panel_->tab() != SweepPanel::plot_tab)
+        fields.data = panel_->fields().data;  // drawn when it is seen
+    else
+        draw_sweep_plot(fields, sheet_.table);
+    fill_foot(fields);
+    return fields;
+}
+
+QString SweepsDock::doing() const {
+    if (run_ == Run::paused) return tr("Paused");
+    const auto& rows = sheet_.table.rows;
+    auto text = at_ < rows.size() ? tr("%1 of %2").arg(at_ + 1).arg(rows.size()) : QString();
+    if (!doing_.isEmpty()) text += (text.isEmpty() ? QString() : QStringLiteral(": ")) + doing_;
+    return run_ == Run::pausing ? tr("Pauses after this one, %1").arg(text) : text;
+}
+
+/// Whose results these are, and what is to be known of them.
+void SweepsDock::fill_foot(widgets::SweepFields& fields) const {
+    const auto& rows = sheet_.table.rows;
+    QStringList parts;
+    const auto problem = problem_.isEmpty() ? text_of(sheet_.problem) : problem_;
+    if (!problem.isEmpty()) parts << problem;
+    const auto done = count_done();
+    parts << tr("%1 of %2 variations").arg(done).arg(rows.size());
+    const auto stale = std::count(sheet_.stale.begin(), sheet_.stale.end(), true);
+    if (stale > 0) parts << tr("%1 stale").arg(stale);
+    const auto failures = std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) {
+        return !row.is_done() && row.problem != SweepRow::not_rendered;
+    });
+    if (failures > 0) parts << tr("%1 failed").arg(failures);
+    if (sheet_.is_foreign) parts << tr("of the sweep %1").arg(text_of(sheet_.table.sweep));
+    if (!fields.why_not_run.isEmpty() && problem.isEmpty() && run_ == Run::none) parts << fields.why_not_run;
+    if (!folder().empty()) parts << text_of(folder().string());
+    fields.is_warning = !problem.isEmpty() || failures > 0 || stale > 0;
+    fields.foot = parts.join(QStringLiteral("  ·  "));
+    fields.foot_tip = parts.join(QLatin1Char('\n'));
+}
+
+void SweepsDock::write_csv(const QString& file) const {
+    write_file(file.toStdString(), engine::table_csv(sheet_.table));
+}
+
+void SweepsDock::export_csv() {
+    const auto suffix = QStringLiteral(".csv");
+    auto file = QFileDialog::getSaveFileName(this, tr("Export"), export_proposal(text_of(chosen()), suffix),
+                                             tr("Comma-separated values (*.csv)"));
+    if (file.isEmpty()) return;
+    remember_export(file);
+    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
+    try {
+        write_csv(file);
+        emit said(tr("Wrote %1").arg(file));
+    } catch (const Error& error) {
+        emit failed(text_of(error.what()));
+    }
+}
+
+}  // namespace ir::gui
