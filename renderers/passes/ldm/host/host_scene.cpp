@@ -2,6 +2,7 @@
 
 #include <tbb/info.h>
 
+#include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
 
 namespace ir::passes::ldm {
@@ -40,8 +41,7 @@ HostCounters declare_host_counters(graph::GraphBuilder& builder) {
 graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder) {
     graph::ObjectDesc desc;
     desc.text.key = "ldm.meshlets";
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
+    if (const auto found = graph::declared_object(builder, desc.text.key)) return *found;
     desc.text.label = "Meshlets";
     desc.text.doc = "The scene's triangles in groups that lie together, for maps that are built on the host.";
     desc.fingerprint = builder.inputs().geometry_fingerprint;
