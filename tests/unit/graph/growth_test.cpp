@@ -190,7 +190,7 @@ TEST_F(GraphTest, NothingMadeFromATruncatedBufferIsKept) {
         run(growing.declare());
         EXPECT_EQ(graph->read_image("total")->at(0, 0, 0), growing.expected());
         EXPECT_EQ(growing.fills, 2);
-        EXPECT_EQ(growing.sums, 2);
+        EXPECT_EQ(growing.sums, growth == Growth::rerun ? 1 : 2);
     }
 }
 
