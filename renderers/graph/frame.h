@@ -52,6 +52,7 @@ struct Frame {
     GraphBuilder* builder = nullptr;
     Plan plan;
     std::vector<bool> cached, ran;           ///< passes that need not run; that ran in this attempt
+    bool is_cut_short = false;               ///< a buffer overflowed, so passes after it did not run
     std::vector<Physical*> images, buffers;  ///< by index of the builder; null where culled
     std::unique_ptr<std::atomic<std::uint32_t>[]> host_counters;
     CancelToken never_cancelled;
@@ -67,6 +68,9 @@ struct Frame {
     /// False where the budget does not allow the frame, or an object that a pass made.
     bool run_fitting();
     bool run_passes();
+    /// Whether the pass counted, on the host, more elements than a buffer has room for, in a frame that runs
+    /// again then.
+    bool has_overflowed(std::size_t pass) const;
     void resolve_times();
 
     /// For explanations, which run on what is there then.

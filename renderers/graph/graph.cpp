@@ -97,7 +97,24 @@ bool Frame::divide_further() {
     return true;
 }
 
+bool Frame::has_overflowed(std::size_t index) const {
+    const auto& passes = builder->passes();
+    if (passes[index].queue == Queue::gl || options->growth == Growth::next_frame) return false;
+    const auto counts_later = [&](CounterRef counter) {
+        for (auto i = index + 1; i < passes.size(); ++i)
+            for (const auto other : passes[i].counters)
+                if (other.index == counter.index && plan.pass_live[i] && !cached[i]) return true;
+        return false;
+    };
+    return std::ranges::any_of(passes[index].counters, [&](CounterRef counter) {
+        const int grown = builder->counters()[counter.index].growth_of.index;
+        return grown >= 0 && buffers[grown] && host_counters[counter.index] > buffers[grown]->capacity &&
+               !counts_later(counter);
+    });
+}
+
 bool Frame::run_passes() {
+    is_cut_short = false;
     images.clear();
     buffers.clear();
     ran.clear();
@@ -122,6 +139,8 @@ bool Frame::run_passes() {
         cache.report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(pass, i) : row);
         cache.report.passes.back().is_kept = is_kept(pass);
         if (ran[i] && makes_object(pass) && !memory.fits(memory.plan())) return false;
+        is_cut_short = ran[i] && has_overflowed(i);
+        if (is_cut_short) break;
     }
     resolve_times();
     return true;
@@ -170,7 +189,7 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
         const auto counts = read_counters();
         cache.report.complete = !memory.grow(counts);
         if (!cache.report.complete) drop_unsure_fingerprints();
-        fill_report(*this, counts);
+        if (!is_cut_short) fill_report(*this, counts);
         if (cache.report.complete) {
             remember_committed(wanted);
             share_contents(*this);

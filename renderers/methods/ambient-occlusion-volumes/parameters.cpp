@@ -29,7 +29,10 @@ void add_additive(ParameterTable<Parameters>& table) {
               .choices = {{"none", "None", "1 − Σ, not below 0."},
                           {"independent", "Independent occluders",
                            "e^−Σ: what many small occluders leave open that lie anywhere. Too dark no more "
-                           "where much overlaps, but too bright behind what does not. Stands in for the "
+                           "where much overlaps, but too bright behind what does not."},
+                          {"measured", "Measured",
+                           "A map from the sum to what rays find open there on average, over the pixels of "
+                           "ten scenes; another for each fall-off and choice of sides. It stands in for the "
                            "paper's compensation map."}},
               .active_when = additive});
 }

@@ -10,7 +10,7 @@ namespace ir::methods::ambient_occlusion_volumes {
 
 /// Count from 0 in the order of the choices of the parameters of the same names.
 enum class Sides { front, both };
-enum class Compensation { none, independent };
+enum class Compensation { none, independent, measured };
 
 struct Parameters {
     bool visibility = true;  ///< by bounced z-buffer; else additive, as published in 2010

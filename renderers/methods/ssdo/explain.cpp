@@ -45,8 +45,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::line_set,
          .unit = "m",
          .doc = "From the picked pixel's point to what occludes each sample, or along its step where nothing "
-                "does. pixel: where the sample ended in the picture, -1 outside. distance: m, from the "
-                "pixel's point to the occluder, 0 without one. " +
+                "does, for each layer. pixel: where the sample ended in the picture, -1 outside. distance: "
+                "m, from the pixel's point to the occluder, 0 without one. layer: 1 is what is seen. " +
                 sent,
          .categories = {roles},
          .when_empty = no_surface,
@@ -63,10 +63,11 @@ SelectorDescription sample_selector() {
 
 void explain(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef senders) {
     const auto all = static_cast<std::uint64_t>(inputs.parameters.samples);
+    const auto layers = static_cast<std::uint64_t>(inputs.parameters.layers);
     const auto samples = builder.explanation("ssdo.explain.samples",
                                              {.fields = record_fields<SampleEnd>(), .elements = all}),
-               lines = builder.explanation("ssdo.explain.lines",
-                                           {.fields = record_fields<LineToOccluder>(), .elements = all});
+               lines = builder.explanation("ssdo.explain.lines", {.fields = record_fields<LineToOccluder>(),
+                                                                  .elements = all * layers});
     const auto& frame = builder.inputs();
     auto pass = builder.pass("explain");
     declare_reads(pass, inputs, senders);

@@ -118,12 +118,16 @@ passes::bounce::Receivers receivers_of(const Inputs& inputs) {
 void declare_reads(graph::PassBuilder& pass, const Inputs& inputs, graph::ImageRef senders) {
     receivers_of(inputs).declare_reads(pass);
     pass.reads("environment_texture", inputs.environment).reads("senders_texture", senders);
+    if (!inputs.hidden) return;
+    pass.reads(inputs.hidden->positions, inputs.hidden->normals);
+    if (senders.index >= 0) pass.reads(inputs.hidden->senders);
 }
 
 gl::ProgramSource with_samples(const std::string& shader, const Inputs& inputs) {
     gl::ProgramSource source{{shader}};
     receivers_of(inputs).define(source);
     source.defines.erase("LIGHT");  // samples.glsl says so itself
+    source.defines["LAYERS"] = std::to_string(inputs.parameters.layers);
     return source;
 }
 

@@ -26,7 +26,7 @@ MethodDescription description() {
         "sends the light that its pixel shows; as published, what is open lets the environment's light in. "
         "Cheap and independent of the scene's size. What is hidden, beyond the picture's edge or turned away "
         "from the camera sends nothing, nothing in between shadows indirect light, and all surfaces are "
-        "infinitely thick.";
+        "infinitely thick, unless depth peeling finds what lies behind them.";
     d.version = 3;
     d.papers = {"Ritschel09"};
     d.missing_light = missing_light();
@@ -67,9 +67,14 @@ bool has_sky(const graph::GraphBuilder& builder, const Parameters& parameters) {
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
-    auto direct = passes::direct_light(builder, scene, gbuffer, direct_options(parameters));
+    const auto light = direct_options(parameters);
+    auto direct = passes::direct_light(builder, scene, gbuffer, light);
     const bool lit_by_sky = has_sky(builder, parameters);
-    const Inputs inputs{scene, gbuffer, environment(builder, lit_by_sky), parameters,
+    const Inputs inputs{scene,
+                        gbuffer,
+                        hidden_layers(builder, scene, gbuffer, parameters, light.extended),
+                        environment(builder, lit_by_sky),
+                        parameters,
                         reach_of(builder, parameters)};
     note_what_is_left_out(builder, inputs, lit_by_sky);
     const auto sky = blurred(builder, gbuffer, gather_sky(builder, inputs).raw, "ssdo.sky", parameters);

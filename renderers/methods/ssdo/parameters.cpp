@@ -55,6 +55,18 @@ ParameterTable<Parameters> parameter_table() {
          .hard = {1, 4096},
          .soft = {4, 64},
          .coarse = std::int64_t{8}});
+    table.add(
+        &Parameters::layers,
+        {.key = "layers",
+         .label = "Layers",
+         .doc = "Surfaces along each pixel's view ray that occlude and send, by depth peeling. 1: those that "
+                "the picture shows, as thick as can be. Further ones end them: a step that ends behind a "
+                "body is open, and sides that are turned away from the camera send their direct light, too. "
+                "Each layer costs another G-buffer with its direct light.",
+         .citation = "Ritschel09 §4",
+         .hard = {1, 8},
+         .soft = {1, 4},
+         .coarse = std::int64_t{1}});
     table.include(
         &Parameters::transport,
         transport_parameters({.paths = {"direct", "indirect", "full"},

@@ -15,6 +15,7 @@ enum class EnvironmentBy { samples, occlusion };
 
 struct Parameters {
     int samples = 16;
+    int layers = 1;
     Transport transport{.paths = default_light.paths, .max_distance = 1};
     EnvironmentBy environment_by = EnvironmentBy::samples;
     float step_radius = 0;  ///< m; 0: the maximum distance

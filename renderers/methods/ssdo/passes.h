@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "renderers/core/method.h"
@@ -37,10 +38,22 @@ std::vector<OutputDescription> light_outputs();
 /// Of what is there only where open directions let the environment in.
 inline const Condition by_occlusion{"environment_by", {std::string("occlusion")}};
 
+/// Layers of depth peeling behind what is seen, layer 2 first: stacks, rgba32f.
+struct HiddenLayers {
+    graph::ImageRef positions;  ///< "ssdo.hidden.positions"
+    graph::ImageRef normals;    ///< "ssdo.hidden.normals": of the triangles' fronts
+    graph::ImageRef senders;    ///< "ssdo.hidden.senders"
+};
+/// Declares them and the passes that make them; none with one layer. `light`: that of what is seen.
+std::optional<HiddenLayers> hidden_layers(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                                          const passes::GBuffer& gbuffer, const Parameters& parameters,
+                                          const passes::ExtendedLightOptions& light);
+
 /// What samples need of a frame.
 struct Inputs {
     passes::SceneBuffers scene;
     passes::GBuffer gbuffer;
+    std::optional<HiddenLayers> hidden;
     graph::ImageRef environment;
     Parameters parameters;
     float reach;  ///< longest step, m

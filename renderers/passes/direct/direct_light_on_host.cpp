@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "renderers/core/parallel_for.h"
+#include "renderers/graph/declared.h"
+#include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/direct/panes.h"
+#include "renderers/passes/direct/peeled_light.h"
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/lights/punctual.h"
@@ -23,8 +26,9 @@ class DirectLightOnHost {
   public:
     DirectLightOnHost(const graph::PassContext& context, const GBuffer& gbuffer, graph::ObjectRef bvh,
                       std::optional<graph::ObjectRef> behind_panes, Transport::Materials materials,
-                      std::optional<graph::ImageRef> extended, graph::ImageRef radiance)
+                      std::optional<graph::ImageRef> extended, graph::ImageRef radiance, bool is_peeled)
         : context_(context),
+          is_peeled_(is_peeled),
           view_(context.inputs().view),
           viewer_(viewer(view_)),
           surfaces_(context, gbuffer),
@@ -90,7 +94,8 @@ class DirectLightOnHost {
         if (!extended_.empty()) radiance_[pixel] = glm::vec4(glm::vec3(extended_[pixel]), 0);
         surface.transmission = 0;
         surface.roughness = std::max(surface.roughness, min_roughness);
-        const auto wo = viewer_.view_axis_ws == glm::vec3(0)
+        const auto wo = is_peeled_ ? surface.geometric_normal_ws
+                        : viewer_.view_axis_ws == glm::vec3(0)
                             ? glm::normalize(viewer_.eye_ws - surface.position_ws)
                             : -viewer_.view_axis_ws;
         const auto& material = context_.inputs().scene->materials[static_cast<std::size_t>(surface.material)];
@@ -136,6 +141,7 @@ class DirectLightOnHost {
     }
 
     const graph::PassContext& context_;
+    bool is_peeled_;
     const scene::View& view_;
     Viewer viewer_;
     GBufferSurfaces surfaces_;
@@ -152,8 +158,10 @@ class DirectLightOnHost {
 std::optional<graph::ObjectRef> surfaces_behind_panes(graph::GraphBuilder& builder,
                                                       Transport::Materials materials) {
     if (!Panes::any_in(builder.inputs().scene->materials, materials)) return {};
+    const std::string key = "direct.panes";
+    if (const auto found = graph::declared_object(builder, key)) return found;
     const auto textures = host_textures(builder);
-    const auto result = builder.object({.text = {.key = "direct.panes",
+    const auto result = builder.object({.text = {.key = key,
                                                  .label = "Surfaces for shadow rays",
                                                  .doc = "What shadow rays query of panes of clear glass."},
                                         .fingerprint = builder.inputs().geometry_fingerprint});
@@ -173,21 +181,32 @@ std::optional<graph::ObjectRef> surfaces_behind_panes(graph::GraphBuilder& build
 
 void direct_light_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer,
                           Transport::Materials materials, std::optional<graph::ImageRef> extended,
-                          graph::ImageRef radiance) {
+                          graph::ImageRef radiance, int layer) {
     const auto rays = bvh(builder);
     const auto behind_panes = surfaces_behind_panes(builder, materials);
     const auto& view = builder.inputs().view;
-    auto pass = builder.pass("direct light", graph::Queue::cpu);
-    pass.reads(rays).writes(radiance).has_two_bodies();
+    auto pass = builder.pass(pass_of_layer("direct light", layer), graph::Queue::cpu);
+    pass.reads(rays).writes(radiance);
+    if (layer == 1) pass.has_two_bodies();
     if (behind_panes) pass.reads(*behind_panes);
     if (extended) pass.reads(*extended);
     GBufferSurfaces::declare_reads(pass, gbuffer);
-    pass.execute_sliced(
-        std::int64_t{1} * DirectLightOnHost::tiles_across(view.width) *
-            DirectLightOnHost::tiles_across(view.height),
-        [=](graph::PassContext& context, graph::Slice slice) {
-            DirectLightOnHost(context, gbuffer, rays, behind_panes, materials, extended, radiance).run(slice);
-        });
+    pass.execute_sliced(std::int64_t{1} * DirectLightOnHost::tiles_across(view.width) *
+                            DirectLightOnHost::tiles_across(view.height),
+                        [=](graph::PassContext& context, graph::Slice slice) {
+                            DirectLightOnHost(context, gbuffer, rays, behind_panes, materials, extended,
+                                              radiance, layer > 1)
+                                .run(slice);
+                        });
+}
+
+graph::ImageRef peeled_direct_light(graph::GraphBuilder& builder, const PeeledLayer& layer,
+                                    const ExtendedLightOptions& options) {
+    const auto extended = peeled_extended_light(builder, layer, options);
+    const auto radiance = builder.image(
+        {.text = of_layer(graph::text_of(direct_output()), layer.number), .format = gl::Format::rgba32f});
+    direct_light_on_host(builder, layer.surface, options.materials, extended, radiance, layer.number);
+    return radiance;
 }
 
 }  // namespace ir::passes

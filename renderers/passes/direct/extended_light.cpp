@@ -8,9 +8,11 @@
 #include "renderers/core/half_float.h"
 #include "renderers/core/limits.h"
 #include "renderers/core/parallel_for.h"
+#include "renderers/graph/declared.h"
 #include "renderers/passes/a_trous/a_trous.h"
 #include "renderers/passes/direct/device/sample_on_device.h"
 #include "renderers/passes/direct/light_estimate.h"
+#include "renderers/passes/direct/peeled_light.h"
 #include "renderers/passes/direct/sampled_images.h"
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
 #include "renderers/passes/lights/luminance.h"
@@ -27,43 +29,50 @@ constexpr int light_tile = 16;
 /// Of the filter: with fewer the noise of few samples stays.
 constexpr int filter_passes = 4;
 
-SampledResults declare_sampled_results(graph::GraphBuilder& builder) {
+/// Those of a layer of depth peeling are never filtered.
+SampledResults declare_sampled_results(graph::GraphBuilder& builder, int layer = 1) {
     const auto outputs = extended_light_outputs();
     const auto image = [&](std::size_t output, gl::Format format) {
-        return builder.image({.text = graph::text_of(outputs.at(output)), .format = format});
+        return builder.image({.text = of_layer(graph::text_of(outputs.at(output)), layer), .format = format});
     };
-    return {image(0, gl::Format::rgba32f), image(1, gl::Format::rgba32f), image(2, gl::Format::r32f)};
+    SampledResults results{{}, image(1, gl::Format::rgba32f), image(2, gl::Format::r32f)};
+    if (layer == 1) results.radiance = image(0, gl::Format::rgba32f);
+    return results;
 }
 
-SampledImages declare_sampled_images(graph::GraphBuilder& builder) {
+SampledImages declare_sampled_images(graph::GraphBuilder& builder, int layer = 1) {
     SampledImages images;
-    images.sums = builder.image(
-        {.text = {.key = "direct.sums",
-                  .label = "Sums of light samples",
-                  .doc = "Over the frames in which nothing moved, of the means of groups of samples; A: of "
-                         "their squared luminance.",
-                  .semantic = Semantic::radiance,
-                  .unit = "W/(m² sr)"},
-         .format = gl::Format::rgba32f});
+    const auto declare = [&](graph::ResourceText text, gl::Format format) {
+        return builder.image({.text = of_layer(std::move(text), layer), .format = format});
+    };
+    images.sums =
+        declare({.key = "direct.sums",
+                 .label = "Sums of light samples",
+                 .doc = "Over the frames in which nothing moved, of the means of groups of samples; A: of "
+                        "their squared luminance.",
+                 .semantic = Semantic::radiance,
+                 .unit = "W/(m² sr)"},
+                gl::Format::rgba32f);
     graph::BufferDesc progress;
-    progress.text = {.key = "direct.progress",
-                     .label = "Progress of light samples",
-                     .doc = "How many groups of samples each pixel has, and the last frame that added some."};
+    progress.text =
+        of_layer({.key = "direct.progress",
+                  .label = "Progress of light samples",
+                  .doc = "How many groups of samples each pixel has, and the last frame that added some."},
+                 layer);
     progress.fields = {{"groups", graph::FieldType::u32}, {"frame", graph::FieldType::u32}};
     progress.elements = 1;
     images.progress = builder.buffer(std::move(progress));
-    images.results = declare_sampled_results(builder);
-    images.even =
-        builder.image({.text = {.key = "direct.even",
-                                .label = "Light without materials",
-                                .doc = "What the filter starts from: divided by the reflectance; A: "
-                                       "variance of the luminance."},
-                       .format = gl::Format::rgba32f});
-    images.reflectance = builder.image({.text = {.key = "direct.reflectance",
-                                                 .label = "Reflectance",
-                                                 .doc = "What the filtered light is multiplied by.",
-                                                 .semantic = Semantic::albedo},
-                                        .format = gl::Format::rgba16f});
+    images.results = declare_sampled_results(builder, layer);
+    images.even = declare({.key = "direct.even",
+                           .label = "Light without materials",
+                           .doc = "What the filter starts from: divided by the reflectance; A: "
+                                  "variance of the luminance."},
+                          gl::Format::rgba32f);
+    images.reflectance = declare({.key = "direct.reflectance",
+                                  .label = "Reflectance",
+                                  .doc = "What the filtered light is multiplied by.",
+                                  .semantic = Semantic::albedo},
+                                 gl::Format::rgba16f);
     return images;
 }
 
@@ -85,8 +94,10 @@ struct SampledMean {
 class LightSampling {
   public:
     LightSampling(const graph::PassContext& context, const GBuffer& gbuffer, const SampledImages& images,
-                  graph::ObjectRef bvh, graph::ObjectRef sources, const ExtendedLightOptions& options)
+                  graph::ObjectRef bvh, graph::ObjectRef sources, const ExtendedLightOptions& options,
+                  bool is_peeled)
         : context_(context),
+          is_peeled_(is_peeled),
           view_(context.inputs().view),
           viewer_(viewer(view_)),
           surfaces_(context, gbuffer),
@@ -167,7 +178,8 @@ class LightSampling {
     /// Each frame and group has numbers of its own; within a group samples are stratified.
     void add_samples(const Surface& surface, int x, int y, Scratch& scratch, glm::vec4& sums) const {
         const auto& inputs = context_.inputs();
-        const auto wo = viewer_.view_axis_ws == glm::vec3(0)
+        const auto wo = is_peeled_ ? surface.geometric_normal_ws
+                        : viewer_.view_axis_ws == glm::vec3(0)
                             ? glm::normalize(viewer_.eye_ws - surface.position_ws)
                             : -viewer_.view_axis_ws;
         const auto key = pixel_key(mixed(inputs.seed) + static_cast<std::uint64_t>(inputs.frame), x, y);
@@ -188,6 +200,7 @@ class LightSampling {
     }
 
     const graph::PassContext& context_;
+    bool is_peeled_;
     const scene::View& view_;
     Viewer viewer_;
     GBufferSurfaces surfaces_;
@@ -204,13 +217,13 @@ class LightSampling {
 };
 
 void sample_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, const SampledImages& images,
-                    const ExtendedLightOptions& options) {
+                    const ExtendedLightOptions& options, int layer = 1) {
     const auto bvh = passes::bvh(builder);
     const auto sources = extended_emitters(builder, options);
     const auto& view = builder.inputs().view;
-    auto pass = builder.pass("light samples", graph::Queue::cpu);
-    pass.has_two_bodies()
-        .reads(bvh, sources)
+    auto pass = builder.pass(pass_of_layer("light samples", layer), graph::Queue::cpu);
+    if (layer == 1) pass.has_two_bodies();
+    pass.reads(bvh, sources)
         .reads_previous(images.sums, images.progress)
         .writes(images.sums, images.progress, images.results.unfiltered, images.results.variance, images.even,
                 images.reflectance);
@@ -218,7 +231,7 @@ void sample_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, const 
     pass.execute_sliced(
         std::int64_t{1} * LightSampling::tiles_across(view.width) * LightSampling::tiles_across(view.height),
         [=](graph::PassContext& context, graph::Slice slice) {
-            LightSampling(context, gbuffer, images, bvh, sources, options).run(slice);
+            LightSampling(context, gbuffer, images, bvh, sources, options, layer > 1).run(slice);
         },
         2);
 }
@@ -319,8 +332,7 @@ ExtendedSources extended_sources(const graph::FrameInputs& inputs, const Extende
 
 graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedLightOptions& options) {
     const std::string key = "direct.sources";
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == key) return {static_cast<int>(i)};
+    if (const auto found = graph::declared_object(builder, key)) return *found;
     auto fingerprint = builder.inputs().world_fingerprint;
     if (!fingerprint.empty())
         fingerprint += std::string(options.environment ? " environment" : "") +
@@ -372,6 +384,15 @@ std::optional<graph::ImageRef> extended_light(graph::GraphBuilder& builder, cons
     if (sources.any()) note_left_out(builder, sources);
     no_extended_light(builder);
     return {};
+}
+
+std::optional<graph::ImageRef> peeled_extended_light(graph::GraphBuilder& builder, const PeeledLayer& layer,
+                                                     const ExtendedLightOptions& options) {
+    if (!extended_sources(builder.inputs(), options).any() || options.parameters.light_samples == 0)
+        return {};
+    const auto images = declare_sampled_images(builder, layer.number);
+    sample_on_host(builder, layer.surface, images, options, layer.number);
+    return images.results.unfiltered;
 }
 
 }  // namespace ir::passes

@@ -6,6 +6,7 @@
 #include "renderers/passes/gbuffer/draw_scene.h"
 #include "renderers/passes/gbuffer/gbuffer_on_host.h"
 #include "renderers/passes/gbuffer/glass.h"
+#include "renderers/passes/gbuffer/peeling.h"
 
 namespace ir::passes {
 namespace {
@@ -15,17 +16,20 @@ using graph::ImageRef;
 using graph::PassContext;
 
 /// In shaders "gbuffer.geometric_normal" is gbuffer_geometric_normal.
-ImageRef declare(GraphBuilder& builder, gl::Format format, graph::ResourceText text) {
+ImageRef declare_image(GraphBuilder& builder, int layer, gl::Format format, graph::ResourceText text) {
     graph::ImageDesc desc;
     desc.name = text.key;
     std::ranges::replace(desc.name, '.', '_');
-    desc.text = std::move(text);
+    desc.text = of_layer(std::move(text), layer);
     desc.format = format;
     return builder.image(std::move(desc));
 }
 
-GBuffer declare_images(GraphBuilder& builder) {
+GBuffer declare_images(GraphBuilder& builder, int layer = 1) {
     using gl::Format;
+    const auto declare = [&](GraphBuilder& to, Format format, graph::ResourceText text) {
+        return declare_image(to, layer, format, std::move(text));
+    };
     GBuffer g;
     g.depth = declare(builder, Format::depth32f,
                       {"gbuffer.depth", "Depth", "Normalised device depth; 1: background", Semantic::depth});
@@ -66,7 +70,7 @@ struct DrawSurfaces {
 };
 
 void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g,
-                   const GBufferOptions& options) {
+                   const GBufferOptions& options, bool is_peeled) {
     const auto& gl = p.api();
     const auto &view = p.inputs().view, &previous = p.inputs().previous_view;
     const PassContext::Attachment depth{g.depth};
@@ -80,7 +84,9 @@ void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g
                         {g.valid}},
                        &depth);
     clear(gl, 8);
-    const auto& program = p.use({{"passes/scene/triangles.vert", "passes/gbuffer/gbuffer.frag"}});
+    gl::ProgramSource source{{"passes/scene/triangles.vert", "passes/gbuffer/gbuffer.frag"}};
+    if (is_peeled) source.defines["PEELED"] = "1";
+    const auto& program = p.use(source);
     program.set(DrawSurfaces{
         .previous_clip_from_world = previous.clip_from_world(),
         .previous_depth_row = -glm::vec4(glm::transpose(previous.view_from_world)[2]),
@@ -92,7 +98,35 @@ void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g
     gl.Disable(GL_DEPTH_TEST);
 }
 
+/// Declares the pass; `nearer` is the layer before, if there is one.
+void declare_pass(GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& g,
+                  const GBufferOptions& options, const GBuffer* nearer = nullptr, int layer = 1) {
+    const bool has_two_bodies = has_host_body(builder.inputs(), options);
+    if (has_two_bodies && builder.inputs().processor == Processor::host) {
+        gbuffer_on_host(builder, g, options, nearer, layer);
+        return;
+    }
+    auto pass = builder.pass(pass_of_layer("G-buffer", layer));
+    if (has_two_bodies) pass.has_two_bodies();
+    reads_scene(pass, scene);
+    if (nearer) pass.reads("nearer_position", nearer->position);
+    pass.writes(g.depth, g.position, g.normal, g.geometric_normal, g.albedo, g.material, g.emission,
+                g.velocity, g.valid)
+        .execute([=](PassContext& p) { draw_surfaces(p, scene, g, options, layer > 1); });
+}
+
 }  // namespace
+
+graph::ResourceText of_layer(graph::ResourceText text, int number) {
+    if (number == 1) return text;
+    text.key += '.' + std::to_string(number);
+    text.label = pass_of_layer(text.label, number);
+    return text;
+}
+
+std::string pass_of_layer(const std::string& name, int number) {
+    return number == 1 ? name : name + ", layer " + std::to_string(number);
+}
 
 OutputDescription position_output() {
     return {.key = "gbuffer.position",
@@ -133,19 +167,16 @@ GBufferOptions gbuffer_options(const Transport& transport) {
 
 GBuffer gbuffer(GraphBuilder& builder, const SceneBuffers& scene, const GBufferOptions& options) {
     auto g = declare_images(builder);
-    const bool has_two_bodies = has_host_body(builder.inputs(), options);
-    if (has_two_bodies && builder.inputs().processor == Processor::host) {
-        gbuffer_on_host(builder, g, options);
-        return g;
-    }
-    auto pass = builder.pass("G-buffer");
-    if (has_two_bodies) pass.has_two_bodies();
-    reads_scene(pass, scene);
-    pass.writes(g.depth, g.position, g.normal, g.geometric_normal, g.albedo, g.material, g.emission,
-                g.velocity, g.valid)
-        .execute([=](PassContext& p) { draw_surfaces(p, scene, g, options); });
+    declare_pass(builder, scene, g, options);
     if (options.sees_through_glass) g.glass = glass_before(builder, scene, g, options.normal_maps);
     return g;
+}
+
+PeeledLayer peel(GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& nearer, int number,
+                 const GBufferOptions& options) {
+    const PeeledLayer layer{number, declare_images(builder, number)};
+    declare_pass(builder, scene, layer.surface, options, &nearer, number);
+    return layer;
 }
 
 }  // namespace ir::passes

@@ -10,9 +10,11 @@
 #include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/glass.h"
+#include "renderers/passes/gbuffer/peeling.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/surface/host_surfaces.h"
 #include "renderers/passes/surface/surface.h"
+#include "shaders/passes/gbuffer/gbuffer.frag.h"
 
 namespace ir::passes {
 namespace {
@@ -82,8 +84,9 @@ glm::vec4 position_before(const scene::World& world, const Hit& hit, glm::vec3 p
 /// What the rays go through, and the pixels that they fill.
 class HostGBuffer {
   public:
+    /// `nearer`: positions of the layer before; the first layer has none.
     HostGBuffer(const graph::PassContext& context, const GBuffer& g, const Bvh& bvh,
-                const SurfaceLookup& surfaces, std::vector<Hit>& hits)
+                const SurfaceLookup& surfaces, std::vector<Hit>& hits, std::span<const glm::vec4> nearer)
         : inputs_(context.inputs()),
           bvh_(bvh),
           surfaces_(surfaces),
@@ -91,6 +94,7 @@ class HostGBuffer {
           has_glass_(has_glass(inputs_)),
           previous_depth_row_(-glm::vec4(glm::transpose(inputs_.previous_view.view_from_world)[2])),
           hits_(hits),
+          nearer_(nearer),
           position_(context.pixels<glm::vec4>(g.position)),
           geometric_normal_(context.pixels<glm::vec4>(g.geometric_normal)),
           normal_(context.pixels<std::uint64_t>(g.normal)),
@@ -113,6 +117,11 @@ class HostGBuffer {
             packet.near[i] = inputs_.view.near_plane * length;
             packet.far[i] = inputs_.view.far_plane * length;
             packet.active[i] = x < inputs_.view.width && y < end_y ? -1 : 0;
+            if (packet.active[i] == 0 || nearer_.empty()) continue;
+            const auto& before = nearer_[static_cast<std::size_t>(y) * inputs_.view.width + x];
+            packet.near[i] =
+                std::max(packet.near[i], peeled_beyond * glm::distance(glm::vec3(before), origin));
+            if (before.w <= 0) packet.active[i] = 0;
         }
         Hit hits[side * side];
         bvh_.closest_hits16(packet, true, hits);
@@ -129,8 +138,9 @@ class HostGBuffer {
     void set(std::size_t pixel, glm::vec2 at, const Hit& hit) const {
         const auto met = planes_.meet(at, hit);
         const bool is_mapped = surfaces_.has_normal_map(hit.triangle);
+        const auto towards = nearer_.empty() ? met.unit : -met.normal;
         const auto s =
-            surfaces_.shape(hit, met.unit, is_mapped ? planes_.footprint(met) : Footprint(), met.normal);
+            surfaces_.shape(hit, towards, is_mapped ? planes_.footprint(met) : Footprint(), met.normal);
         const bool is_edge_on = std::abs(glm::dot(met.normal, met.unit)) < 1e-3f;
         const auto position = is_edge_on ? met.point : PixelPlanes::on_plane(met, met.centre);
         position_[pixel] = glm::vec4(position, glm::distance(position, inputs_.view.eye_ws));
@@ -152,6 +162,7 @@ class HostGBuffer {
     bool has_glass_;
     glm::vec4 previous_depth_row_;
     std::vector<Hit>& hits_;
+    std::span<const glm::vec4> nearer_;
     std::span<glm::vec4> position_, geometric_normal_;
     std::span<std::uint64_t> normal_;
     std::span<std::uint8_t> valid_;
@@ -224,17 +235,21 @@ bool has_host_body(const graph::FrameInputs& inputs, const GBufferOptions& optio
     return !options.sees_through_glass || !has_glass(inputs);
 }
 
-void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& g, const GBufferOptions& options) {
+void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& g, const GBufferOptions& options,
+                     const GBuffer* nearer, int layer) {
     const auto hierarchy = bvh(builder);
     const auto surfaces = host_surfaces(builder, options.normal_maps);
     const auto hits =
-        builder.object({.text = {.key = "gbuffer.hits",
-                                 .label = "Hits",
-                                 .doc = "Triangle, place on it and distance of each pixel's ray."}});
+        builder.object({.text = of_layer({.key = "gbuffer.hits",
+                                          .label = "Hits",
+                                          .doc = "Triangle, place on it and distance of each pixel's ray."},
+                                         layer)});
     const auto& view = builder.inputs().view;
     const int width = view.width, height = view.height, blocks = (height + side - 1) / side;
-    builder.pass("G-buffer", graph::Queue::cpu)
-        .has_two_bodies()
+    const auto before = nearer ? nearer->position : graph::ImageRef{};
+    auto pass = builder.pass(pass_of_layer("G-buffer", layer), graph::Queue::cpu);
+    if (nearer) pass.reads(before);
+    pass.has_two_bodies()
         .reads(hierarchy, surfaces)
         .writes(g.position, g.normal, g.geometric_normal, g.valid, hits)
         .execute_sliced(blocks, [=](graph::PassContext& context, graph::Slice slice) {
@@ -245,13 +260,15 @@ void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& g, const GBuff
             const auto tree = context.object<Bvh>(hierarchy);
             const auto lookup = context.object<SurfaceLookup>(surfaces);
             const auto found = context.object<std::vector<Hit>>(hits);
-            const HostGBuffer filled(context, g, *tree, *lookup, *found);
+            const auto positions =
+                before.index >= 0 ? context.pixels<const glm::vec4>(before) : std::span<const glm::vec4>();
+            const HostGBuffer filled(context, g, *tree, *lookup, *found, positions);
             parallel_for(context.inputs().threads, slice.begin, slice.end, [&](std::int64_t block) {
                 const int first = static_cast<int>(block) * side;
                 filled.fill_rows(first, std::min(first + side, height));
             });
         });
-    builder.pass("G-buffer, materials", graph::Queue::cpu)
+    builder.pass(pass_of_layer("G-buffer, materials", layer), graph::Queue::cpu)
         .has_two_bodies()
         .reads(surfaces, hits, g.position)
         .writes(g.depth, g.albedo, g.material, g.emission, g.velocity)

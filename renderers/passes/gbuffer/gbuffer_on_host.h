@@ -10,7 +10,9 @@ bool has_host_body(const graph::FrameInputs& inputs, const GBufferOptions& optio
 /// Declares the passes "G-buffer" (cpu), a ray through each pixel's centre, and "G-buffer, materials", which
 /// is left out where nobody asks for what it fills; and what they read, which is kept while the world stays
 /// the same. A software rasteriser draws every triangle; rays only find those that are seen. Textures are
-/// filtered as there, by the levels that fit the pixel.
-void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, const GBufferOptions& options);
+/// filtered as there, by the levels that fit the pixel. With `nearer`, layer `layer` of depth peeling: what
+/// lies behind the layer before.
+void gbuffer_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, const GBufferOptions& options,
+                     const GBuffer* nearer = nullptr, int layer = 1);
 
 }  // namespace ir::passes

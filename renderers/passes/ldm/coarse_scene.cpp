@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/scene/coarser.h"
 
@@ -29,8 +30,7 @@ void write_triangles(const scene::World& world, const scene::World& coarse,
 graph::ObjectRef coarse_world(graph::GraphBuilder& builder, float detail) {
     graph::ObjectDesc desc;
     desc.text.key = "ldm.coarse_world";
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
+    if (const auto found = graph::declared_object(builder, desc.text.key)) return *found;
     desc.text.label = "Coarser scene";
     desc.text.doc = "The scene's triangles, simplified, for maps.";
     desc.fingerprint = fingerprint_of(builder, detail);

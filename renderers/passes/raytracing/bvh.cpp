@@ -13,6 +13,7 @@
 #include "renderers/core/constants.h"
 #include "renderers/core/error.h"
 #include "renderers/core/threads.h"
+#include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/alpha_masks.h"
 
@@ -254,8 +255,7 @@ std::uint64_t Bvh::bytes() const {
 graph::ObjectRef bvh(graph::GraphBuilder& builder) {
     graph::ObjectDesc desc;
     desc.text.key = "raytracing.bvh";
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
+    if (const auto found = graph::declared_object(builder, desc.text.key)) return *found;
     desc.text.label = "Bounding volume hierarchy";
     desc.text.doc = "Embree's acceleration structure over the world.";
     desc.fingerprint = builder.inputs().geometry_fingerprint;

@@ -7,6 +7,7 @@
 
 #include "renderers/core/constants.h"
 #include "renderers/core/parallel_for.h"
+#include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
 
 namespace ir::passes {
@@ -295,8 +296,7 @@ Hit LayeredDepthCube::meet(const Ray& ray, const Node& node, float enter, float 
 graph::ObjectRef layered_depth_cube(graph::GraphBuilder& builder, const CubeOptions& options) {
     graph::ObjectDesc desc;
     desc.text.key = "raytracing.cube";
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
+    if (const auto found = graph::declared_object(builder, desc.text.key)) return *found;
     desc.text.label = "Layered depth cube";
     desc.text.doc =
         "Three layered depth maps along the axes of the world, with the triangles of their nodes.";

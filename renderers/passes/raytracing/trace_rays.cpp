@@ -19,14 +19,6 @@ bool is_ray(const RayRecord& ray) {
     return ray.far > 0 && std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
 }
 
-/// The object that the method or an earlier pass has declared, or a new one.
-graph::ObjectRef bvh_of(graph::GraphBuilder& builder) {
-    const auto& objects = builder.objects();
-    for (std::size_t i = 0; i < objects.size(); ++i)
-        if (objects[i].text.key == "raytracing.bvh") return {static_cast<int>(i)};
-    return bvh(builder);
-}
-
 /// Traces up to sixteen rays.
 void trace_packet(const Bvh& bvh, std::span<const RayRecord> rays, std::span<RayHitRecord> hits) {
     Bvh::Packet16 packet;
@@ -59,7 +51,7 @@ void trace_packets(const graph::PassContext& context, graph::ObjectRef bvh, cons
 }
 
 void trace_with_embree(graph::GraphBuilder& builder, const std::string& name, const RayBuffers& buffers) {
-    const auto scene = bvh_of(builder);
+    const auto scene = bvh(builder);
     const auto packets = (static_cast<std::int64_t>(buffers.capacity) + lanes - 1) / lanes;
     builder.pass(name, graph::Queue::cpu)
         .reads(scene, buffers.rays)

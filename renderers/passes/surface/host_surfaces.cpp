@@ -1,5 +1,6 @@
 #include "renderers/passes/surface/host_surfaces.h"
 
+#include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/surface/host_texture.h"
 #include "renderers/passes/surface/surface.h"
@@ -18,8 +19,7 @@ std::shared_ptr<std::vector<HostTexture>> with_all_levels(const scene::Scene& sc
 
 graph::ObjectRef host_textures(graph::GraphBuilder& builder) {
     const std::string key = "scene.host_textures";
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == key) return {static_cast<int>(i)};
+    if (const auto found = graph::declared_object(builder, key)) return *found;
     const auto result = builder.object(
         {.text = {.key = key, .label = "Textures with all levels", .doc = "What rays look up on the host."},
          .fingerprint = builder.inputs().scene->content_hash});
@@ -39,8 +39,7 @@ graph::ObjectRef host_surfaces(graph::GraphBuilder& builder, bool normal_maps) {
                                     .label = "Surfaces",
                                     .doc = "Triangles and materials for rays."},
                            .fingerprint = builder.inputs().geometry_fingerprint};
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
+    if (const auto found = graph::declared_object(builder, desc.text.key)) return *found;
     const auto textures = host_textures(builder);
     if (!normal_maps && !desc.fingerprint.empty()) desc.fingerprint += " without normal maps";
     const auto result = builder.object(desc);

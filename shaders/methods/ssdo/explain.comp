@@ -17,7 +17,7 @@ struct LineToOccluder {
     uint role;
     float distance, sent[3];
     int pixel[2];
-    uint sample_;
+    uint sample_, layer;
 };
 layout(std430) writeonly buffer Lines { LineToOccluder lines[]; };
 layout(std430) buffer EndCount { uint end_count; };
@@ -26,14 +26,20 @@ layout(std430) buffer LineCount { uint line_count; };
 uniform ivec2 picked;  // negative: none
 
 void write_end(uint i, Point x, Sample s, vec3 sent, vec3 sky) {
+    uint role = s.is_occluded ? occluder_of(x, s, s.layers - 1).role : OPEN;
+    if (s.is_outside) role = OUTSIDE;
     if (i < uint(ends.length()))
-        ends[i] = SampleEnd(floats(s.end), s.role, distance(s.end, x.position), floats(sent), floats(sky), i);
+        ends[i] = SampleEnd(floats(s.end), role, distance(s.end, x.position), floats(sent), floats(sky), i);
 }
 
-void write_line(uint i, Point x, Sample s, vec3 sent) {
-    if (i < uint(lines.length()))
-        lines[i] = LineToOccluder(floats(x.position), floats(s.occluder), s.role, s.distance, floats(sent),
-                                  int[2](s.pixel.x, s.pixel.y), i);
+/// To a layer before the step's end, or along the step.
+void write_line(uint i, Point x, Sample s, int layer) {
+    uint line = i * uint(LAYERS) + uint(layer);
+    if (line >= uint(lines.length())) return;
+    Occluder o = Occluder(s.is_outside ? OUTSIDE : OPEN, s.end, vec3(0.0), s.direction, 0.0, 0.0, layer);
+    if (layer < s.layers) o = occluder_of(x, s, layer);
+    lines[line] = LineToOccluder(floats(x.position), floats(o.position), o.role, o.distance,
+                                 floats(sent_by_layer(x, s, o)), int[2](s.pixel.x, s.pixel.y), i, uint(layer) + 1u);
 }
 
 void main() {
@@ -41,11 +47,13 @@ void main() {
     Point x = point_at(picked);
     if (!x.exists) return;
     uint all = uint(params.samples);
-    if (gl_LocalInvocationID.x == 0u) end_count = line_count = all;
+    if (gl_LocalInvocationID.x == 0u) {
+        end_count = all;
+        line_count = all * uint(LAYERS);
+    }
     for (uint i = gl_LocalInvocationID.x; i < all; i += 64u) {
         Sample s = sender_sample_of(x, int(i));
-        vec3 sent = sent_by(x, s);
-        write_end(i, x, s, sent, sky_of(x, sky_sample_of(x, int(i))));
-        write_line(i, x, s, sent);
+        write_end(i, x, s, sent_by(x, s).rgb, sky_of(x, sky_sample_of(x, int(i))));
+        for (int layer = 0; layer < LAYERS; ++layer) write_line(i, x, s, layer);
     }
 }

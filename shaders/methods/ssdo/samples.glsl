@@ -2,7 +2,8 @@
 //
 // Sample i is a step of random length λ in (0, r] along one of N directions over the hemisphere of the triangle's
 // normal, equally dense in solid angle. The point where it ends is looked up in the picture: behind the surface that
-// is seen there, that surface is an occluder; else the direction is open.
+// is seen there, that surface is an occluder; else the direction is open. With LAYERS above 1 the surfaces behind it
+// are looked up, too: a step that ends behind the back of a body is open.
 //
 // DEVIATION [Ritschel09 §3.1]: behind is decided by the plane of the pixel's triangle, not by the pixel's depth, which
 // lets floors seen at grazing angles occlude themselves by the steps between pixels.
@@ -14,6 +15,12 @@
 
 uniform sampler2D environment_texture;  // equirectangular
 uniform sampler2D senders_texture;
+#if LAYERS > 1
+// Behind what is seen, layer 2 first.
+uniform sampler2DArray hidden_positions;  // w 0: none
+uniform sampler2DArray hidden_normals;    // of the triangles' fronts
+uniform sampler2DArray hidden_senders;
+#endif
 
 uniform mat4 pixel_from_world;  // homogeneous; pixels from the upper left corner
 uniform float reach;            // r, m
@@ -34,14 +41,30 @@ struct Point {
 };
 
 struct Sample {
-    uint role;
+    bool is_outside;   // of the picture
+    bool is_occluded;
     vec3 direction;    // of the step
     vec3 end;          // of the step, world space
     ivec2 pixel;       // that shows what is there
-    vec3 occluder;     // its point
+    int layers;        // that the end lies behind, one after the other
+};
+
+/// A surface along a pixel's view ray; layer 0 is seen.
+struct Layer {
+    bool exists;
+    vec3 position;
+    vec3 normal;  // of the side that sends
+    vec3 facing;  // the same, turned to the viewer
+};
+
+struct Occluder {
+    uint role;
+    vec3 position;
+    vec3 facing;       // its normal, turned to the viewer
     vec3 to_occluder;  // unit
     float distance;    // m, from x to it
     float sending;     // cosine at it
+    int layer;
 };
 
 vec3 shift_of(ivec2 pixel) {
@@ -94,49 +117,86 @@ vec4 step_of(Point x, int i, bool mixed) {
 /// Σ of the directions' cosines with the geometric normal; N/2 up to the shift.
 float all_cosines(Point x) { return 0.5 * float(params.samples + 1) - x.shift.x; }
 
-/// What an occluder is to x.
-uint role_of_occluder(Point x, Sample s) {
-    if (params.estimator == ESTIMATOR_DENSITY && params.max_distance > 0.0 && s.distance > params.max_distance)
-        return BEYOND;
-    if (!is_above(x.scatterer, s.to_occluder)) return BELOW;
-    return s.sending > 0.0 ? SENDS : TURNED_AWAY;
+Layer layer_at(ivec2 pixel, int layer) {
+#if LAYERS > 1
+    if (layer > 0) {
+        ivec3 place = ivec3(pixel, layer - 1);
+        vec4 position = texelFetch(hidden_positions, place, 0);
+        vec3 normal = texelFetch(hidden_normals, place, 0).xyz;
+        bool is_entered = dot(normal, pixel_ray_direction(vec2(pixel) + 0.5)) < 0.0;
+        return Layer(position.w > 0.0, position.xyz, normal, is_entered ? normal : -normal);
+    }
+#endif
+    vec4 position = texelFetch(gbuffer_position, pixel, 0);
+    vec3 normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
+    return Layer(position.w > 0.0, position.xyz, normal, normal);
+}
+
+vec3 light_of_layer(ivec2 pixel, int layer) {
+#if LAYERS > 1
+    if (layer > 0) return texelFetch(hidden_senders, ivec3(pixel, layer - 1), 0).rgb;
+#endif
+    return texelFetch(senders_texture, pixel, 0).rgb;
+}
+
+/// Which layers lie before the step's end. The last of them occludes unless a body is left there.
+///
+/// DEVIATION [Ritschel09 §4]: the winding says where a body is left, not whether the number of layers is even, which
+/// turns all inside out behind a sheet that is no body. What is seen counts as entered.
+void look_behind(inout Sample s, float rounding) {
+    for (int layer = 0; layer < LAYERS; ++layer) {
+        Layer surface = layer_at(s.pixel, layer);
+        if (!surface.exists || dot(s.end - surface.position, surface.facing) >= -rounding) break;
+        s.is_occluded = surface.facing == surface.normal;
+        s.layers = layer + 1;
+    }
 }
 
 Sample sample_of(Point x, int i, bool mixed) {
     vec4 way = step_of(x, i, mixed);
     Sample s;
-    s.role = OUTSIDE;
+    s.is_outside = true;
+    s.is_occluded = false;
     s.direction = way.xyz;
     s.end = x.position + way.w * way.xyz;
     s.pixel = ivec2(-1);
-    s.occluder = s.end;
-    s.to_occluder = s.direction;
-    s.distance = s.sending = 0.0;
+    s.layers = 0;
     vec4 projected = pixel_from_world * vec4(s.end, 1.0);
     if (projected.w <= 0.0) return s;
     vec2 place = projected.xy / projected.w;
     ivec2 size = textureSize(gbuffer_position, 0);
     if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, vec2(size)))) return s;
     s.pixel = ivec2(place);
-    s.role = OPEN;
-    vec4 surface = texelFetch(gbuffer_position, s.pixel, 0);
-    if (surface.w <= 0.0) return s;
-    vec3 normal = texelFetch(gbuffer_geometric_normal, s.pixel, 0).xyz;
-    float rounding = 2e-6 * (length(x.position) + way.w);
-    if (dot(s.end - surface.xyz, normal) >= -rounding) return s;
-    s.occluder = surface.xyz;
-    s.distance = distance(surface.xyz, x.position);
-    s.to_occluder = (surface.xyz - x.position) / max(s.distance, 1e-30);
-    s.sending = -dot(normal, s.to_occluder);
-    s.role = role_of_occluder(x, s);
+    s.is_outside = false;
+    look_behind(s, 2e-6 * (length(x.position) + way.w));
     return s;
+}
+
+/// What an occluder is to x.
+uint role_of_occluder(Point x, Occluder o) {
+    if (params.estimator == ESTIMATOR_DENSITY && params.max_distance > 0.0 && o.distance > params.max_distance)
+        return BEYOND;
+    if (!is_above(x.scatterer, o.to_occluder)) return BELOW;
+    return o.sending > 0.0 ? SENDS : TURNED_AWAY;
+}
+
+/// One of the layers before the step's end.
+Occluder occluder_of(Point x, Sample s, int layer) {
+    Layer surface = layer_at(s.pixel, layer);
+    Occluder o;
+    o.layer = layer;
+    o.position = surface.position;
+    o.facing = surface.facing;
+    o.distance = distance(surface.position, x.position);
+    o.to_occluder = (surface.position - x.position) / max(o.distance, 1e-30);
+    o.sending = -dot(surface.normal, o.to_occluder);
+    o.role = role_of_occluder(x, o);
+    return o;
 }
 
 /// For the environment's light lengths are uniform, as published.
 Sample sky_sample_of(Point x, int i) { return sample_of(x, i, false); }
 Sample sender_sample_of(Point x, int i) { return sample_of(x, i, params.estimator == ESTIMATOR_DENSITY); }
-
-bool is_occluded(Sample s) { return s.role >= SENDS; }
 
 /// f cosθ for light from a direction.
 vec3 scattered_to_eye(Point x, vec3 direction) {
@@ -155,7 +215,7 @@ vec3 environment(vec3 direction) {
 /// L_dir = Σ f L_in V cosθ Δω.  [Ritschel09 eq. 1]
 /// DEVIATION [Ritschel09 eq. 1]: there Δω = 2π / N; here π / Σ cosθ, which tends to it and makes an open plane exact.
 vec3 sky_of(Point x, Sample s) {
-    if (is_occluded(s)) return vec3(0.0);
+    if (s.is_occluded) return vec3(0.0);
     return PI / all_cosines(x) * scattered_to_eye(x, s.direction) * environment(s.direction);
 }
 
@@ -190,41 +250,62 @@ float inverse_cubes(Piece p, float seen_at) {
     return beyond + inverse_cubes_beyond(Piece(p.h, max(-p.t1, inner), -p.t0, -p.c), seen_at);  // mirrored
 }
 
+/// Hidden layers that are seen more edge-on than this cosine count as if seen by it: slivers thinner than a pixel
+/// would send as if they filled it.
+// C++: ir::methods::ssdo::min_hidden_cosine
+const float MIN_HIDDEN_COSINE = 0.1;
+
 /// Density, per area of the seen surface, with which samples of x find the occluder: that of the steps' ends in the
 /// hemisphere, 1 / (2π r |s − x|²) or, of logarithmic lengths, 1 / (2π ln(r / least) |s − x|³), integrated over all s
 /// behind it on the eye's ray.
 /// Steps that end on a piece below r/20 at the rim of the ball count as if it were that long: without a limit rare
 /// samples would count without bound. So light fades over the last twentieth of the radius.
-float density_of(Point x, Sample s) {
+float density_of(Point x, Sample s, Occluder o) {
     vec2 place = vec2(s.pixel) + 0.5;
-    vec3 v = normalize(pixel_ray_direction(place)), from_occluder = x.position - s.occluder;
+    vec3 v = normalize(pixel_ray_direction(place)), from_occluder = x.position - o.position;
     Piece p;
     p.t0 = -dot(v, from_occluder);
-    p.h = max(length(from_occluder + p.t0 * v), 1e-4 * s.distance);
+    p.h = max(length(from_occluder + p.t0 * v), 1e-4 * o.distance);
     float rim = sqrt(max(reach * reach - p.h * p.h, 0.0)), falling = -dot(x.geometric_normal, v);
     p.t1 = max(rim, p.t0 + 0.05 * reach);
     if (falling > 0.0) p.t1 = min(p.t1, p.t0 - dot(x.geometric_normal, from_occluder) / falling);
-    float seen_at = distance(s.occluder, pixel_ray_origin(place));
+    float seen_at = distance(o.position, pixel_ray_origin(place));
     p.c = seen_at - p.t0;
-    float cosine = max(-dot(v, texelFetch(gbuffer_geometric_normal, s.pixel, 0).xyz), 0.0);
+    float cosine = max(-dot(v, o.facing), o.layer > 0 ? MIN_HIDDEN_COSINE : 0.0);
     float uniform_lengths = inverse_squares(p, seen_at) / reach;
     float logarithmic = inverse_cubes(p, seen_at) / -log(MIN_LENGTH);
     return cosine * 0.5 * (uniform_lengths + logarithmic) / (2.0 * PI);
 }
 
 /// The area that a sample's occluder stands for over the square of its distance.
-float area_by_distance(Point x, Sample s) {
+float area_by_distance(Point x, Sample s, Occluder o) {
     if (params.estimator == ESTIMATOR_PUBLISHED) {
-        float d = max(s.distance, params.min_distance * reach);
+        float d = max(o.distance, params.min_distance * reach);
         return params.strength * PI * reach * reach / (float(params.samples) * d * d);
     }
-    float density = density_of(x, s);
-    return density > 0.0 ? 1.0 / (float(params.samples) * density * s.distance * s.distance) : 0.0;
+    float density = density_of(x, s, o);
+    return density > 0.0 ? 1.0 / (float(params.samples) * density * o.distance * o.distance) : 0.0;
+}
+
+/// As printed the layer sends that occludes; by density each that the step found, whatever lies in between.
+bool sends(Sample s, Occluder o) {
+    bool counts = params.estimator == ESTIMATOR_DENSITY || (s.is_occluded && o.layer == s.layers - 1);
+    return counts && o.role == SENDS;
 }
 
 /// L_ind = Σ f L_pixel A_s cosθ_s cosθ_r / d².  [Ritschel09 eq. 2]
-vec3 sent_by(Point x, Sample s) {
-    if (s.role != SENDS) return vec3(0.0);
-    return area_by_distance(x, s) * s.sending * scattered_to_eye(x, s.to_occluder) *
-           texelFetch(senders_texture, s.pixel, 0).rgb;
+vec3 sent_by_layer(Point x, Sample s, Occluder o) {
+    if (!sends(s, o)) return vec3(0.0);
+    return area_by_distance(x, s, o) * o.sending * scattered_to_eye(x, o.to_occluder) *
+           light_of_layer(s.pixel, o.layer);
+}
+
+/// Of all layers before the step's end; A: how many of them send.
+vec4 sent_by(Point x, Sample s) {
+    vec4 sum = vec4(0.0);
+    for (int layer = 0; layer < s.layers; ++layer) {
+        Occluder o = occluder_of(x, s, layer);
+        sum += vec4(sent_by_layer(x, s, o), sends(s, o) ? 1.0 : 0.0);
+    }
+    return sum;
 }

@@ -14,7 +14,7 @@ void main() {
     if (x.exists)
         for (int i = first_sample; i < end_sample; ++i) {
             Sample s = sender_sample_of(x, i);
-            sum += vec4(sent_by(x, s), s.role == SENDS ? 1.0 : 0.0);
+            sum += sent_by(x, s);
         }
     imageStore(indirect, pixel, sum);
 }

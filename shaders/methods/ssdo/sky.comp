@@ -20,8 +20,8 @@ void main() {
         for (int i = first_sample; i < end_sample; ++i) {
             Sample s = sky_sample_of(x, i);
             light += sky_of(x, s);
-            if (is_occluded(s)) closed += dot(x.geometric_normal, s.direction) / all_cosines(x);
-            if (s.role == OUTSIDE) outside += 1.0 / float(params.samples);
+            if (s.is_occluded) closed += dot(x.geometric_normal, s.direction) / all_cosines(x);
+            if (s.is_outside) outside += 1.0 / float(params.samples);
         }
     imageStore(sky, pixel, vec4(light, 1.0));
     imageStore(accessibility, pixel, vec4(1.0 - closed));

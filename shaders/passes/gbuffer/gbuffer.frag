@@ -1,4 +1,4 @@
-// Writes what is visible at the pixel's centre.
+// Writes what is visible at the pixel's centre; with PEELED what lies behind the layer before.
 
 #include "passes/gbuffer/surface.glsl"
 
@@ -27,10 +27,27 @@ vec2 velocity_px(vec3 position_ws) {
     return gl_FragCoord.xy - before_px;
 }
 
+#ifdef PEELED
+uniform sampler2D nearer_position;
+
+/// A surface belongs to the next layer if it is farther than the one before by more than this factor.
+// C++: ir::passes::peeled_beyond
+const float PEELED_BEYOND = 1.00001;
+
+bool is_peeled_off(vec3 position_ws) {
+    vec4 nearer = texelFetch(nearer_position, ivec2(gl_FragCoord.xy), 0);
+    vec3 origin = pixel_ray_origin(gl_FragCoord.xy);
+    return nearer.w <= 0.0 || distance(position_ws, origin) <= PEELED_BEYOND * distance(nearer.xyz, origin);
+}
+#endif
+
 void main() {
     Material material = materials[material_index];
     vec3 direction = pixel_ray_direction(gl_FragCoord.xy);
-    vec3 geometric_normal_ws = dot(plane_normal_ws, direction) > 0.0 ? -plane_normal_ws : plane_normal_ws;
+    vec3 geometric_normal_ws = plane_normal_ws;
+#ifndef PEELED
+    if (dot(plane_normal_ws, direction) > 0.0) geometric_normal_ws = -plane_normal_ws;
+#endif
     vec3 position_ws = position_on_plane(direction);
     vec2 reflection = metallic_roughness(material);
     float glass = glass_fraction(material, reflection.x);
@@ -47,5 +64,8 @@ void main() {
     out_velocity = velocity_px(position_ws);
     out_valid = glass > MOSTLY_GLASS ? 0.0 : 1.0;
     bool is_left_out = see_through != 0 && is_seen_through(glass, shining);
+#ifdef PEELED
+    is_left_out = is_left_out || is_peeled_off(position_ws);
+#endif
     if (is_left_out || has_hole_here()) discard;
 }

@@ -117,6 +117,7 @@ TEST_F(SsdoTest, TheHostGathersAsTheDevice) {
         const char *estimator, *turning, *materials;
         double radius;
         bool orthographic;
+        int layers = 1;
     };
     // Every two values of two parameters stand beside each other.
     const Choice choices[] = {{"density", "none", "gltf", 0, false},
@@ -127,7 +128,9 @@ TEST_F(SsdoTest, TheHostGathersAsTheDevice) {
                               {"published", "hash", "gltf", 0.3, true},
                               {"density", "hash", "metalness-blend", 0, false},
                               {"density", "pattern", "gltf", 0.3, false},
-                              {"published", "none", "lambert", 0.3, true}};
+                              {"published", "none", "lambert", 0.3, true},
+                              {"density", "hash", "gltf", 0.3, true, 2},
+                              {"published", "pattern", "lambert", 0.3, false, 4}};
     auto scene = scene::load_scene("builtin:still-life");
     scene.environment = {{0.5f, 1, 2}, nullptr};
     const auto camera = scene.cameras.at(0);
@@ -141,6 +144,7 @@ TEST_F(SsdoTest, TheHostGathersAsTheDevice) {
                                                 {"materials", std::string(choice.materials)},
                                                 {"max_distance", choice.radius},
                                                 {"samples", std::int64_t{21}},
+                                                {"layers", std::int64_t{choice.layers}},
                                                 {"blur", false}});
         const std::string keys[] = {"ssdo.indirect.raw", "ssdo.sky.raw", "ssdo.accessibility", "ssdo.cut"};
         std::map<std::string, Image> device;
@@ -252,7 +256,7 @@ TEST_F(SsdoTest, SidesThatTheCameraDoesNotSeeOccludeButSendNothing) {
     int turned_away = 0;
     for (std::size_t i = 0; i < 64; ++i) {
         std::uint32_t role;
-        std::memcpy(&role, &lines.at(14 * i + 6), 4);
+        std::memcpy(&role, &lines.at(15 * i + 6), 4);
         turned_away += role == 3;
     }
     EXPECT_GT(turned_away, 2);
@@ -272,23 +276,28 @@ TEST_F(SsdoTest, WhatExplainsAPixelAddsUpToIt) {
     shot.scene.environment = {{0.5f, 1, 2}, nullptr};
     for (const char* estimator : {"density", "published"})
         for (const char* materials : {"lambert", "gltf"}) {
+            const std::int64_t layers = std::string(materials) == "gltf" ? 3 : 1;
             auto settings = sky_by_occlusion(many_samples(70, 0.3));
             settings["estimator"] = std::string(estimator);
+            settings["layers"] = layers;
             settings["materials"] = std::string(materials);
             Inspection picked;
             picked.x = 20;
             picked.y = 55;
             const auto raw = render(shot, settings, "ssdo.indirect.raw", picked), sky = read("ssdo.sky.raw");
-            const auto samples = explained("ssdo.explain.samples");
-            double sent = 0, seen = 0;
+            const auto samples = explained("ssdo.explain.samples"), lines = explained("ssdo.explain.lines");
+            double sent = 0, seen = 0, of_layers = 0;
             for (std::size_t i = 0; i < 70; ++i) {
                 sent += samples.at(12 * i + 5);
                 seen += samples.at(12 * i + 10);
             }
+            for (std::size_t i = 0; i < static_cast<std::size_t>(70 * layers); ++i)
+                of_layers += lines.at(15 * i + 8);
             EXPECT_GT(sent, 0);
             EXPECT_NEAR(sent, raw.at(20, 55, 0), 1e-5 * sent);
+            EXPECT_NEAR(of_layers, sent, 1e-5 * sent);
             EXPECT_NEAR(seen, sky.at(20, 55, 2), 1e-5 * seen);
-            EXPECT_EQ(report.counters.at("ssdo.explain.lines_count"), 70);
+            EXPECT_EQ(report.counters.at("ssdo.explain.lines_count"), 70 * layers);
         }
 }
 

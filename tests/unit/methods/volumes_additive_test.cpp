@@ -115,6 +115,46 @@ TEST_F(VolumesAdditiveTest, TwoQuadsOneBehindTheOtherOccludeTwiceButNotWithVisib
     });
 }
 
+/// Of all maps, over sums of a scene where much overlaps.
+TEST_F(VolumesAdditiveTest, TheMeasuredMapFallsWithTheSumAndIsNearerToRays) {
+    on = Processor::host;
+    wanted = {"gbuffer.position", "volumes.sum"};  // without the views, which draw all volumes
+    const Shot shot("builtin:dominoes", "", 24, 16);
+    for (const char* falloff : {"hard", "smooth"}) {
+        auto truth = render(shot, bounced_volumes(0.5, 16, falloff), "accessibility", 1);
+        for (const std::uint64_t seed : {2, 3, 4}) {
+            const auto more = render(shot, bounced_volumes(0.5, 16, falloff), "accessibility", seed);
+            for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+                truth.pixels[i] += (more.pixels[i] - truth.pixels[i]) / static_cast<float>(seed);
+        }
+        for (const char* sides : {"front", "both"}) {
+            SCOPED_TRACE(std::string(falloff) + ' ' + sides);
+            auto settings = additive_volumes(0.5, sides, falloff);
+            const auto uncompensated = render(shot, settings, "volumes.raw");
+            settings["compensation"] = std::string("measured");
+            const auto open = render(shot, settings, "volumes.raw"), sum = read("volumes.sum"),
+                       position = read("gbuffer.position");
+            std::map<float, float> by_sum;
+            double error = 0, error_before = 0;
+            for (std::size_t i = 0; i < open.pixels.size(); ++i) {
+                if (position.pixels[4 * i + 3] == 0) continue;
+                EXPECT_TRUE(sum.pixels[i] > 0 || open.pixels[i] == 1) << sum.pixels[i];
+                by_sum[sum.pixels[i]] = open.pixels[i];
+                error += std::pow(open.pixels[i] - truth.pixels[i], 2);
+                error_before += std::pow(uncompensated.pixels[i] - truth.pixels[i], 2);
+            }
+            ASSERT_GT(by_sum.rbegin()->first, 1.2f);
+            float before = 1;
+            for (const auto& [s, value] : by_sum) {
+                EXPECT_LE(value, before + 1e-6f) << s;
+                before = value;
+            }
+            EXPECT_GT(before, 0.05f) << "something is open however often it is counted";
+            EXPECT_LT(std::sqrt(error / error_before), 0.75);
+        }
+    }
+}
+
 TEST_F(VolumesAdditiveTest, TheSmoothFallOffIsTheProductOfDistancesToThePlanes) {
     SmallWorld world;
     world.square({0, 0, 0}, {0, 1, 0}, 2);

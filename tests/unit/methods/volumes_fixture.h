@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "renderers/methods/all_methods.h"
 #include "tests/unit/passes/pass_fixture.h"
@@ -23,12 +25,14 @@ class VolumesTest : public PassTest {
         inputs.processor = on;
         inputs.inspection = std::move(picked);
         graph::FrameOptions options;
-        options.wanted = {key, "gbuffer.*", "bounce.*", "volumes.*"};
+        options.wanted = wanted;
+        options.wanted.push_back(key);
         report =
             graph().run(**method, completed((*method)->description.parameters, settings), inputs, options);
         return read(key);
     }
     FrameReport report;
+    std::vector<std::string> wanted{"gbuffer.*", "bounce.*", "volumes.*"};
     Processor on = Processor::gl;
 };
 

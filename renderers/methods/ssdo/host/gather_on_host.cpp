@@ -31,13 +31,20 @@ class Gathering {
           picture_{.constants = sample_constants(context.inputs(), inputs),
                    .parameters = inputs.parameters,
                    .width = context.inputs().view.width,
-                   .height = context.inputs().view.height,
-                   .positions = context.pixels<const glm::vec4>(inputs.gbuffer.position),
-                   .geometric_normals = context.pixels<const glm::vec4>(inputs.gbuffer.geometric_normal)} {
-        if (senders.index >= 0)
-            picture_.senders = context.pixels<const glm::vec4>(senders);
+                   .height = context.inputs().view.height} {
+        const bool has_senders = senders.index >= 0;
+        picture_.layers.push_back({context.pixels<const glm::vec4>(inputs.gbuffer.position),
+                                   context.pixels<const glm::vec4>(inputs.gbuffer.geometric_normal)});
+        if (has_senders)
+            picture_.layers[0].senders = context.pixels<const glm::vec4>(senders);
         else
             picture_.environment = context.pixels<const glm::vec4>(inputs.environment);
+        for (int i = 0; inputs.hidden && i + 1 < inputs.parameters.layers; ++i) {
+            picture_.layers.push_back({context.pixels<const glm::vec4>(inputs.hidden->positions, i),
+                                       context.pixels<const glm::vec4>(inputs.hidden->normals, i)});
+            if (has_senders)
+                picture_.layers.back().senders = context.pixels<const glm::vec4>(inputs.hidden->senders, i);
+        }
     }
 
     const Picture& picture() const { return picture_; }
@@ -88,6 +95,10 @@ template <class Gather>
 void gather_rows(graph::GraphBuilder& builder, graph::PassBuilder& pass, const Inputs& inputs,
                  graph::ImageRef senders, const Gather& gather) {
     passes::bounce::HostReceivers::declare_reads(pass, receivers_of(inputs));
+    if (inputs.hidden) {
+        pass.reads(inputs.hidden->positions, inputs.hidden->normals);
+        if (senders.index >= 0) pass.reads(inputs.hidden->senders);
+    }
     pass.has_two_bodies().execute_sliced(
         builder.inputs().view.height, [=](graph::PassContext& context, graph::Slice slice) {
             const Gathering gathering(context, inputs, senders);

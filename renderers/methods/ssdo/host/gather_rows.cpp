@@ -71,11 +71,21 @@ Points<model> points_at(const PointRow& row, std::size_t x, int samples) {
 }
 
 struct Samples {
-    Mask is_outside, is_occluded, sends;
+    Mask is_outside, is_occluded;
     Vector3 direction;
     Floats place_x, place_y;  ///< middle of the pixel that shows what is there
     Ints pixel;
-    Vector3 occluder, normal, to_occluder;
+    Floats layers;  ///< that the end lies behind
+};
+
+struct Layers {
+    Mask exists, is_entered;
+    Vector3 position, normal, facing;
+};
+
+struct Occluders {
+    Mask sends;
+    Vector3 position, facing, to_occluder;
     Floats distance, sending;
 };
 
@@ -123,9 +133,12 @@ class Gather {
             auto senders = hn::Zero(f);
             for (int i = 0; i < samples_ && !hn::AllFalse(f, p.exists); ++i) {
                 const auto s = sample_of(p, i, by_density_);
-                if (hn::AllFalse(f, s.sends)) continue;
-                light = plus(light, sent_by(p, s));
-                senders = hn::Add(senders, hn::IfThenElseZero(s.sends, set(1)));
+                for (std::size_t layer = 0; reach_layer(s, layer); ++layer) {
+                    const auto o = occluders_of(p, s, layer);
+                    if (hn::AllFalse(f, o.sends)) continue;
+                    light = plus(light, sent_by(p, s, o, layer));
+                    senders = hn::Add(senders, hn::IfThenElseZero(o.sends, set(1)));
+                }
             }
             store(p.exists, light, hn::IfThenElseZero(p.exists, senders), indirect, x);
         }
@@ -171,21 +184,68 @@ class Gather {
         s.place_x = hn::Add(pixel_x, set(0.5f));
         s.place_y = hn::Add(pixel_y, set(0.5f));
         s.pixel = pixel_at(is_inside, pixel_x, pixel_y, picture_.width);
-        s.occluder = look_up(picture_.positions, s.pixel);
-        s.normal = look_up(picture_.geometric_normals, s.pixel);
-        const auto is_surface = is_positive(look_up(picture_.positions, s.pixel, 3));
         const auto rounding = hn::Mul(set(-2e-6f), hn::Add(p.rounding, step));
-        const auto is_behind = hn::Lt(dot(minus(end, s.occluder), s.normal), rounding);
-        s.is_occluded = hn::And(hn::And(is_inside, is_surface), is_behind);
-        const auto way = minus(s.occluder, p.position);
-        s.distance = length(way);
-        s.to_occluder = times(way, hn::Div(set(1), hn::Max(s.distance, set(1e-30f))));
-        s.sending = hn::Neg(dot(s.normal, s.to_occluder));
-        const auto n_dot_l = dot(p.scatterer.n, s.to_occluder);
-        s.sends = hn::And(hn::And(s.is_occluded, is_positive(s.sending)),
-                          p.scatterer.is_above(s.to_occluder, n_dot_l));
+        look_behind(is_inside, end, rounding, s);
+    }
+
+    HWY_INLINE void look_behind(Mask is_behind, const Vector3& end, Floats rounding, Samples& s) const {
+        s.layers = hn::Zero(f);
+        s.is_occluded = is_positive(s.layers);
+        for (std::size_t layer = 0; layer < picture_.layers.size(); ++layer) {
+            const auto surface = layer_at(s, layer);
+            is_behind = hn::And(hn::And(is_behind, surface.exists),
+                                hn::Lt(dot(minus(end, surface.position), surface.facing), rounding));
+            if (hn::AllFalse(f, is_behind)) break;
+            s.layers = hn::Add(s.layers, hn::IfThenElseZero(is_behind, set(1)));
+            s.is_occluded =
+                hn::Or(hn::And(is_behind, surface.is_entered), hn::AndNot(is_behind, s.is_occluded));
+        }
+    }
+
+    HWY_INLINE Layers layer_at(const Samples& s, std::size_t layer) const {
+        const auto& images = picture_.layers[layer];
+        Layers result;
+        result.exists = is_positive(look_up(images.positions, s.pixel, 3));
+        result.position = look_up(images.positions, s.pixel);
+        result.normal = result.facing = look_up(images.normals, s.pixel);
+        result.is_entered = hn::Eq(s.place_x, s.place_x);
+        if (layer == 0) return result;
+        result.is_entered = hn::Lt(dot(result.normal, ray_direction(s)), hn::Zero(f));
+        const auto sign = hn::IfThenElse(result.is_entered, set(1), set(-1));
+        result.facing = times(result.normal, sign);
+        return result;
+    }
+
+    /// Whether there is the layer, and an end lies behind it.
+    HWY_INLINE bool reach_layer(const Samples& s, std::size_t layer) const {
+        return layer < picture_.layers.size() &&
+               !hn::AllFalse(f, hn::Gt(s.layers, set(static_cast<float>(layer))));
+    }
+
+    /// A layer before the steps' ends: occluder_of, role_of_occluder and sends of samples.glsl.
+    HWY_INLINE Occluders occluders_of(const P& p, const Samples& s, std::size_t layer) const {
+        const auto surface = layer_at(s, layer);
+        Occluders o;
+        o.position = surface.position;
+        o.facing = surface.facing;
+        const auto way = minus(o.position, p.position);
+        o.distance = length(way);
+        o.to_occluder = times(way, hn::Div(set(1), hn::Max(o.distance, set(1e-30f))));
+        o.sending = hn::Neg(dot(surface.normal, o.to_occluder));
+        const auto number = set(static_cast<float>(layer + 1));
+        o.sends = by_density_ ? hn::Ge(s.layers, number) : hn::And(s.is_occluded, hn::Eq(s.layers, number));
+        o.sends = hn::And(hn::And(o.sends, is_positive(o.sending)),
+                          p.scatterer.is_above(o.to_occluder, dot(p.scatterer.n, o.to_occluder)));
         const float farthest = picture_.parameters.transport.max_distance;
-        if (by_density_ && farthest > 0) s.sends = hn::And(s.sends, hn::Le(s.distance, set(farthest)));
+        if (by_density_ && farthest > 0) o.sends = hn::And(o.sends, hn::Le(o.distance, set(farthest)));
+        return o;
+    }
+
+    HWY_INLINE Vector3 at_place(const Samples& s, glm::vec3 start, glm::vec3 dx, glm::vec3 dy) const {
+        return add_product(set(dx), s.place_x, add_product(set(dy), s.place_y, set(start)));
+    }
+    HWY_INLINE Vector3 ray_direction(const Samples& s) const {
+        return at_place(s, rays_.direction, rays_.direction_dx, rays_.direction_dy);
     }
 
     HWY_INLINE Vector3 scattered_to_eye(const P& p, const Vector3& direction) const {
@@ -249,44 +309,43 @@ class Gather {
             inverse_cubes_beyond({p.h, hn::Max(hn::Neg(p.t1), inner), hn::Neg(p.t0), hn::Neg(p.c)}, seen_at));
     }
 
-    Floats density_of(const P& x, const Samples& s) const {
-        const auto at = [&](glm::vec3 start, glm::vec3 dx, glm::vec3 dy) {
-            return add_product(set(dx), s.place_x, add_product(set(dy), s.place_y, set(start)));
-        };
-        const auto v = normalized(at(rays_.direction, rays_.direction_dx, rays_.direction_dy));
-        const auto from_occluder = minus(x.position, s.occluder);
+    Floats density_of(const P& x, const Samples& s, const Occluders& o, std::size_t layer) const {
+        const auto v = normalized(ray_direction(s));
+        const auto from_occluder = minus(x.position, o.position);
         Pieces p;
         p.t0 = hn::Neg(dot(v, from_occluder));
-        p.h = hn::Max(length(add_product(v, p.t0, from_occluder)), hn::Mul(set(1e-4f), s.distance));
+        p.h = hn::Max(length(add_product(v, p.t0, from_occluder)), hn::Mul(set(1e-4f), o.distance));
         const auto rim = hn::Sqrt(hn::Max(hn::NegMulAdd(p.h, p.h, set(reach_ * reach_)), hn::Zero(f)));
         const auto falling = hn::Neg(dot(x.geometric_normal, v));
         p.t1 = hn::Max(rim, hn::Add(p.t0, set(0.05f * reach_)));
         const auto lowest = hn::Sub(p.t0, hn::Div(dot(x.geometric_normal, from_occluder), falling));
         p.t1 = hn::IfThenElse(is_positive(falling), hn::Min(p.t1, lowest), p.t1);
-        const auto seen_at = length(minus(s.occluder, at(rays_.origin, rays_.origin_dx, rays_.origin_dy)));
+        const auto origin = at_place(s, rays_.origin, rays_.origin_dx, rays_.origin_dy);
+        const auto seen_at = length(minus(o.position, origin));
         p.c = hn::Sub(seen_at, p.t0);
-        const auto cosine = hn::Max(hn::Neg(dot(v, s.normal)), hn::Zero(f));
+        const auto cosine = hn::Max(hn::Neg(dot(v, o.facing)), set(layer > 0 ? min_hidden_cosine : 0));
         const auto uniform_lengths = hn::Mul(inverse_squares(p, seen_at), set(1 / reach_));
         const auto logarithmic = hn::Mul(inverse_cubes(p, seen_at), set(-1 / std::log(min_length)));
         return hn::Mul(hn::Mul(cosine, set(0.25f / pi)), hn::Add(uniform_lengths, logarithmic));
     }
 
-    HWY_INLINE Floats area_by_distance(const P& p, const Samples& s) const {
+    HWY_INLINE Floats area_by_distance(const P& p, const Samples& s, const Occluders& o,
+                                       std::size_t layer) const {
         const auto& parameters = picture_.parameters;
         const auto count = static_cast<float>(samples_);
         if (!by_density_) {
-            const auto d = hn::Max(s.distance, set(parameters.min_distance * reach_));
+            const auto d = hn::Max(o.distance, set(parameters.min_distance * reach_));
             return hn::Div(set(parameters.strength * pi * reach_ * reach_ / count), squared(d));
         }
-        const auto density = density_of(p, s);
-        const auto all = hn::Mul(hn::Mul(set(count), density), squared(s.distance));
+        const auto density = density_of(p, s, o, layer);
+        const auto all = hn::Mul(hn::Mul(set(count), density), squared(o.distance));
         return hn::IfThenElseZero(is_positive(density), hn::Div(set(1), all));
     }
 
-    HWY_INLINE Vector3 sent_by(const P& p, const Samples& s) const {
-        const auto factor = hn::Mul(area_by_distance(p, s), s.sending);
-        const auto light = times(scattered_to_eye(p, s.to_occluder), look_up(picture_.senders, s.pixel));
-        return masked(s.sends, times(light, factor));
+    HWY_INLINE Vector3 sent_by(const P& p, const Samples& s, const Occluders& o, std::size_t layer) const {
+        const auto factor = hn::Mul(area_by_distance(p, s, o, layer), o.sending);
+        const auto sent = look_up(picture_.layers[layer].senders, s.pixel);
+        return masked(o.sends, times(times(scattered_to_eye(p, o.to_occluder), sent), factor));
     }
 
     void store(Floats values, std::span<float> out, int x) const {

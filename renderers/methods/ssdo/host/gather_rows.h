@@ -14,7 +14,12 @@ struct Picture {
     SampleConstants constants;
     Parameters parameters;
     int width = 0, height = 0;
-    std::span<const glm::vec4> positions{}, geometric_normals{}, environment{}, senders{};
+    /// What is seen, and what depth peeling finds behind it. Normals of the first are turned to the viewer.
+    struct Layer {
+        std::span<const glm::vec4> positions{}, normals{}, senders{};
+    };
+    std::vector<Layer> layers{};
+    std::span<const glm::vec4> environment{};
 };
 
 /// Point of samples.glsl for a row of pixels, a plane for each part, so that many take samples at once.

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/ldm/coarse_scene.h"
 
@@ -43,8 +44,7 @@ HostCounters declare_host_counters(graph::GraphBuilder& builder) {
 graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder, float detail) {
     graph::ObjectDesc desc;
     desc.text.key = "ldm.meshlets";
-    for (std::size_t i = 0; i < builder.objects().size(); ++i)
-        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
+    if (const auto found = graph::declared_object(builder, desc.text.key)) return *found;
     desc.text.label = "Meshlets";
     desc.text.doc = "The scene's triangles in groups that lie together, for maps that are built on the host.";
     std::optional<graph::ObjectRef> coarse;
