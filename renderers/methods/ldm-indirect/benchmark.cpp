@@ -19,16 +19,11 @@ const std::vector<std::string> tracing{"RSM*",
                                        "store photons*"};
 const std::vector<std::string> packing{"indirect.part* sums", "indirect.part* bases", "indirect.part* places",
                                        "store photons*"};
-const std::vector<std::string> splatting{"splat photons*",
-                                         "stored photons",
-                                         "measure footprints",
-                                         "upload arrivals",
-                                         "atomic sums",
-                                         "count photons of bins*",
-                                         "list photons of bins*",
-                                         "gather photons of tiles*",
-                                         "splat.bins*",
-                                         "make kernels"};
+const std::vector<std::string> splatting{"splat photons*",        "stored photons",
+                                         "measure footprints",    "upload arrivals",
+                                         "atomic sums",           "count photons of bins*",
+                                         "list photons of bins*", "gather photons of tiles*",
+                                         "splat.bins*",           "make kernels"};
 
 struct Setting {
     int directions = 128, resolution = 200, emission = 32;
