@@ -200,7 +200,8 @@ class Drawing {
 }  // namespace
 
 std::string value_text(const Json& value) {
-    const bool is_size = value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
+    const bool is_size =
+        value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
     if (is_size) return value[0].dump() + "×" + value[1].dump();
     return value.is_string() ? value.get<std::string>() : value.is_null() ? std::string() : value.dump();
 }
