@@ -25,6 +25,7 @@ passes::viewers::Layer layer_of(const widgets::SpaceLayer& layer) {
     result.high = layer.high;
     result.colour_map = layer.colour_map;
     result.size_px = layer.size_px;
+    static_assert(widgets::SpaceLayer::min_opacity == passes::viewers::Layer::min_opacity);
     result.opacity = layer.opacity;
     for (const auto& filter : layer.filters)
         result.filters.push_back({filter.field, filter.low, filter.high});

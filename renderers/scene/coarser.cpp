@@ -8,6 +8,32 @@
 
 namespace ir::scene {
 
+namespace {
+
+/// Vertices at one place are one, whatever their normals are: meshoptimizer moves no vertex with more than
+/// two copies, and triangles with corners of their own would all stay. Returns the triangles that are left.
+std::vector<std::uint32_t> simplified(const World& world, std::size_t indices, std::size_t target) {
+    std::vector<std::uint32_t> place(world.positions.size());
+    const auto places = meshopt_generateVertexRemap(place.data(), nullptr, place.size(),
+                                                    world.positions.data(), place.size(), sizeof(glm::vec3));
+    std::vector<std::uint32_t> vertex_at(places), welded(indices);
+    std::vector<glm::vec3> positions(places);
+    for (auto i = place.size(); i-- > 0;) {
+        vertex_at[place[i]] = static_cast<std::uint32_t>(i);
+        positions[place[i]] = world.positions[i];
+    }
+    for (std::size_t i = 0; i < indices; ++i) welded[i] = place[world.indices[i]];
+    // Of the scene's size: the number of triangles alone decides.
+    constexpr float max_error = 1;
+    std::vector<std::uint32_t> result(indices);
+    result.resize(meshopt_simplify(result.data(), welded.data(), indices, &positions.front().x, places,
+                                   sizeof(glm::vec3), target, max_error, 0, nullptr));
+    for (auto& index : result) index = vertex_at[index];
+    return result;
+}
+
+}  // namespace
+
 World coarser(const World& world, float detail) {
     World result;
     result.positions = world.positions;
@@ -20,15 +46,7 @@ World coarser(const World& world, float detail) {
     const auto masked = world.indices.begin() + static_cast<std::ptrdiff_t>(opaque);
     const auto target =
         3 * static_cast<std::size_t>(std::lround(detail * static_cast<float>(world.opaque_triangles)));
-    result.indices.assign(world.indices.begin(), masked);
-    if (opaque > 0) {
-        // Of the scene's size: the number of triangles alone decides.
-        constexpr float max_error = 1;
-        const auto kept =
-            meshopt_simplify(result.indices.data(), world.indices.data(), opaque, &world.positions.front().x,
-                             world.positions.size(), sizeof(glm::vec3), target, max_error, 0, nullptr);
-        result.indices.resize(kept);
-    }
+    if (opaque > 0) result.indices = simplified(world, opaque, target);
     result.opaque_triangles = static_cast<std::uint32_t>(result.indices.size() / 3);
     result.triangle_materials.assign(result.opaque_triangles, 0);
     result.indices.insert(result.indices.end(), masked, world.indices.end());

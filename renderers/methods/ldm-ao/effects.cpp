@@ -157,8 +157,8 @@ std::vector<OutputDescription> effect_outputs() {
          .label = "Effect of each direction",
          .kind = OutputKind::sphere_values,
          .doc = effect_doc("over the picture",
-                           "Large pictures are sampled at a grid of at most 16,384 pixels. Hits are those of "
-                           "the maps.")},
+                           "Large pictures are sampled at a grid of at most " + std::to_string(most_pixels) +
+                               " pixels, fewer with many maps. Hits are those of the maps.")},
         {.key = "ldm.explain.effects",
          .label = "Effect of each direction on the pixel",
          .kind = OutputKind::sphere_values,

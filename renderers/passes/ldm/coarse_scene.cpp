@@ -2,6 +2,7 @@
 #include "renderers/passes/ldm/coarse_scene.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
@@ -12,7 +13,10 @@ namespace {
 
 std::string fingerprint_of(const graph::GraphBuilder& builder, float detail) {
     const auto& geometry = builder.inputs().geometry_fingerprint;
-    return geometry.empty() ? geometry : geometry + " detail " + std::to_string(detail);
+    if (geometry.empty()) return {};
+    std::ostringstream text;
+    text << geometry << " detail " << std::hexfloat << detail;
+    return text.str();
 }
 
 /// The simplified triangles, then some without area in place of the rest, then the masked ones.

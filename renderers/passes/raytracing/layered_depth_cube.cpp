@@ -63,9 +63,10 @@ std::uint64_t LayeredDepthCube::nodes() const {
 }
 
 std::uint64_t LayeredDepthCube::bytes() const {
-    std::uint64_t texels = 0;
-    for (const auto& map : maps_) texels += map.begins.size();
-    return nodes() * sizeof(Node) + texels * sizeof(std::uint32_t) + positions_.size() * sizeof(glm::vec3) +
+    std::uint64_t bytes = 0;
+    for (const auto& map : maps_)
+        bytes += map.begins.size() * sizeof(std::uint32_t) + map.tiles.size() * sizeof(std::uint64_t);
+    return bytes + nodes() * sizeof(Node) + positions_.size() * sizeof(glm::vec3) +
            indices_.size() * sizeof(std::uint32_t) + masks_.bytes();
 }
 

@@ -19,8 +19,6 @@ constexpr std::uint64_t max_drawn = 200'000'000;
 /// Software drivers end loops silently after 65,535 iterations, and one texel may have to look at all.
 constexpr std::uint64_t max_regions = 32'768;
 
-constexpr float min_opacity = 0.01f;
-
 /// Of layers in one colour.
 constexpr std::array layer_colours{tints::orange, tints::sky,       tints::green,
                                    tints::yellow, tints::vermilion, tints::purple};
@@ -252,7 +250,7 @@ LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer
     block.primitive = static_cast<std::int32_t>(plan.primitive);
     block.size_px = std::isfinite(layer.size_px) ? std::clamp(layer.size_px, 1.0f, 64.0f) : 3.0f;
     const bool may_be_translucent = plan.primitive != Primitive::sphere && std::isfinite(layer.opacity);
-    plan.opacity = may_be_translucent ? std::clamp(layer.opacity, min_opacity, 1.0f) : 1;
+    plan.opacity = may_be_translucent ? std::clamp(layer.opacity, Layer::min_opacity, 1.0f) : 1;
     choose_step(plan, max_elements);
     choose_colour(plan, fields, index);
     if (plan.block.colour_mode == static_cast<std::int32_t>(ColourMode::field))

@@ -49,7 +49,9 @@ struct Layer {
     std::optional<double> low = {}, high = {};  ///< range of the colour map; absent: from the elements drawn
     std::string colour_map = "viridis";
     float size_px = 3;  ///< of points and lines, 1 … 64
-    float opacity = 1;  ///< 0.01 … 1; below 1 elements hide nothing, and mix in any order; not of spheres
+    static constexpr float min_opacity = 0.01f;
+    float opacity =
+        1;  ///< min_opacity … 1; below 1 elements hide nothing, and mix in any order; not of spheres
     std::vector<Filter> filters = {};
     std::int64_t selected = -1;  ///< element that is marked
     bool operator==(const Layer&) const = default;

@@ -46,7 +46,10 @@ GLuint Target::make_framebuffer(gl::Name first, gl::Name second) const {
     api_.NamedFramebufferTexture(framebuffer, GL_DEPTH_ATTACHMENT, depth_, 0);
     const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     api_.NamedFramebufferDrawBuffers(framebuffer, 2, buffers);
-    return framebuffer;
+    if (api_.CheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
+        return framebuffer;
+    api_.DeleteFramebuffers(1, &framebuffer);
+    throw Error("the driver cannot draw a 3D view of this size");
 }
 
 void Target::make(int width, int height) {
@@ -54,9 +57,6 @@ void Target::make(int width, int height) {
     ids_ = device_.create_image(shape(width, height, gl::Format::rg32ui), "3D view, layer and element");
     depth_ = device_.create_image(shape(width, height, gl::Format::depth32f), "3D view, depth");
     framebuffer_ = make_framebuffer(colour_, ids_);
-    if (api_.CheckNamedFramebufferStatus(framebuffer_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the driver cannot draw a 3D view of " + std::to_string(width) + " × " +
-                    std::to_string(height) + " pixels");
 }
 
 void Target::begin(int width, int height, int oversampling) {
@@ -81,10 +81,13 @@ void Target::begin(int width, int height, int oversampling) {
 void Target::begin_translucent() {
     const int across = width_ * oversampling_, down = height_ * oversampling_;
     if (!translucent_) {
-        weighted_ =
-            device_.create_image(shape(across, down, gl::Format::rgba32f), "3D view, translucent colours");
-        optical_depth_ =
-            device_.create_image(shape(across, down, gl::Format::r32f), "3D view, optical depth");
+        // Where one cannot be made the next try finds the other.
+        if (!weighted_)
+            weighted_ = device_.create_image(shape(across, down, gl::Format::rgba32f),
+                                             "3D view, translucent colours");
+        if (!optical_depth_)
+            optical_depth_ =
+                device_.create_image(shape(across, down, gl::Format::r32f), "3D view, optical depth");
         translucent_ = make_framebuffer(weighted_, optical_depth_);
     }
     api_.BindFramebuffer(GL_FRAMEBUFFER, translucent_);

@@ -54,6 +54,22 @@ TEST(Coarser, ASheetIsOneAlsoWithFewTriangles) {
     EXPECT_NEAR(area_of(coarse), 1, 1e-6);
 }
 
+TEST(Coarser, TrianglesWithCornersOfTheirOwnAreSimplifiedToo) {
+    auto scene = sheet(40);
+    auto& mesh = scene.meshes.front();
+    std::vector<glm::vec3> corners;
+    for (auto& index : mesh.indices) {
+        corners.push_back(mesh.positions[index]);
+        index = static_cast<std::uint32_t>(corners.size() - 1);
+    }
+    mesh.positions = corners;
+    mesh.normals.assign(corners.size(), {0, 1, 0});
+    mesh.uv0.assign(corners.size(), {0, 0});
+    const auto coarse = scene::coarser(scene::flatten(scene, 0, 0), 0.1f);
+    EXPECT_LE(coarse.triangles(), 330u);
+    EXPECT_NEAR(area_of(coarse), 1, 1e-6);
+}
+
 TEST(Coarser, KeepsMaskedTrianglesAsTheyAre) {
     SmallWorld small;
     for (int i = 0; i < 5; ++i) small.square({0, static_cast<float>(i), 0}, {0, 1, 0}, 1, SmallWorld::masked);
