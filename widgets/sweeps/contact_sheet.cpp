@@ -203,8 +203,15 @@ void ContactSheet::paint_cell(QPainter& painter, const QStyleOptionViewItem& opt
     QRect text(cell.left() + cell_margin, first.bottom() + 1 + cell_gap, cell.width() - 2 * cell_margin,
                line_height);
     painter.setPen(palette().color(is_selected ? QPalette::HighlightedText : QPalette::Text));
-    painter.drawText(text, Qt::AlignLeft,
-                     fontMetrics().elidedText(shown.name, Qt::ElideMiddle, text.width()));
+    // Of a long name the values alone.
+    auto caption = shown.name;
+    if (fontMetrics().horizontalAdvance(caption) > text.width()) {
+        QStringList values;
+        for (int i = 0; i < model_.rows().axes && i < int(shown.cells.size()); ++i)
+            values << shown.cells[std::size_t(i)].text;
+        caption = values.join(QStringLiteral(" · "));
+    }
+    painter.drawText(text, Qt::AlignLeft, fontMetrics().elidedText(caption, Qt::ElideMiddle, text.width()));
     text.translate(0, line_height);
     if (shown.state == SweepLine::State::stale || shown.state == SweepLine::State::failed ||
         shown.state == SweepLine::State::running) {
