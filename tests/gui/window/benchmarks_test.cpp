@@ -100,7 +100,7 @@ class BenchmarksWindowTest : public testing::Test {
 
 TEST_F(BenchmarksWindowTest, EveryBenchmarkIsOffered) {
     EXPECT_EQ(find<QComboBox>("benchmark")->count(), int(engine::benchmarks().size()));
-    EXPECT_EQ(view().model()->rowCount(), 8) << "its variants, before they are measured";
+    EXPECT_EQ(view().model()->rowCount(), 9) << "its variants, before they are measured";
     EXPECT_TRUE(find<QLabel>("foot")->text().contains("Not measured yet"));
     EXPECT_TRUE(find<QComboBox>("benchmark")->toolTip().contains("480x270"));
     EXPECT_EQ(fake.runs, 0);
@@ -112,11 +112,11 @@ TEST_F(BenchmarksWindowTest, RowsAppearAsTheyAreMeasured) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !cell(0, 1).isEmpty(); }, 5000));
     EXPECT_FALSE(window.is_settled());
     EXPECT_TRUE(cell(1, 1).isEmpty());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text().startsWith("2 of 8"); }, 5000))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text().startsWith("2 of 9"); }, 5000))
         << find<QLabel>("doing")->text().toStdString();
     fake.allowed = 1000;
     ASSERT_TRUE(finish());
-    EXPECT_EQ(cell(7, 1), "80");
+    EXPECT_EQ(cell(8, 1), "80");
     EXPECT_TRUE(cell(2, 0).contains("out of beads"));
     EXPECT_TRUE(view().isFirstColumnSpanned(2, {}));
     EXPECT_TRUE(find<QLabel>("foot")->text().contains("abacus"));
@@ -138,7 +138,7 @@ TEST_F(BenchmarksWindowTest, CancelKeepsWhatThereIs) {
     press("run");
     ASSERT_TRUE(finish());
     EXPECT_EQ(fake.runs, 2);
-    EXPECT_EQ(cell(7, 1), "80");
+    EXPECT_EQ(cell(8, 1), "80");
 }
 
 TEST_F(BenchmarksWindowTest, ClosingTheWindowCancels) {
@@ -167,7 +167,7 @@ TEST_F(BenchmarksWindowTest, RunsCheckedVariantsAtTheExperimentsPlaceAndRemember
     auto memory = projects::Json::object();
     dock().save(memory);
     dock().load(projects::Json::object());
-    EXPECT_EQ(panel().chosen_variants().size(), 8);
+    EXPECT_EQ(panel().chosen_variants().size(), 9);
     dock().load(memory);
     EXPECT_EQ(panel().chosen_variants(), QStringList{"25 k photons"});
     EXPECT_EQ(places->currentIndex(), 1);
@@ -188,7 +188,7 @@ TEST_F(BenchmarksWindowTest, WritesTheNumbers) {
     std::string line;
     std::getline(csv, line);
     EXPECT_TRUE(line.starts_with("variant,Total [ms]")) << line;
-    EXPECT_EQ(projects::Json::parse(json)["table"].size(), 8u);
+    EXPECT_EQ(projects::Json::parse(json)["table"].size(), 9u);
     EXPECT_THROW(dock().write_csv("/nowhere/t.csv"), Error);
     const auto full = folder.filePath("full");
     EXPECT_EQ(is_refused_without_room(full.toStdString(), [&] { dock().write_csv(full); }), "");

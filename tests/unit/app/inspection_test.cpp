@@ -115,6 +115,7 @@ TEST_F(PickAndChoose, AreDescribed) {
     for (const auto& output : json["outputs"])
         EXPECT_EQ(output["explains"].get<bool>(),
                   output["key"] == "ldm.layers" || output["key"] == "ldm.points" ||
+                      output["key"] == "ldm.xray" ||
                       output["key"].get<std::string>().find(".explain.") != std::string::npos)
             << output["key"];
     ASSERT_EQ(run("describe ldm-ao --markdown"), 0);
