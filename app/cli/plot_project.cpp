@@ -137,12 +137,11 @@ engine::ErrorStudy joined(engine::Machine& machine, const projects::LoadedProjec
     return std::move(*study);
 }
 
-/// Kept where the job says so. Of a shard all points where it made the last ones, else its own; `is_whole`
-/// says which.
+/// Kept where the job says so. Of a shard all points where it made the last ones, which then sets `is_whole`,
+/// else its own.
 engine::ErrorStudy study_of(const ProjectPlots& job, engine::Machine& machine,
                             const projects::LoadedProject& loaded, const projects::ErrorPlot& plot,
                             engine::StudyCallbacks callbacks, bool& is_whole) {
-    is_whole = job.shard.count == 1;
     if (job.merge) return joined(machine, loaded, plot);
     const engine::StudyParts parts(loaded.project, plot, loaded.folder, job.shard.count);
     callbacks.shard = parts.runs_of(job.shard);
@@ -153,10 +152,10 @@ engine::ErrorStudy study_of(const ProjectPlots& job, engine::Machine& machine,
         auto all = parts.joined(machine);
         if (!all) return study;
         study = std::move(*all);
-        is_whole = true;
     }
     engine::keep_study(loaded.project, plot, loaded.folder, study);
     if (job.shard.count > 1) parts.remove();
+    is_whole = true;
     return study;
 }
 
@@ -188,8 +187,8 @@ int plot_project(const ProjectPlots& job) {
     bool are_whole = true;
     for (const auto& plot : plots) {
         line.begin(plot.id, 1);
+        bool is_whole = job.shard.count == 1;
         try {
-            bool is_whole = true;
             const auto study = study_of(job, machine, loaded, plot, callbacks, is_whole);
             are_whole = are_whole && is_whole;
             const auto place = [&](const std::string& file) {
@@ -203,6 +202,7 @@ int plot_project(const ProjectPlots& job) {
             if (!job.svg.empty()) write_file(place(job.svg), svg_of(loaded.project, plot, study));
             require_numbers(plot, study);
         } catch (const Error& error) {
+            are_whole = are_whole && is_whole;
             line.clear();
             status = std::max(status, refuse(job, plot, error));
         }

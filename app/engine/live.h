@@ -166,7 +166,8 @@ struct KeepResult {
 struct SceneSummary {
     std::string name, content_hash;
     std::string composition_key;  ///< scene::composition_key of the parts asked for
-    std::vector<std::string> cameras, lights, materials, variants, warnings;
+    std::vector<std::string> cameras, lights, materials, warnings;
+    std::vector<std::vector<std::string>> variants;  ///< of the materials, part by part
     struct NodeRow {
         std::string name;
         int parent = -1;

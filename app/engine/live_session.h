@@ -91,6 +91,7 @@ void read_back(LiveResult& result, const LiveRequest& request, const Execution& 
 /// A reduced copy, at most `width` pixels wide, of an image.
 Image thumbnail(const Image& image, int width);
 
+/// Without what only its parts tell: their key and variants.
 SceneSummary summarise(const scene::Scene& scene);
 
 }  // namespace ir::engine

@@ -168,6 +168,8 @@ void RenderThread::State::render_scene(const std::vector<scene::Part>& parts) {
     try {
         auto summary = summarise(*machine->scenes().load(parts));
         summary.composition_key = scene::composition_key(parts);
+        for (const auto& part : parts)
+            summary.variants.push_back(machine->scenes().load(part.source)->variants);
         tell(callbacks.on_scene, std::move(summary));
     } catch (const std::exception& error) {
         tell(callbacks.on_failure, "scene", error.what(), false);

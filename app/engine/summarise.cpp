@@ -12,7 +12,6 @@ SceneSummary summarise(const scene::Scene& scene) {
     for (const auto& camera : scene.cameras) summary.cameras.push_back(camera.name);
     for (const auto& light : scene.lights) summary.lights.push_back(light.name);
     for (const auto& material : scene.materials) summary.materials.push_back(material.name);
-    summary.variants = scene.variants;
     for (const auto& warning : scene.warnings) summary.warnings.push_back(warning.text);
     summary.sources = scene::light_sources(scene, scene.lights, scene.environment);
     for (const auto& node : scene.nodes) {

@@ -122,7 +122,10 @@ void DocumentDock::update_facts() {
     if (chosen && summary) {
         facts.scene = text_of(chosen->scene);
         for (const auto& camera : summary->cameras) facts.cameras << text_of(camera);
-        for (const auto& variant : summary->variants) facts.variants << text_of(variant);
+        for (const auto& variants : summary->variants) {
+            auto& names = facts.variants.emplace_back();
+            for (const auto& name : variants) names << text_of(name);
+        }
         std::vector<widgets::MaterialFacts> materials;
         for (const auto& name : summary->materials) materials.push_back({text_of(name)});
         facts.materials.assign(scenes_.parts().size(), materials);

@@ -124,9 +124,9 @@ class Composer {
         return composition_key({content});
     }
 
-    /// All are named where no part has any.
+    /// Parts without variants may name one for the sake of others, but somebody must have it.
     void check_variants(const std::vector<Part>& parts) const {
-        if (!result_.variants.empty()) return;
+        if (has_chosen_variant_) return;
         for (const auto& part : parts)
             if (!part.variant.empty())
                 throw UsageError("part '" + part.source + "' has no variants of its materials; leave out '" +
@@ -134,13 +134,14 @@ class Composer {
     }
 
     /// Its number; -1 for none.
-    static int variant_of(const Part& part, const Scene& loaded) {
+    int variant_of(const Part& part, const Scene& loaded) {
         const auto& known = loaded.variants;
         if (part.variant.empty() || known.empty()) return -1;
         const auto found = std::find(known.begin(), known.end(), part.variant);
         if (found == known.end())
             throw UsageError("part '" + part.source + "' has no variant '" + part.variant + "'" +
                              known_are(part.variant, known));
+        has_chosen_variant_ = true;
         return static_cast<int>(found - known.begin());
     }
 
@@ -262,6 +263,7 @@ class Composer {
     Scene result_;
     std::set<std::string> sources_;
     std::map<std::string, std::size_t> first_texture_;
+    bool has_chosen_variant_ = false;  ///< whether a part has one that it names
 };
 
 }  // namespace

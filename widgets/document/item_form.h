@@ -30,7 +30,7 @@ struct SceneFacts {
     QStringList cameras = {};                                ///< names of the file's cameras
     std::vector<std::vector<MaterialFacts>> materials = {};  ///< part by part
     std::map<QString, CameraPose> poses = {};                ///< of those cameras, as far as known
-    QStringList variants = {};                               ///< of the files' materials
+    std::vector<QStringList> variants = {};                  ///< of the materials, part by part
 };
 
 /// How the project is found from a terminal.

@@ -139,11 +139,12 @@ void SceneEditor::show_part() {
     source_->show_text(QString::fromStdString(shown.source));
     source_->setCursorPosition(0);
     transform_->show_transform(shown.transform);
-    const bool is_known = facts_.scene.toStdString() == id_;
-    show_variant(is_known ? facts_.variants : QStringList(), QString::fromStdString(shown.variant));
-    const bool has_facts = is_known && facts_.materials.size() > std::size_t(chosen_);
-    materials_->show_materials(
-        shown.materials, has_facts ? facts_.materials[std::size_t(chosen_)] : std::vector<MaterialFacts>());
+    const auto of_part = [this]<class Fact>(const std::vector<Fact>& facts) {
+        const bool is_known = facts_.scene.toStdString() == id_ && facts.size() > std::size_t(chosen_);
+        return is_known ? facts[std::size_t(chosen_)] : Fact();
+    };
+    show_variant(of_part(facts_.variants), QString::fromStdString(shown.variant));
+    materials_->show_materials(shown.materials, of_part(facts_.materials));
 }
 
 void SceneEditor::show_item(const ShownProject& shown, const ItemRef& item) {

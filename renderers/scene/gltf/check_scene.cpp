@@ -64,8 +64,12 @@ void check_primitives(Checking& checking, CheckedObject& mesh) {
     auto& checked = mesh.result["primitives"] = Json::array();
     for (std::size_t i = 0; i < primitives->size(); ++i) {
         CheckedObject primitive(checking.file, mesh.place(element("primitives", i)), (*primitives)[i]);
-        primitive.result["attributes"] = checked_attributes(
-            checking, primitive.place("attributes"), primitive.required_object("attributes"), understood);
+        const auto& attributes = primitive.required_object("attributes");
+        for (const auto& [name, unused] : attributes.items())
+            if (name.starts_with("JOINTS_") && !understood.contains(name))
+                checking.warnings.add("joints beyond the eighth of a vertex are ignored");
+        primitive.result["attributes"] =
+            checked_attributes(checking, primitive.place("attributes"), attributes, understood);
         primitive.index("indices", checking.count("accessors"), "accessors");
         primitive.result.erase("indices");  // see restore_indices in document.cpp
         primitive.index("material", checking.count("materials"), "materials");

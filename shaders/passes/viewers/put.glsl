@@ -15,8 +15,10 @@ float part_of_range(float depth) {
     return has_linear_depth ? depth : near_plane * depth / (far_plane - depth * (far_plane - near_plane));
 }
 
-// DEVIATION [McGuire13 eq. 7]: the nearest fragments weigh a thousand times the farthest, in equal steps of a factor
-// over the range of what is drawn, which here is known.
+// DEVIATION [McGuire13 eq. 7]: there the weight falls with the distance in scene units, clamped to 0.01 to 3000. Here
+// the planes lie about what is drawn, and the nearest weighs 1024 times the farthest, in equal steps of a factor, so
+// that scenes of any size look alike. By eq. 7 it weighs 36 times as much from 2 to 12 m, and the same from 2 to 12 cm,
+// where all weights are clamped. Pictures were not compared.
 void put(vec3 colour, uint layer_number, uint element, float depth) {
     float weight = opacity * exp2(-10.0 * part_of_range(depth));
     out_weighted = vec4(weight * colour, weight);

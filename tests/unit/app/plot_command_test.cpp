@@ -120,6 +120,17 @@ TEST_F(PlotCommand, ShardsWriteTablesOfTheirOwnAndTheLastTheWhole) {
     EXPECT_FALSE(fs::exists(file("t-2-of-2.csv")));
 }
 
+/// Nobody else's numbers are overwritten.
+TEST_F(PlotCommand, AShardWhosePlotIsRefusedWritesUnderItsOwnName) {
+    json["plots"][0]["over"] = "smaples";
+    store();
+    std::ofstream(file("t.json")) << "whole";
+    const auto refused = plot("directions --shard 1/2 --json " + file("t.json"));
+    EXPECT_EQ(refused.status, 3) << refused.err;
+    EXPECT_EQ(read(file("t.json")), "whole");
+    EXPECT_EQ(Json::parse(read(file("t-1-of-2.json"))), Json::object());
+}
+
 /// A project goes on being edited while its plots are divided.
 TEST_F(PlotCommand, ShardsJoinWhateverPlotsStandBeforeTheirs) {
     EXPECT_EQ(plot("directions --shard 1/2").status, 0);

@@ -5,6 +5,7 @@
 #include "renderers/image/atlas.h"
 #include "renderers/image/exr.h"
 #include "tests/unit/engine/render_thread_fixture.h"
+#include "tests/unit/scene/gltf_builder.h"
 
 namespace ir::engine {
 namespace {
@@ -311,6 +312,21 @@ TEST_F(RenderThreadTest, ScenesCanBeToldApart) {
     EXPECT_EQ(answers().scenes[0].composition_key, scene::composition_key(one));
     EXPECT_EQ(answers().scenes[1].composition_key, scene::composition_key(other));
     EXPECT_GT(answers().scenes[1].triangles, 0u);
+}
+
+TEST_F(RenderThreadTest, VariantsAreThoseOfEachPart) {
+    test::GltfBuilder builder;
+    builder.draw({{"POSITION", builder.triangle_positions()}});
+    builder.json["extensionsUsed"] = {"KHR_materials_variants"};
+    builder.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "oak"}},
+                                                                        {{"name", "steel"}}};
+    const test::TemporaryFolder folder;
+    const auto chair = test::write_file(folder, "chair.gltf", builder.embedded_text());
+    const std::vector<scene::Part> parts{{"builtin:cornell"}, {chair}};
+    thread->load_scene(parts);
+    ASSERT_TRUE(wait([](const Answers& a) { return !a.scenes.empty(); }));
+    const std::vector<std::vector<std::string>> expected{{}, {"oak", "steel"}};
+    EXPECT_EQ(answers().scenes[0].variants, expected);
 }
 
 }  // namespace

@@ -254,6 +254,21 @@ TEST(Compose, ContentHashDoesNotDependOnTheFilesPlace) {
     EXPECT_EQ(compose(parts(here)).content_hash, compose(parts(there)).content_hash);
 }
 
+TEST(Compose, AVariantMustBeThatOfAPartThatNamesIt) {
+    GltfBuilder builder;
+    builder.draw({{"POSITION", builder.triangle_positions()}});
+    builder.json["extensionsUsed"] = {"KHR_materials_variants"};
+    builder.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "light"}}};
+    TemporaryFolder folder;
+    Part chair{write_file(folder, "chair.gltf", builder.embedded_text())}, floor = plane();
+    floor.variant = "light";
+    EXPECT_THROW(compose({chair, floor}), UsageError) << "only a part that names none has it";
+    chair.variant = "light";
+    EXPECT_NO_THROW(compose({chair, floor})) << "the floor keeps its materials";
+    chair.variant = "lihgt";
+    EXPECT_THROW(compose({chair, floor}), UsageError);
+}
+
 TEST(Compose, RefusesWhatIsNoComposition) {
     EXPECT_THROW(compose({}), UsageError);
     EXPECT_THROW(compose({plane(), {"builtin:nothing"}}), UsageError);

@@ -105,6 +105,19 @@ TEST(GltfSkin, TheSecondFourInfluencesCount) {
     expect_bent(scene::flatten(load(bar(true)), 1, 1));
 }
 
+TEST(GltfSkin, FurtherInfluencesAreIgnoredWithAWarning) {
+    auto builder = bar();
+    auto& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+    for (const char* name : {"JOINTS_", "WEIGHTS_"}) {
+        const Json first = attributes[name + std::string("0")];
+        for (const char* set : {"2", "3"}) attributes[name + std::string(set)] = first;
+    }
+    const auto scene = load(builder);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0].text, "joints beyond the eighth of a vertex are ignored");
+    expect_bent(scene::flatten(scene, 1, 1));
+}
+
 TEST(GltfSkin, WeightsNeedNotAddUpToOne) {
     auto builder = bar();
     auto* weights = reinterpret_cast<float*>(builder.bytes.data() +

@@ -21,13 +21,16 @@ KernelRules rules_of(const graph::PassContext& p, const Kernels& kernels) {
     return kernel_rules(p.inputs(), kernels.parameters, kernels.photons.power_unit);
 }
 
+/// By their outlines, which do not depend on how bright they are.
 passes::BinnedPhotons sort_kernels(graph::GraphBuilder& builder, const Kernels& kernels, glm::ivec2 size) {
+    auto defines = kernel_defines(kernels);
+    defines.erase("EDGE_PROBES");
     return passes::sort_into_bins(
         builder, {.photons = kernels.photons,
                   .bins = passes::photon_bins(size, tile),
                   .counts = "methods/photon-mapping/splatting/count_bins.comp",
                   .lists = "methods/photon-mapping/splatting/fill_bins.comp",
-                  .defines = kernel_defines(kernels),
+                  .defines = defines,
                   .reads =
                       [=](graph::PassBuilder& pass) {
                           pass.reads("Photons", kernels.photons.records)

@@ -66,7 +66,8 @@ struct KernelPass {
 void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass);
 
 /// Declares the same sums by a gather: photons are listed by the tiles that their kernels reach, and texels
-/// sum those of their tile, in the order of the photons. Half floats are rounded once.  [Smal19 §6.3]
+/// sum those of their tile, in the order of the photons. Half floats are rounded once for each 49,152 of
+/// them.  [Smal19 §6.3]
 void gather_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass);
 
 /// Declares the same pass on the host's threads, for ellipsoids: irradiance and direction are those of the

@@ -1,6 +1,8 @@
 // Which texels a photon's kernel may light: those around its outline in the picture.
 //
-// DEVIATION [Smal19 §6.3]: the thesis tests tiles against a sphere around the kernel.
+// DEVIATION [Smal19 §6.3]: the thesis tests tiles against a sphere around the kernel, which is flat and reaches fewer.
+// 100,000 photons are listed 48,240 times instead of 66,418 in builtin:conference, 13,154 instead of 21,652 in
+// builtin:atrium (480×270).
 #include "methods/photon-mapping/splatting/photon_kernel.glsl"
 
 /// Place (w 1) or direction (w 0) in texels times w, and w.

@@ -131,8 +131,11 @@ TEST_F(SceneTest, EveryFieldOfAnOverrideCanBeSet) {
 TEST_F(SceneTest, AVariantIsChosenWhereTheFileHasSome) {
     EXPECT_FALSE(editor->findChild<QComboBox*>("variant")->isVisible());
     SceneFacts facts{"yard"};
-    facts.variants = {"oak", "steel"};
+    facts.variants = {QStringList(), QStringList{"oak", "steel"}};
     editor->set_scene_facts(facts);
+    select("part:yard:0");
+    EXPECT_FALSE(editor->findChild<QComboBox*>("variant")->isVisible()) << "those of the other file";
+    select("part:yard:1");
     auto* box = field<QComboBox>("variant");
     EXPECT_TRUE(box->isVisible());
     EXPECT_EQ(box->currentText(), "default materials");
