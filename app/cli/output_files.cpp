@@ -1,7 +1,6 @@
 #include "app/cli/output_files.h"
 
 #include "app/cli/run_frames.h"
-#include "app/engine/pictures.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/engine/pictures.h"
 #include "projects/store.h"
 
 namespace ir::cli {
@@ -33,7 +32,5 @@ bool has_picture_ending(const std::string& file);
 /// Before work whose picture goes to --out: throws UsageError for a file that is no .exr or .png, for a .png
 /// that cannot hold `dumps`, and where its folder is missing.
 void require_picture(const std::string& file, const std::vector<std::string>& dumps);
-
-using engine::write_picture;
 
 }  // namespace ir::cli

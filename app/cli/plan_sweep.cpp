@@ -11,14 +11,13 @@
 #include <thread>
 
 #include "app/cli/complain.h"
-#include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/cli/temporary_folder.h"
 #include "app/engine/forecast.h"
 #include "app/engine/pictures.h"
+#include "app/engine/sweep_job.h"
 #include "renderers/core/error.h"
-#include "renderers/core/write_file.h"
 
 namespace ir::cli {
 namespace {
@@ -117,8 +116,9 @@ class Planner {
                 point, row,
                 [&](const engine::Execution& execution, const FrameReport& report) {
                     engine::require_matches("--dump", plan_.dumps, report);
-                    if (plan_.has_pictures) write(execution, report, row.id);
-                    return std::string();
+                    return plan_.has_pictures ? engine::write_variation(folder_.path(), row.id, execution,
+                                                                        report, plan_.dumps)
+                                              : std::string();
                 },
                 was_refused);
         const double seconds = since(start);
@@ -131,13 +131,6 @@ class Planner {
         memory_bytes_ = std::max(memory_bytes_, row.memory_bytes);
         device_ = row.device;
         return seconds;
-    }
-
-    void write(const engine::Execution& execution, const FrameReport& report, const std::string& id) const {
-        const auto stem = (folder_.path() / id).string();
-        write_picture(stem + ".exr", execution, plan_.dumps);
-        write_picture(stem + ".png", execution, {});
-        write_file(stem + ".json", engine::statistics_json(execution, report) + "\n");
     }
 
     void tell(const Json& json) const {

@@ -108,7 +108,7 @@ int render_scene(const RenderFlags& flags) {
         report.messages.push_back(std::move(warning));
     engine::require_matches("--dump", flags.dumps, report);
     if (!flags.quiet) note_lists(flags.dumps, report);
-    write_picture(flags.out, execution, flags.dumps);
+    engine::write_picture(flags.out, execution, flags.dumps);
     print_messages(execution, report);
     const auto statistics = engine::statistics_json(execution, report) + "\n";
     if (flags.json == "-")

@@ -75,8 +75,8 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
     engine::require_matches("--dump", job.dumps, report);
-    write_picture(with(".exr"), execution, job.dumps);
-    write_picture(with(".png"), execution, {});
+    engine::write_picture(with(".exr"), execution, job.dumps);
+    engine::write_picture(with(".png"), execution, {});
     const auto statistics = engine::statistics_json(execution, report);
     write_file(with(".json"), statistics + "\n");
     print_messages(execution, report);

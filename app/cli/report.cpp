@@ -93,10 +93,8 @@ class ReportCommand {
         for (const auto& list : engine::sweep_lists(folder)) {
             files_.reads("P", list.string());
             for (const auto& row : engine::read_table(list).rows) {
-                if (!row.image.empty()) files_.reads("P", (folder / row.image).string());
-                if (!row.reference.empty())
-                    files_.reads("P",
-                                 (folder / engine::references_folder / (row.reference + ".exr")).string());
+                files_.reads("P", engine::picture_of(row, folder).string());
+                files_.reads("P", engine::reference_of(row, folder).string());
             }
         }
         check_out();

@@ -155,7 +155,7 @@ int rerun(const RerunFlags& flags) {
     options.progress = line.callback();
     const auto report =
         under_progress(line, flags.out, [&] { return engine::run_frames(execution, options); });
-    if (!flags.out.empty()) write_picture(flags.out, execution, dumps);
+    if (!flags.out.empty()) engine::write_picture(flags.out, execution, dumps);
     print_messages(execution, report);
 
     const auto picture = engine::main_result(execution);

@@ -57,7 +57,7 @@ std::uint64_t parse_samples(const std::string& text) {
 }
 
 int repeats_of(const SweepFlags& flags) {
-    return flags.repeats.value_or(flags.is_judged ? 1 : 0);
+    return flags.repeats.value_or(engine::usual_repeats(flags.is_judged));
 }
 
 std::vector<projects::SweepPoint> points_of(const SweepFlags& flags, const projects::Project& project) {
@@ -91,15 +91,14 @@ class SweepCommand {
           shard_(chosen_shard(flags.shard)),
           samples_(parse_samples(flags.samples)),
           repeats_(repeats_of(flags)),
-          stem_(fs::path(flags.out) / engine::table_name(shard_)),
           loaded_(load_project(flags.project)) {}
 
     int run() {
-        const auto& sweep = chosen_sweep(loaded_.project, flags_.name);
+        const auto job = job_of(chosen_sweep(loaded_.project, flags_.name));
         const auto points = points_of(flags_, loaded_.project);
         OutputFiles files;
         files.reads(loaded_);
-        for (const char* extension : {".json", ".jsonl"}) files.writes("--out", stem_.string() + extension);
+        for (const auto& file : {job.list(), job.lines()}) files.writes("--out", file.string());
         if (flags_.has_pictures())
             for (const auto& point : part_of(points, shard_))
                 for (const char* extension : {".exr", ".png", ".json"})
@@ -111,7 +110,7 @@ class SweepCommand {
         if (!flags_.json.empty() && flags_.json != "-") require_folder_of(flags_.json, "--json");
         if (!flags_.csv.empty()) require_folder_of(flags_.csv, "--csv");
         engine::Machine machine(machine_options(flags_.machine));
-        render(machine, sweep, points);
+        render(machine, job, points);
         tell();
         return status_;
     }
@@ -173,9 +172,8 @@ class SweepCommand {
         return told;
     }
 
-    void render(engine::Machine& machine, const projects::Sweep& sweep,
+    void render(engine::Machine& machine, const engine::SweepJob& job,
                 const std::vector<projects::SweepPoint>& points) {
-        const auto job = job_of(sweep);
         try {
             engine::run_sweep(machine, job, points, callbacks(points), table_);
         } catch (const Cancelled&) {
@@ -213,7 +211,6 @@ class SweepCommand {
     const Shard shard_;
     const std::uint64_t samples_;
     const int repeats_;
-    const fs::path stem_;
     const std::string json_ = file_of_shard(flags_.json, shard_), csv_ = file_of_shard(flags_.csv, shard_);
     const projects::LoadedProject loaded_;
     SweepTable table_;
@@ -269,7 +266,9 @@ CLI::Option* add_work_flags(CLI::App& command, SweepFlags& flags) {
     command
         .add_option("--repeats", flags.repeats,
                     "Warm runs of each variation after the first, whose median time is told apart from the "
-                    "first's (default: 1 with --reference, else 0)")
+                    "first's (default: " +
+                        std::to_string(engine::usual_repeats(true)) + " with --reference, else " +
+                        std::to_string(engine::usual_repeats(false)) + ")")
         ->check(CLI::Range(0, max_repeats));
     command.add_flag("--keep", flags.keep, "Write the pictures with --reference, too");
     command.add_option("--dump", flags.dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");

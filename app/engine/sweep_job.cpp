@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 class SweepFiles {
   public:
     SweepFiles(const SweepJob& job, const SweepTable& table)
-        : list_(job.list()), lines_(fs::path(list_).replace_extension(".jsonl")), table_(table) {
+        : list_(job.list()), lines_(job.lines()), table_(table) {
         std::string text;
         for (const auto& row : table.rows)
             if (row.is_done()) text += row_line(row);
@@ -49,16 +49,6 @@ class SweepFiles {
     Clock::duration writing_{0};
 };
 
-/// The files of a variation. Returns the picture's.
-std::string write_variation(const SweepJob& job, const std::string& id, const Execution& execution,
-                            const FrameReport& report) {
-    const auto stem = (job.out / id).string();
-    write_picture(stem + ".exr", execution, job.dumps);
-    write_picture(stem + ".png", execution, {});
-    write_file(stem + ".json", statistics_json(execution, report) + "\n");
-    return id + ".exr";
-}
-
 void render_rows(SweepRun& variations, const SweepJob& job, const std::vector<projects::SweepPoint>& points,
                  const SweepCallbacks& told, SweepTable& table, SweepFiles& files) {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -68,7 +58,8 @@ void render_rows(SweepRun& variations, const SweepJob& job, const std::vector<pr
         bool was_refused = row.problem != SweepRow::not_rendered;
         const auto pictured = [&](const Execution& execution, const FrameReport& report) {
             if (told.seen) told.seen(execution, report);
-            return job.has_pictures ? write_variation(job, row.id, execution, report) : std::string();
+            return job.has_pictures ? write_variation(job.out, row.id, execution, report, job.dumps)
+                                    : std::string();
         };
         if (!was_refused) variations.render(points[i], row, pictured, was_refused);
         files.put(row);
@@ -77,6 +68,15 @@ void render_rows(SweepRun& variations, const SweepJob& job, const std::vector<pr
 }
 
 }  // namespace
+
+std::string write_variation(const fs::path& folder, const std::string& id, const Execution& execution,
+                            const FrameReport& report, const std::vector<std::string>& dumps) {
+    const auto stem = (folder / id).string();
+    write_picture(stem + ".exr", execution, dumps);
+    write_picture(stem + ".png", execution, {});
+    write_file(stem + ".json", statistics_json(execution, report) + "\n");
+    return id + ".exr";
+}
 
 void run_sweep(Machine& machine, const SweepJob& job, const std::vector<projects::SweepPoint>& points,
                const SweepCallbacks& told, SweepTable& table) {

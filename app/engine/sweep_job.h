@@ -26,7 +26,14 @@ struct SweepJob {
     std::vector<std::string> dumps = {};  ///< patterns of buffers that come as layers
 
     std::filesystem::path list() const { return out / (table_name(shard) + ".json"); }
+    /// Has a line for each row as it ends.
+    std::filesystem::path lines() const { return out / (table_name(shard) + ".jsonl"); }
 };
+
+/// Warm runs of each variation where nobody says how many.
+constexpr int usual_repeats(bool is_judged) {
+    return is_judged ? 1 : 0;
+}
 
 /// What is told of a sweep, on the thread that renders it. All but `frame` may be empty.
 struct SweepCallbacks {
@@ -41,6 +48,12 @@ struct SweepCallbacks {
     /// `was_refused`: it has a problem because of the project.
     std::function<void(std::size_t row, const SweepRow& outcome, bool was_refused)> ended = {};
 };
+
+/// Writes ID.exr with the layers that match `dumps`, ID.png and ID.json. Returns the name of the first
+/// (SweepRow::image). Throws Error.
+std::string write_variation(const std::filesystem::path& folder, const std::string& id,
+                            const Execution& execution, const FrameReport& report,
+                            const std::vector<std::string>& dumps);
 
 /// Renders the variations of `points`, which are all of the sweep's, one by one. In the job's folder
 /// NAME.jsonl gets a line as each ends, and the list NAME.json is there from the beginning, so that it tells

@@ -169,6 +169,16 @@ std::string table_name(const Shard& shard) {
     return shard.count == 1 ? "sweep" : part_name("sweep", shard.index, shard.count);
 }
 
+fs::path picture_of(const SweepRow& row, const fs::path& folder) {
+    const fs::path image = row.image;
+    return image.is_relative() && image.extension() == ".exr" ? folder / image : fs::path();
+}
+
+fs::path reference_of(const SweepRow& row, const fs::path& folder) {
+    if (row.reference.empty() || fs::path(row.reference).has_parent_path()) return {};
+    return folder / references_folder / (row.reference + ".exr");
+}
+
 std::string sweep_plan(const std::vector<SweepRow>& rows) {
     Json keys = Json::array();
     for (const auto& row : rows) keys.push_back({row.key, row.reference});

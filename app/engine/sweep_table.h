@@ -29,6 +29,7 @@ struct SweepRow {
     std::map<std::string, double> counters = {};  ///< FrameReport::counters
     std::string device = {}, build = {};
     bool is_done() const { return problem.empty(); }
+    bool has_failed() const { return !is_done() && problem != not_rendered; }
 };
 
 /// The rows of one sweep, or of a shard of it, in the sweep's order.
@@ -45,6 +46,10 @@ std::string table_name(const Shard& shard);
 std::vector<std::filesystem::path> sweep_lists(const std::filesystem::path& folder);
 /// Beside the lists: ground truths, as KEY.exr.
 inline constexpr const char* references_folder = "references";
+/// The files of a row's picture and of its ground truth; `folder` is that of its list. Empty where it has
+/// none, and where the list, which anybody may have written, names what a sweep does not write.
+std::filesystem::path picture_of(const SweepRow& row, const std::filesystem::path& folder);
+std::filesystem::path reference_of(const SweepRow& row, const std::filesystem::path& folder);
 /// Of all rows, those of other shards included.
 std::string sweep_plan(const std::vector<SweepRow>& rows);
 

@@ -31,7 +31,7 @@ SweepLine::State state_of(const SweepRow& row, bool is_stale, bool is_running) {
     using State = SweepLine::State;
     if (row.is_done()) return is_stale ? State::stale : State::done;
     if (is_running) return State::running;
-    return row.problem == SweepRow::not_rendered ? State::waiting : State::failed;
+    return row.has_failed() ? State::failed : State::waiting;
 }
 
 bool has_option(const std::vector<widgets::Option>& options, const std::string& id) {
@@ -73,10 +73,10 @@ SweepLine sweep_line(const engine::SweepSheet& sheet, const SweepColumns& column
         line.cells.push_back(value_cell(row.coordinates.value(axis, projects::Json())));
     for (const auto& quantity : columns.quantities)
         line.cells.push_back(number_cell(engine::value_of(row, quantity.key)));
-    if (!row.is_done() || row.image.empty()) return line;
-    line.picture = text_of((folder / row.image).string());
-    if (!row.reference.empty())
-        line.reference = text_of((folder / engine::references_folder / (row.reference + ".exr")).string());
+    const auto picture = engine::picture_of(row, folder);
+    if (!row.is_done() || picture.empty()) return line;
+    line.picture = text_of(picture.string());
+    line.reference = text_of(engine::reference_of(row, folder).string());
     line.version = text_of(row.key + " " + std::to_string(row.cold_ms));
     return line;
 }

@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -23,6 +24,16 @@ namespace fs = std::filesystem;
 using engine::SweepRow;
 using projects::Json;
 using widgets::SweepLine, widgets::SweepPanel;
+
+std::size_t count_done(const engine::SweepSheet& sheet) {
+    const auto& rows = sheet.table.rows;
+    return std::size_t(std::count_if(rows.begin(), rows.end(), std::mem_fn(&SweepRow::is_done)));
+}
+
+std::size_t count_failed(const engine::SweepSheet& sheet) {
+    const auto& rows = sheet.table.rows;
+    return std::size_t(std::count_if(rows.begin(), rows.end(), std::mem_fn(&SweepRow::has_failed)));
+}
 
 }  // namespace
 
@@ -78,11 +89,10 @@ void SweepsDock::connect_panel() {
 
 void SweepsDock::connect_runs() {
     connect(&runs_, &SweepRuns::planned, this, [this](const engine::SweepTable& table) {
-        if (!shows_run()) return;
-        engine::SweepSheet sheet;
-        sheet.table = table;
-        sheet.stale.resize(table.rows.size());
-        take(std::move(sheet));
+        run_sheet_ = {};
+        run_sheet_.table = table;
+        run_sheet_.stale.resize(table.rows.size());
+        if (shows_run()) take(run_sheet_);
     });
     connect(&runs_, &SweepRuns::begun, this, [this](std::size_t row) {
         const auto before = std::exchange(at_, row);
@@ -95,6 +105,7 @@ void SweepsDock::connect_runs() {
         if (!redraw_.isActive()) redraw_.start();
     });
     connect(&runs_, &SweepRuns::rows_arrived, this, [this](const SweepRuns::Rows& rows) {
+        for (const auto& [row, outcome] : rows) run_sheet_.table.rows.at(row) = outcome;
         if (!shows_run()) return;
         for (const auto& [row, outcome] : rows)
             if (row < sheet_.table.rows.size()) sheet_.table.rows[row] = outcome;
@@ -117,8 +128,7 @@ void SweepsDock::connect_runs() {
     connect(&runs_, &SweepRuns::noted, this, &SweepsDock::said);
     connect(&runs_, &SweepRuns::finished, this, [this] {
         end_run({});
-        const auto failures = std::count_if(sheet_.table.rows.begin(), sheet_.table.rows.end(),
-                                            [](const SweepRow& row) { return !row.is_done(); });
+        const auto failures = count_failed(run_sheet_);
         emit said(failures == 0 ? tr("The sweep is through")
                                 : tr("The sweep is through; %1 variation(s) failed").arg(failures));
     });
@@ -173,7 +183,7 @@ engine::SweepJob SweepsDock::job() const {
     job.sweep = *sweep();
     job.out = folder();
     job.is_judged = judges_;
-    job.repeats = judges_ ? 1 : 0;
+    job.repeats = engine::usual_repeats(judges_);
     job.resumes = true;
     return job;
 }
@@ -237,8 +247,8 @@ void SweepsDock::look() {
         show_rows();
         return update();
     }
+    if (shows_run()) return take(run_sheet_);  // its run tells more
     update();
-    if (shows_run()) return;  // its run tells more
     reader_.start([this, job = job(), shown = chosen(),
                    &registry = session_.registry()](const std::atomic<bool>& cancelled) {
         auto sheet = std::make_shared<engine::SweepSheet>(
@@ -261,10 +271,12 @@ QString SweepsDock::why_not_run() const {
     const auto& open = session_.open_project();
     if (open.folder().empty())
         return tr("Save the project first (Ctrl+S): the variations are files in its folder.");
-    if (open.is_read_only() && !opened_.count(chosen()))
+    if (open.is_read_only())
         return tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
-    if (sheet_.is_foreign) return tr("These results are of another sweep; go back to the project's.");
-    return text_of(sheet_.refused);
+    if (opened_.count(chosen())) return tr("These results are in another folder; go back to the project's.");
+    if (!sheet_.refused.empty()) return text_of(sheet_.refused);
+    if (sheet_.is_foreign) return tr("The sweep's folder has results of another one; move them away.");
+    return {};
 }
 
 void SweepsDock::run() {
@@ -274,7 +286,8 @@ void SweepsDock::run() {
     running_ = chosen();
     running_folder_ = folder();
     run_ = Run::running;
-    at_ = sheet_.table.rows.size();
+    run_sheet_ = sheet_;
+    at_ = run_sheet_.table.rows.size();
     doing_ = tr("Starting …");
     fraction_ = 0;
     problem_.clear();
@@ -345,11 +358,6 @@ void SweepsDock::load(const Json& memory) {
     look();
 }
 
-std::size_t SweepsDock::count_done() const {
-    return std::size_t(std::count_if(sheet_.table.rows.begin(), sheet_.table.rows.end(),
-                                     [](const SweepRow& row) { return row.is_done(); }));
-}
-
 SweepLine SweepsDock::line(std::size_t row) const {
     return sweep_line(sheet_, columns_, row, folder(), shows_run() && row == at_);
 }
@@ -399,15 +407,14 @@ widgets::SweepFields SweepsDock::fields() const {
     fields.is_elsewhere = opened_.count(chosen()) != 0;
     fields.run = run_;
     fields.why_not_run = why_not_run();
-    const auto done = count_done();
-    fields.run_tip = done > 0
+    fields.run_tip = count_done(sheet_) > 0
                          ? tr("Render the variations that are missing, that failed, and that would be other "
                               "pictures now")
                          : tr("Render all variations");
     if (run_ != Run::none) {
         fields.doing = doing();
-        const double count = std::max<double>(1, double(sheet_.table.rows.size()));
-        fields.fraction = (double(done) + fraction_) / count;
+        const double count = std::max<double>(1, double(run_sheet_.table.rows.size()));
+        fields.fraction = (double(count_done(run_sheet_)) + fraction_) / count;
     }
     if (const auto* experiment = base())
         if (const auto* method = session_.registry().find(experiment->method))
@@ -424,7 +431,7 @@ widgets::SweepFields SweepsDock::fields() const {
 
 QString SweepsDock::doing() const {
     if (run_ == Run::paused) return tr("Paused");
-    const auto& rows = sheet_.table.rows;
+    const auto& rows = run_sheet_.table.rows;
     auto text = at_ < rows.size() ? tr("%1 of %2").arg(at_ + 1).arg(rows.size()) : QString();
     if (!doing_.isEmpty()) text += (text.isEmpty() ? QString() : QStringLiteral(": ")) + doing_;
     return run_ == Run::pausing ? tr("Pauses after this one, %1").arg(text) : text;
@@ -432,17 +439,13 @@ QString SweepsDock::doing() const {
 
 /// Whose results these are, and what is to be known of them.
 void SweepsDock::fill_foot(widgets::SweepFields& fields) const {
-    const auto& rows = sheet_.table.rows;
     QStringList parts;
     const auto problem = problem_.isEmpty() ? text_of(sheet_.problem) : problem_;
     if (!problem.isEmpty()) parts << problem;
-    const auto done = count_done();
-    parts << tr("%1 of %2 variations").arg(done).arg(rows.size());
+    parts << tr("%1 of %2 variations").arg(count_done(sheet_)).arg(sheet_.table.rows.size());
     const auto stale = std::count(sheet_.stale.begin(), sheet_.stale.end(), true);
     if (stale > 0) parts << tr("%1 stale").arg(stale);
-    const auto failures = std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) {
-        return !row.is_done() && row.problem != SweepRow::not_rendered;
-    });
+    const auto failures = count_failed(sheet_);
     if (failures > 0) parts << tr("%1 failed").arg(failures);
     if (sheet_.is_foreign) parts << tr("of the sweep %1").arg(text_of(sheet_.table.sweep));
     if (!fields.why_not_run.isEmpty() && problem.isEmpty() && run_ == Run::none) parts << fields.why_not_run;

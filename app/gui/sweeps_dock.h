@@ -76,7 +76,6 @@ class SweepsDock : public QWidget {
     widgets::SweepFields fields() const;
     void fill_foot(widgets::SweepFields& fields) const;
     QString doing() const;
-    std::size_t count_done() const;
     void export_csv();
     void ask_for_folder();
 
@@ -92,6 +91,7 @@ class SweepsDock : public QWidget {
     bool judges_ = true, seen_ = false, outdated_ = true;
     std::string running_;  ///< id of the sweep that runs
     std::filesystem::path running_folder_;
+    engine::SweepSheet run_sheet_;  ///< of the sweep that runs or ran last, whichever is shown
     Run run_ = Run::none;
     std::size_t at_ = 0;  ///< the row that is being rendered
     QString doing_, problem_;

@@ -53,13 +53,14 @@ class SweepReport {
             if (++there > most_) continue;
             work_.tell("Reading " + row.id, 0.5 * double(there) / double(table_.rows.size()));
             try {
-                if (!is_own(row.image)) throw InputError(row.image, "", "is no picture of a sweep");
-                auto picture = read_picture(engine::name_of(row), folder_ / row.image);
+                const auto file = engine::picture_of(row, folder_);
+                if (file.empty()) throw InputError(row.image, "", "is no picture of a sweep");
+                auto picture = read_picture(engine::name_of(row), file);
                 picture.caption = caption_of(row);
                 const auto& image = picture.side.image;
                 const std::array size{image.width, image.height, image.channels};
                 auto& gallery = by_size[size];
-                judged.push_back({&gallery, gallery.pictures.size(), row.reference});
+                judged.push_back({&gallery, gallery.pictures.size(), engine::reference_of(row, folder_)});
                 gallery.pictures.push_back(std::move(picture));
                 ++taken;
             } catch (const InputError&) {
@@ -81,24 +82,19 @@ class SweepReport {
         }
     }
 
-    /// What a list may name: the page takes along no other file of this computer.
-    static bool is_own(const fs::path& image) { return image.is_relative() && image.extension() == ".exr"; }
-
-    /// A picture in its gallery, and the key of its ground truth; empty: it has none.
+    /// A picture in its gallery, and the file of its ground truth; empty: it has none.
     struct Judged {
         Gallery* gallery;
         std::size_t place;
-        std::string reference;
+        fs::path reference;
     };
 
     void add_references(const std::vector<Judged>& judged) {
-        std::map<std::string, std::size_t> known;  ///< places in their galleries, by key
-        for (const auto& [gallery, place, key] : judged) {
-            const auto file = folder_ / engine::references_folder / (key + ".exr");
+        std::map<fs::path, std::size_t> known;  ///< places in their galleries
+        for (const auto& [gallery, place, file] : judged) {
             std::error_code ignored;
-            if (key.empty() || fs::path(key).has_parent_path() || !fs::is_regular_file(file, ignored))
-                continue;
-            if (!known.count(key)) {
+            if (!fs::is_regular_file(file, ignored)) continue;
+            if (!known.count(file)) {
                 const auto number = known.size() + 1;
                 try {
                     auto picture =
@@ -106,12 +102,12 @@ class SweepReport {
                     picture.caption = "Ground truth";
                     gallery->pictures.push_back(std::move(picture));
                 } catch (const InputError&) {
-                    report_.lacks.push_back("The ground truth " + key + " cannot be read.");
+                    report_.lacks.push_back("The ground truth " + file.stem().string() + " cannot be read.");
                     continue;
                 }
-                known[key] = gallery->pictures.size() - 1;
+                known[file] = gallery->pictures.size() - 1;
             }
-            gallery->pairs.push_back({.a = place, .b = known[key], .is_offered = false});
+            gallery->pairs.push_back({.a = place, .b = known[file], .is_offered = false});
         }
     }
 

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -253,6 +254,41 @@ TEST_F(SweepsWindowTest, PausesBetweenVariationsGoesOnAndCancels) {
     EXPECT_LT(count_done(), 8);
 }
 
+TEST_F(SweepsWindowTest, AnotherSweepIsSeenWhileOneRuns) {
+    save();
+    add_sweep({4, 2, 9}, {1});
+    dock().add_sweep();
+    window.session().edit([&](const projects::Project& p) {
+        auto changed = p.sweeps.back();
+        changed.axes = {{"seed", {1, 2}}};
+        return edits::change(p, changed);
+    });
+    window.docks().raise("sweeps");
+    const auto first = sweep().id, second = window.session().document().sweeps.back().id;
+    ASSERT_NE(first, second);
+    dock().show_sweep(first);
+    ASSERT_TRUE(settle());
+    QSignalSpy said(&dock(), &SweepsDock::said);
+    fake.allowed = 1;
+    press("run");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return count_done() == 1; }, 5000));
+    dock().show_sweep(second);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().model().rowCount() == 2; }, 5000));
+    fake.allowed = 2;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text().startsWith("3 of 3"); }, 5000))
+        << find<QLabel>("doing")->text().toStdString();
+    EXPECT_EQ(count_done(), 0);
+    dock().show_sweep(first);
+    ASSERT_EQ(panel().model().rowCount(), 3);
+    EXPECT_EQ(count_done(), 2) << "also what ended when it was not seen";
+    EXPECT_EQ(panel().model().line(2).state, widgets::SweepLine::State::running);
+    dock().show_sweep(second);
+    fake.allowed = 1000;
+    ASSERT_TRUE(finish());
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_EQ(said.last().at(0).toString(), "The sweep is through; 1 variation(s) failed");
+}
+
 TEST_F(SweepsWindowTest, AClickLoadsTheSettingInOneStep) {
     save();
     add_sweep();
@@ -371,15 +407,28 @@ TEST_F(SweepsWindowTest, ResultsAreThereAgainAndThoseOfOtherFoldersOpen) {
     ASSERT_TRUE(settle());
     EXPECT_EQ(count_done(), 4);
     EXPECT_TRUE(find<QLabel>("foot")->text().contains("elsewhere"));
+    EXPECT_FALSE(find<QToolButton>("run")->isEnabled()) << "a run writes into the project";
+    EXPECT_TRUE(find<QToolButton>("run")->toolTip().contains("in another folder"));
+    dock().run();
+    EXPECT_EQ(fake.runs, 1);
+    // A list that anybody wrote shows no other files.
+    EXPECT_EQ(panel().model().line(0).picture,
+              QString::fromStdString((other / table.rows[0].image).string()));
+    table.rows[0].image = "/elsewhere/private.exr";
+    write_file(job.list(), engine::table_json(table));
+    dock().look();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(panel().model().line(0).picture, "");
     table.sweep = "another";
     write_file(job.list(), engine::table_json(table));
     dock().look();
     ASSERT_TRUE(settle());
     EXPECT_EQ(panel().model().rowCount(), 6) << "it is shown as it is";
     EXPECT_FALSE(find<QToolButton>("run")->isEnabled());
-    EXPECT_TRUE(find<QLabel>("foot")->text().contains("another"));
+    EXPECT_TRUE(find<QLabel>("foot")->text().contains("of the sweep another"));
     panel().findChild<QAction*>("own-folder")->trigger();
     ASSERT_TRUE(settle());
+    EXPECT_TRUE(find<QToolButton>("run")->isEnabled());
     EXPECT_FALSE(find<QLabel>("foot")->text().contains("elsewhere"));
 
     dock().write_csv(folder.filePath("t.csv"));

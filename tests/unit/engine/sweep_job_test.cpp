@@ -116,6 +116,24 @@ TEST_F(SweepJobTest, AWindowFindsWhatThereIsAndWhatHasChanged) {
     EXPECT_NE(look().refused.find("sede"), std::string::npos);
 }
 
+TEST(SweepRow, NamesNoFilesThatASweepDoesNotWrite) {
+    SweepRow row;
+    EXPECT_TRUE(picture_of(row, "out").empty());
+    EXPECT_TRUE(reference_of(row, "out").empty());
+    row.image = "../part/a-0001.exr";
+    row.reference = "key";
+    EXPECT_EQ(picture_of(row, "out"), fs::path("out/../part/a-0001.exr")) << "lists of shards are merged";
+    EXPECT_EQ(reference_of(row, "out"), fs::path("out/references/key.exr"));
+    for (const char* image : {"/home/private.exr", "private.json"}) {
+        row.image = image;
+        EXPECT_TRUE(picture_of(row, "out").empty()) << image;
+    }
+    for (const char* key : {"/home/private", "../private"}) {
+        row.reference = key;
+        EXPECT_TRUE(reference_of(row, "out").empty()) << key;
+    }
+}
+
 TEST_F(SweepJobTest, PlotsHaveEachRowOnceAndMeansWhereAxesAreLeftOut) {
     run();
     for (std::size_t i = 0; i < 4; ++i) {
