@@ -445,6 +445,7 @@ QString PictureSource::why_unfinished(const std::string& owner) const {
 
 QString PictureSource::why_nothing(const std::string& owner) const {
     if (live_.result(owner)) return {};
+    if (owner.empty()) return QObject::tr("The project has no experiment yet.");
     if (!session_.experiment(owner))
         return QObject::tr("The project has no experiment “%1”.").arg(text_of(owner));
     const auto why = why_unfinished(owner);

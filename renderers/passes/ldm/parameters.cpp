@@ -74,7 +74,8 @@ void add_maps(ParameterTable<MapParameters>& table, const MapChoices& choices) {
              .label = "Detail",
              .doc = "Part of the scene's triangles that maps are built of. Below 1 the scene is simplified "
                     "first, as far as its topology allows; what has an alpha mask stays. Points still lie on "
-                    "the scene's own surfaces, which then hit or miss those of the maps nearby.",
+                    "the scene's own surfaces, which then hit or miss those of the maps nearby. A scene of "
+                    "few large triangles loses its walls.",
              .citation = "Tokuyoshi12",
              .hard = {0, 1},
              .soft = {0.05, 1},
