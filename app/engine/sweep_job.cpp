@@ -145,6 +145,18 @@ SweepSheet look_at_sweep(const SweepJob& job, const Registry& registry,
     }
     std::map<std::string, SweepRow*> by_id;
     for (auto& row : kept.rows) by_id[row.id] = &row;
+    // Shards may have rendered what the whole list lacks, as resume_rows() finds it.
+    std::vector<SweepTable> lists;
+    try {
+        for (const auto& file : sweep_lists(job.out)) lists.push_back(read_table(file));
+    } catch (const Error& error) {
+        sheet.problem = error.what();
+    }
+    for (auto& list : lists) {
+        if (list.sweep != job.sweep.id || list.experiment != job.sweep.experiment) continue;
+        for (auto& row : list.rows)
+            if (auto& known = by_id[row.id]; !known || (row.is_done() && !known->is_done())) known = &row;
+    }
     const auto now = projects::with_contents(job.project, projects::read_contents(job.project, job.folder));
     sheet.table = {job.sweep.id, job.sweep.experiment, {}, {}, {}};
     for (const auto& point : points) {

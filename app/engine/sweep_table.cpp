@@ -319,7 +319,7 @@ std::size_t resume_rows(SweepTable& table, const fs::path& folder, bool is_timed
         std::error_code ignored;
         const bool is_whole =
             !has_picture || (!before.image.empty() && fs::is_regular_file(folder / before.image, ignored));
-        if (before.key != row.key || before.reference != row.reference ||
+        if (before.key != row.key || (!row.reference.empty() && before.reference != row.reference) ||
             before.coordinates != row.coordinates || (is_timed && !before.warm_ms) || !is_whole)
             continue;
         row = std::move(before);

@@ -306,12 +306,16 @@ void PlotsDock::load_point(const QString& id) {
     if (session_.open_project().is_read_only())
         return emit failed(tr("%1 is not loaded: the project is open read-only: %2")
                                .arg(setting, text_of(session_.open_project().read_only_reason())));
+    bool is_refused = true;
     const bool changed = session_.edit([&](const projects::Project& project) {
-        return projects::edits::set_coordinates(project, session_.registry(), point->experiment,
-                                                projects::Json::object({{key, point->value}}),
-                                                "Load " + setting.toStdString() + " from plot");
+        auto edit = projects::edits::set_coordinates(project, session_.registry(), point->experiment,
+                                                     projects::Json::object({{key, point->value}}),
+                                                     "Load " + setting.toStdString() + " from plot");
+        is_refused = false;
+        return edit;
     });
     session_.end_gesture();
+    if (is_refused) return;  // the session has said why
     const auto name = text_of(point->experiment);
     emit said(changed ? tr("Loaded %1 into %2").arg(setting, name) : tr("%2 has %1").arg(setting, name));
     emit loaded(name);

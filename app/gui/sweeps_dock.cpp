@@ -105,6 +105,7 @@ void SweepsDock::connect_runs() {
         if (!redraw_.isActive()) redraw_.start();
     });
     connect(&runs_, &SweepRuns::rows_arrived, this, [this](const SweepRuns::Rows& rows) {
+        fraction_ = 0;
         for (const auto& [row, outcome] : rows) run_sheet_.table.rows.at(row) = outcome;
         if (!shows_run()) return;
         for (const auto& [row, outcome] : rows)
@@ -189,8 +190,8 @@ engine::SweepJob SweepsDock::job() const {
 }
 
 void SweepsDock::show_sweep(const std::string& id) {
-    if (chosen_ != id) sheet_ = {};
-    chosen_ = id;
+    const bool is_other = std::exchange(chosen_, id) != id;
+    if (is_other) clear_sheet();
     problem_.clear();
     look();
 }
@@ -209,7 +210,7 @@ void SweepsDock::open_folder(const fs::path& folder) {
         opened_.erase(chosen());
     else
         opened_[chosen()] = folder;
-    sheet_ = {};
+    clear_sheet();
     look();
 }
 
@@ -233,7 +234,7 @@ bool SweepsDock::is_settled() const {
 void SweepsDock::forget_all() {
     runs_.cancel();
     opened_.clear();
-    sheet_ = {};
+    clear_sheet();
     problem_.clear();
     look();
 }
@@ -319,11 +320,15 @@ void SweepsDock::load_variation(const QString& id) {
                                .arg(setting, text_of(session_.open_project().read_only_reason())));
     const auto experiment_id = experiment->id;
     const auto coordinates = row->coordinates;
+    bool is_refused = true;
     const bool changed = session_.edit([&](const projects::Project& project) {
-        return projects::edits::set_coordinates(project, session_.registry(), experiment_id, coordinates,
-                                                "Load " + setting.toStdString() + " from sweep");
+        auto edit = projects::edits::set_coordinates(project, session_.registry(), experiment_id, coordinates,
+                                                     "Load " + setting.toStdString() + " from sweep");
+        is_refused = false;
+        return edit;
     });
     session_.end_gesture();
+    if (is_refused) return;  // the session has said why
     emit said(changed ? tr("Loaded %1 into %2").arg(setting, name) : tr("%2 has %1").arg(setting, name));
     emit loaded(text_of(experiment_id));
 }
@@ -353,7 +358,7 @@ void SweepsDock::load(const Json& memory) {
     if (const auto& folders = member_or_null(own, "folders"); folders.is_object())
         for (const auto& [id, folder] : folders.items())
             if (folder.is_string()) opened_[id] = folder.get<std::string>();
-    sheet_ = {};
+    clear_sheet();
     panel_->sort_by(text_of(field_or(own, "sorted_by", std::string())), field_or(own, "descending", false));
     look();
 }
@@ -367,6 +372,12 @@ void SweepsDock::show_rows() {
     auto rows = sweep_headings(columns_);
     for (std::size_t i = 0; i < sheet_.table.rows.size(); ++i) rows.lines.push_back(line(i));
     panel_->set_rows(std::move(rows));
+}
+
+void SweepsDock::clear_sheet() {
+    sheet_ = {};
+    show_rows();
+    panel_->sheet().pictures().restart();
 }
 
 void SweepsDock::update() {
@@ -414,7 +425,8 @@ widgets::SweepFields SweepsDock::fields() const {
     if (run_ != Run::none) {
         fields.doing = doing();
         const double count = std::max<double>(1, double(run_sheet_.table.rows.size()));
-        fields.fraction = (double(count_done(run_sheet_)) + fraction_) / count;
+        const auto ended = count_done(run_sheet_) + count_failed(run_sheet_);
+        fields.fraction = (double(ended) + fraction_) / count;
     }
     if (const auto* experiment = base())
         if (const auto* method = session_.registry().find(experiment->method))

@@ -71,6 +71,8 @@ class SweepsDock : public QWidget {
     void take(engine::SweepSheet sheet);
     void update();
     void show_rows();
+    /// Until another sweep or folder is read.
+    void clear_sheet();
     widgets::SweepLine line(std::size_t row) const;
     bool shows_run() const;  ///< whether the chosen sweep's run is under way
     widgets::SweepFields fields() const;

@@ -66,6 +66,10 @@ void SheetPictures::forget_all() {
 void SheetPictures::set_semantic(Semantic semantic) {
     if (semantic == semantic_) return;
     semantic_ = semantic;
+    restart();
+}
+
+void SheetPictures::restart() {
     display_.reset();
     extent_ = 0;
     forget_all();
@@ -74,7 +78,12 @@ void SheetPictures::set_semantic(Semantic semantic) {
 void SheetPictures::set_exposure(double stops) {
     if (stops == stops_) return;
     stops_ = stops;
-    forget_all();
+    std::erase_if(entries_, [this](const auto& each) {
+        if (!each.first.reference.isEmpty()) return false;  // a difference
+        bytes_ -= std::size_t(each.second.image.sizeInBytes());
+        return true;
+    });
+    ++serial_;
     emit arrived();
 }
 

@@ -34,6 +34,8 @@ class SheetPictures : public QObject {
 
     /// Of what the pictures are; everything is read anew.
     void set_semantic(Semantic semantic);
+    /// Of another sweep: the first picture gives the exposure, and differences have no extent yet.
+    void restart();
     /// Stops beside those of the first picture.
     void set_exposure(double stops);
     /// What is seen now, from the first on. All else may be forgotten, and is not read any more.

@@ -304,7 +304,10 @@ void SweepPanel::make_table() {
         each->addAction(copy);
         each->setContextMenuPolicy(Qt::ActionsContextMenu);
     }
-    connect(header, &QHeaderView::sortIndicatorChanged, this, &SweepPanel::show_sorting);
+    connect(header, &QHeaderView::sortIndicatorChanged, this, [this] {
+        awaited_.clear();
+        show_sorting();
+    });
 }
 
 void SweepPanel::link_selection() {
@@ -330,11 +333,11 @@ void SweepPanel::select(const QString& id) {
 
 void SweepPanel::set_rows(SweepRows rows) {
     const bool has_other_columns = rows.headings != model_->rows().headings;
-    const auto heading = awaited_.isEmpty() ? sorted_by() : awaited_;
+    const auto heading = sorted_by();
     const bool descending = is_descending();
     const auto id = table_->currentIndex().data(SweepModel::id_role).toString();
     model_->set_rows(std::move(rows));
-    if (!has_other_columns) return;
+    if (!has_other_columns) return select(id);
     const QSignalBlocker silent(sorting_);
     sorting_->clear();
     sorting_->addItem(tr("Sweep's order"));
@@ -423,12 +426,13 @@ int SweepPanel::shows() const {
 
 void SweepPanel::sort_by(const QString& heading, bool descending) {
     const int column = heading.isEmpty() ? 0 : 1 + int(model_->rows().headings.indexOf(heading));
-    awaited_ = column == 0 ? heading : QString();
     table_->sortByColumn(column, descending ? Qt::DescendingOrder : Qt::AscendingOrder);
+    awaited_ = column == 0 ? heading : QString();
     show_sorting();
 }
 
 QString SweepPanel::sorted_by() const {
+    if (!awaited_.isEmpty()) return awaited_;
     return model_->rows().headings.value(table_->header()->sortIndicatorSection() - 1);
 }
 

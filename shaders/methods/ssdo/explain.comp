@@ -26,8 +26,10 @@ layout(std430) buffer LineCount { uint line_count; };
 uniform ivec2 picked;  // negative: none
 
 void write_end(uint i, Point x, Sample s, vec3 sent, vec3 sky) {
-    uint role = s.is_occluded ? occluder_of(x, s, s.layers - 1).role : OPEN;
-    if (s.is_outside) role = OUTSIDE;
+    uint role = s.is_outside ? OUTSIDE : OPEN;
+    if (s.is_occluded) role = occluder_of(x, s, s.layers - 1).role;
+    for (int layer = 0; layer < s.layers; ++layer)
+        if (sends(s, occluder_of(x, s, layer))) role = SENDS;
     if (i < uint(ends.length()))
         ends[i] = SampleEnd(floats(s.end), role, distance(s.end, x.position), floats(sent), floats(sky), i);
 }
@@ -38,6 +40,7 @@ void write_line(uint i, Point x, Sample s, int layer) {
     if (line >= uint(lines.length())) return;
     Occluder o = Occluder(s.is_outside ? OUTSIDE : OPEN, s.end, vec3(0.0), s.direction, 0.0, 0.0, layer);
     if (layer < s.layers) o = occluder_of(x, s, layer);
+    if (o.role == SENDS && !sends(s, o)) o.role = OPEN;  // passed, as published
     lines[line] = LineToOccluder(floats(x.position), floats(o.position), o.role, o.distance,
                                  floats(sent_by_layer(x, s, o)), int[2](s.pixel.x, s.pixel.y), i, uint(layer) + 1u);
 }

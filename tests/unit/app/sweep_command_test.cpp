@@ -169,6 +169,17 @@ TEST_F(SweepCommand, ResumesWhatWasKilled) {
     EXPECT_TRUE(fs::exists(file("out/a-0003.exr")));
 }
 
+TEST_F(SweepCommand, GoingOnWithoutAReferenceKeepsErrors) {
+    sweep("out", "--reference 4 --keep");
+    const auto before = list("out/sweep.json");
+    EXPECT_TRUE(before["points"][0].contains("errors"));
+    fs::remove(file("out/" + before["points"][1]["image"].get<std::string>()));
+    sweep("out", "--resume");
+    const auto after = list("out/sweep.json");
+    EXPECT_EQ(after["points"][0], before["points"][0]);
+    EXPECT_FALSE(after["points"][1].contains("errors")) << "was rendered again, unjudged";
+}
+
 TEST_F(SweepCommand, ShardsJoinToWhatOneMachineMakes) {
     sweep("one", "--reference 4 --keep --repeats 0");
     sweep("first", "--reference 4 --keep --repeats 0 --shard 1/2");

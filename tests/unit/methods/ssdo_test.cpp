@@ -1,5 +1,6 @@
 // Screen-space directional occlusion against closed forms where the picture shows all, and its own errors
 // where it does not.
+#include <bit>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -291,8 +292,13 @@ TEST_F(SsdoTest, WhatExplainsAPixelAddsUpToIt) {
                 sent += samples.at(12 * i + 5);
                 seen += samples.at(12 * i + 10);
             }
-            for (std::size_t i = 0; i < static_cast<std::size_t>(70 * layers); ++i)
+            const auto is_sender = [](float role) { return std::bit_cast<std::uint32_t>(role) == 2; };
+            for (std::size_t i = 0; i < 70; ++i)
+                if (samples.at(12 * i + 5) > 0) EXPECT_TRUE(is_sender(samples.at(12 * i + 3)));
+            for (std::size_t i = 0; i < static_cast<std::size_t>(70 * layers); ++i) {
                 of_layers += lines.at(15 * i + 8);
+                if (lines.at(15 * i + 8) > 0) EXPECT_TRUE(is_sender(lines.at(15 * i + 6)));
+            }
             EXPECT_GT(sent, 0);
             EXPECT_NEAR(sent, raw.at(20, 55, 0), 1e-5 * sent);
             EXPECT_NEAR(of_layers, sent, 1e-5 * sent);

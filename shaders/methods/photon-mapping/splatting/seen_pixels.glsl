@@ -39,7 +39,9 @@ bool seen_pixels(uint i, out uvec4 pixels) {
     vec2 middle = c.xy / c.z, last = size_texels - 1.0;
     vec2 x = outline_along(middle.x, vec3(u.x, t.x, n.x) - middle.x * b, b, most);
     vec2 y = outline_along(middle.y, vec3(u.y, t.y, n.y) - middle.y * b, b, most);
-    if (x.y < 0.0 || y.y < 0.0 || x.x > last.x || y.x > last.y || x.x > x.y || y.x > y.y) return false;
+    // What is not a number is in no texel.
+    bool is_seen = x.x <= x.y && y.x <= y.y && x.y >= 0.0 && y.y >= 0.0 && x.x <= last.x && y.x <= last.y;
+    if (!is_seen) return false;
     pixels = uvec4(clamp(vec4(x.x, y.x, x.y, y.y), vec4(0), last.xyxy));
     return true;
 }

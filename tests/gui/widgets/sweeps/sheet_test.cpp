@@ -142,6 +142,17 @@ TEST_F(SheetTest, AllPicturesHaveOneExposureAndAllDifferencesOneExtent) {
     const QColor blue = pictures.find(less)->pixelColor(0, 0), red = pictures.find(more)->pixelColor(0, 0);
     EXPECT_GT(blue.blue(), blue.red());
     EXPECT_GT(red.red(), red.blue());
+    pictures.set_exposure(0);
+    EXPECT_TRUE(pictures.find(less)) << "a difference has no exposure";
+    EXPECT_FALSE(pictures.find(a));
+    // Another sweep begins anew.
+    ASSERT_TRUE(read(pictures, {a}));
+    const auto beside_itself = qGray(pictures.find(a)->pixel(0, 0));
+    pictures.restart();
+    EXPECT_EQ(pictures.extent(), 0);
+    ASSERT_TRUE(read(pictures, {b, less}));
+    EXPECT_EQ(pictures.extent(), 0.125);
+    EXPECT_EQ(qGray(pictures.find(b)->pixel(0, 0)), beside_itself) << "the first one gives the exposure";
     ASSERT_TRUE(read(pictures, {{folder.filePath("gone.exr"), {}, "1"}}));
     EXPECT_TRUE(pictures.problem({folder.filePath("gone.exr"), {}, "1"}).contains("gone.exr"));
 }
