@@ -9,6 +9,7 @@
 #include "app/gui/dialog_folder.h"
 #include "app/gui/exports.h"
 #include "app/gui/json_fields.h"
+#include "app/gui/load_setting.h"
 #include "app/gui/new_plot.h"
 #include "app/gui/redraw.h"
 #include "app/gui/text_of.h"
@@ -299,26 +300,16 @@ void PlotsDock::load_point(const QString& id) {
     const auto numbers = shown_numbers();
     const auto* point = numbers ? engine::find_point(numbers->study, id.toStdString()) : nullptr;
     if (!point) return;
-    const auto* experiment = session_.experiment(point->experiment);
-    if (!experiment) return emit said(tr("The experiment of this point is gone."));
+    if (!session_.experiment(point->experiment))
+        return emit said(tr("The experiment of this point is gone."));
     const auto key = look_of(*numbers).over;
     const auto setting = tr("%1 = %2").arg(text_of(key), text_of(engine::value_text(point->value)));
-    if (session_.open_project().is_read_only())
-        return emit failed(tr("%1 is not loaded: the project is open read-only: %2")
-                               .arg(setting, text_of(session_.open_project().read_only_reason())));
-    bool is_refused = true;
-    const bool changed = session_.edit([&](const projects::Project& project) {
-        auto edit = projects::edits::set_coordinates(project, session_.registry(), point->experiment,
-                                                     projects::Json::object({{key, point->value}}),
-                                                     "Load " + setting.toStdString() + " from plot");
-        is_refused = false;
-        return edit;
-    });
-    session_.end_gesture();
-    if (is_refused) return;  // the session has said why
-    const auto name = text_of(point->experiment);
-    emit said(changed ? tr("Loaded %1 into %2").arg(setting, name) : tr("%2 has %1").arg(setting, name));
-    emit loaded(name);
+    const auto loading =
+        load_setting(session_, point->experiment, Json::object({{key, point->value}}), setting, "plot");
+    if (!loading.failed.isEmpty()) return emit failed(loading.failed);
+    if (loading.said.isEmpty()) return;
+    emit said(loading.said);
+    emit loaded(text_of(point->experiment));
 }
 
 void PlotsDock::save(Json& memory) const {

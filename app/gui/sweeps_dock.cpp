@@ -10,6 +10,7 @@
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/json_fields.h"
+#include "app/gui/load_setting.h"
 #include "app/gui/redraw.h"
 #include "app/gui/text_of.h"
 #include "projects/coordinate.h"
@@ -314,23 +315,13 @@ void SweepsDock::load_variation(const QString& id) {
     if (row == rows.end()) return;
     const auto* experiment = base();
     if (!experiment) return emit said(tr("The experiment of this variation is gone."));
-    const auto setting = text_of(engine::name_of(*row)), name = text_of(experiment->name);
-    if (session_.open_project().is_read_only())
-        return emit failed(tr("%1 is not loaded: the project is open read-only: %2")
-                               .arg(setting, text_of(session_.open_project().read_only_reason())));
-    const auto experiment_id = experiment->id;
-    const auto coordinates = row->coordinates;
-    bool is_refused = true;
-    const bool changed = session_.edit([&](const projects::Project& project) {
-        auto edit = projects::edits::set_coordinates(project, session_.registry(), experiment_id, coordinates,
-                                                     "Load " + setting.toStdString() + " from sweep");
-        is_refused = false;
-        return edit;
-    });
-    session_.end_gesture();
-    if (is_refused) return;  // the session has said why
-    emit said(changed ? tr("Loaded %1 into %2").arg(setting, name) : tr("%2 has %1").arg(setting, name));
-    emit loaded(text_of(experiment_id));
+    const auto experiment_id = text_of(experiment->id);  // the edit makes another experiment
+    const auto loading =
+        load_setting(session_, experiment->id, row->coordinates, text_of(engine::name_of(*row)), "sweep");
+    if (!loading.failed.isEmpty()) return emit failed(loading.failed);
+    if (loading.said.isEmpty()) return;
+    emit said(loading.said);
+    emit loaded(experiment_id);
 }
 
 void SweepsDock::save(Json& memory) const {

@@ -38,31 +38,6 @@ BenchmarkPanel::BenchmarkPanel(QWidget* parent)
     show_run();
 }
 
-QComboBox* BenchmarkPanel::add_list(QBoxLayout* row, const char* name, const QString& label, int characters,
-                                    int stretch) {
-    auto* list = new QComboBox;
-    list->setObjectName(QLatin1String(name));
-    list->setAccessibleName(label);
-    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    list->setMinimumContentsLength(characters);
-    row->addWidget(list, stretch);
-    return list;
-}
-
-QToolButton* BenchmarkPanel::add_button(QBoxLayout* row, const char* name, const char* drawing,
-                                        const QString& text) {
-    auto* button = new QToolButton;
-    button->setObjectName(QLatin1String(name));
-    button->setIcon(icon(drawing));
-    button->setText(text);
-    button->setAccessibleName(text);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    row->addWidget(button);
-    return button;
-}
-
 QWidget* BenchmarkPanel::make_head() {
     auto* head = new QWidget;
     auto* row = new QHBoxLayout(head);

@@ -65,8 +65,6 @@ class BenchmarkPanel : public QWidget {
     QWidget* make_head();
     QWidget* make_foot();
     void make_view();
-    QComboBox* add_list(QBoxLayout* row, const char* name, const QString& label, int characters, int stretch);
-    QToolButton* add_button(QBoxLayout* row, const char* name, const char* drawing, const QString& text);
     void show_run();
     void span_problems();
     void choose_all(bool chosen);

@@ -1,9 +1,14 @@
 #include "widgets/panels/controls.h"
 
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QPushButton>
 #include <QStringList>
+#include <QToolButton>
+
+#include "widgets/style/icons.h"
 
 namespace ir::widgets {
 
@@ -18,6 +23,57 @@ QLabel* make_cut_label(const char* name) {
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     label->setMinimumWidth(1);
     return label;
+}
+
+QToolButton* add_button(QBoxLayout* row, const char* name, const char* drawing, const QString& text) {
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(name));
+    if (drawing) button->setIcon(icon(drawing));
+    button->setText(text);
+    button->setAccessibleName(text);
+    button->setToolTip(text);
+    button->setToolButtonStyle(drawing ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonTextOnly);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    row->addWidget(button);
+    return button;
+}
+
+QToolButton* add_icon_button(QBoxLayout* row, const char* name, const char* drawing, const QString& text) {
+    auto* button = add_button(row, name, drawing, text);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    return button;
+}
+
+QComboBox* add_list(QBoxLayout* row, const char* name, const QString& label, int letters, int stretch) {
+    auto* list = new QComboBox;
+    list->setObjectName(QLatin1String(name));
+    list->setAccessibleName(label);
+    list->setToolTip(label);
+    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    list->setMinimumContentsLength(letters);
+    row->addWidget(list, stretch);
+    return list;
+}
+
+EmptyPage make_empty_page() {
+    const EmptyPage empty{new QWidget, new QLabel, new QPushButton};
+    empty.text->setObjectName(QStringLiteral("empty"));
+    empty.text->setWordWrap(true);
+    empty.text->setAlignment(Qt::AlignCenter);
+    empty.button->setObjectName(QStringLiteral("empty-button"));
+    auto* column = new QVBoxLayout(empty.page);
+    column->addStretch(1);
+    column->addWidget(empty.text);
+    column->addWidget(empty.button, 0, Qt::AlignHCenter);
+    column->addStretch(1);
+    return empty;
+}
+
+void EmptyPage::show(const QString& what, const QString& offered) const {
+    text->setText(what);
+    button->setText(offered);
+    button->setVisible(!offered.isEmpty());
 }
 
 void show_options(QComboBox* list, const std::vector<Option>& options, const QString& current) {

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/panels/controls.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
@@ -46,47 +47,35 @@ PlotHeader::PlotHeader(QWidget* parent) : QWidget(parent) {
     column->addWidget(second_);
 }
 
-QComboBox* PlotHeader::add_list(QBoxLayout* row, const char* name, const QString& label, const QString& tip,
-                                void (PlotHeader::*chosen)(const QString&)) {
-    auto* list = new QComboBox;
-    list->setObjectName(QLatin1String(name));
-    list->setAccessibleName(label);
-    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    list->setMinimumContentsLength(7);
+QComboBox* PlotHeader::add_tipped_list(QBoxLayout* row, const char* name, const QString& label,
+                                       const QString& tip, void (PlotHeader::*chosen)(const QString&)) {
+    auto* list = add_list(row, name, label, 7);
     list->setMinimumWidth(48);
     set_tip(list, tip);
-    row->addWidget(list, 1);
     if (chosen)
         connect(list, &QComboBox::activated, this,
                 [this, list, chosen](int index) { emit(this->*chosen)(list->itemData(index).toString()); });
     return list;
 }
 
-QToolButton* PlotHeader::add_button(QBoxLayout* row, const char* name, const char* drawing,
-                                    const QString& text, const QString& tip) {
-    auto* button = new QToolButton;
-    button->setObjectName(QLatin1String(name));
-    if (drawing) button->setIcon(icon(drawing));
-    button->setText(text);
-    button->setAccessibleName(text);
-    button->setToolButtonStyle(drawing ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonTextOnly);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
+QToolButton* PlotHeader::add_tipped_button(QBoxLayout* row, const char* name, const char* drawing,
+                                           const QString& text, const QString& tip) {
+    auto* button = add_button(row, name, drawing, text);
     set_tip(button, tip);
-    row->addWidget(button);
     return button;
 }
 
 void PlotHeader::make_first_row(QBoxLayout* row) {
-    plots_ = add_list(row, "plot", tr("Plot"), tr("The plot that is shown"), &PlotHeader::plot_chosen);
-    add_ = add_button(row, "plot-add", "add", tr("New"),
-                      tr("Add a plot to the project, of its experiments against their reference"));
-    edit_ =
-        add_button(row, "plot-edit", "rename", tr("Edit"),
-                   tr("Show all that makes this plot in the project's panel: experiments, reference, notes"));
-    run_ = add_button(row, "plot-run", "rerun", tr("Run"),
-                      tr("Render and measure all points of this plot. What renders meanwhile in the views "
-                         "makes times longer"));
+    plots_ = add_tipped_list(row, "plot", tr("Plot"), tr("The plot that is shown"), &PlotHeader::plot_chosen);
+    add_ = add_tipped_button(row, "plot-add", "add", tr("New"),
+                             tr("Add a plot to the project, of its experiments against their reference"));
+    edit_ = add_tipped_button(
+        row, "plot-edit", "rename", tr("Edit"),
+        tr("Show all that makes this plot in the project's panel: experiments, reference, notes"));
+    run_ = add_tipped_button(
+        row, "plot-run", "rerun", tr("Run"),
+        tr("Render and measure all points of this plot. What renders meanwhile in the views "
+           "makes times longer"));
     connect(add_, &QToolButton::clicked, this, &PlotHeader::new_wanted);
     connect(edit_, &QToolButton::clicked, this, &PlotHeader::edit_wanted);
     connect(run_, &QToolButton::clicked, this,
@@ -106,18 +95,18 @@ void PlotHeader::make_first_row(QBoxLayout* row) {
     doing_->setObjectName(QStringLiteral("doing"));
     doing_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addWidget(doing_, 2);
-    export_ = add_button(row, "plot-export", "export", tr("Export"), tr("Write or copy the plot"));
+    export_ = add_tipped_button(row, "plot-export", "export", tr("Export"), tr("Write or copy the plot"));
     export_->setPopupMode(QToolButton::InstantPopup);
     export_->setMenu(make_export_menu());
 }
 
 void PlotHeader::make_second_row(QBoxLayout* row) {
-    metrics_ =
-        add_list(row, "metric", tr("Metric"), tr("Error that is drawn; all metrics are measured at once"),
-                 &PlotHeader::metric_chosen);
+    metrics_ = add_tipped_list(row, "metric", tr("Metric"),
+                               tr("Error that is drawn; all metrics are measured at once"),
+                               &PlotHeader::metric_chosen);
     row->addWidget(new QLabel(tr("over")));
-    keys_ =
-        add_list(row, "over", tr("Varies"), tr("What differs from point to point"), &PlotHeader::key_chosen);
+    keys_ = add_tipped_list(row, "over", tr("Varies"), tr("What differs from point to point"),
+                            &PlotHeader::key_chosen);
     values_ = new QLineEdit;
     values_->setObjectName(QStringLiteral("values"));
     values_->setAccessibleName(tr("Values"));
@@ -125,13 +114,13 @@ void PlotHeader::make_second_row(QBoxLayout* row) {
     set_tip(values_, tr("Its values, separated by commas: 32, 64, 128"));
     row->addWidget(values_, 2);
     connect(values_, &QLineEdit::editingFinished, this, &PlotHeader::take_values);
-    axis_ = add_list(row, "axis", tr("Horizontal axis"),
-                     tr("Drawn against the time that rendering took, or against the values"), nullptr);
+    axis_ = add_tipped_list(row, "axis", tr("Horizontal axis"),
+                            tr("Drawn against the time that rendering took, or against the values"), nullptr);
     axis_->addItem(tr("against time"));
     axis_->addItem(tr("against values"));
     connect(axis_, &QComboBox::activated, this, [this](int index) { emit against_time_chosen(index == 0); });
-    log_x_ = add_button(row, "log-x", nullptr, tr("log x"), tr("Logarithmic horizontal axis"));
-    log_y_ = add_button(row, "log-y", nullptr, tr("log y"), tr("Logarithmic vertical axis"));
+    log_x_ = add_tipped_button(row, "log-x", nullptr, tr("log x"), tr("Logarithmic horizontal axis"));
+    log_y_ = add_tipped_button(row, "log-y", nullptr, tr("log y"), tr("Logarithmic vertical axis"));
     for (auto* button : {log_x_, log_y_}) {
         button->setCheckable(true);
         connect(button, &QToolButton::clicked, this,
@@ -179,17 +168,7 @@ void PlotHeader::show_list(QComboBox* list, const std::vector<Option>& options, 
     const auto is_current = [&](const Option& option) { return option.id == current; };
     if (!current.isEmpty() && std::none_of(all.begin(), all.end(), is_current))
         all.push_back({current, current, {}});
-    bool same = list->count() == int(all.size());
-    for (std::size_t i = 0; same && i < all.size(); ++i)
-        same = list->itemData(int(i)).toString() == all[i].id && list->itemText(int(i)) == all[i].label;
-    if (!same) {
-        list->clear();
-        for (const auto& option : all) {
-            list->addItem(option.label, option.id);
-            list->setItemData(list->count() - 1, option.tooltip, Qt::ToolTipRole);
-        }
-    }
-    list->setCurrentIndex(list->findData(current));
+    show_options(list, all, current);
 }
 
 void PlotHeader::show_choices(const PlotChoices& choices) {

@@ -57,10 +57,10 @@ class PlotHeader : public QWidget {
     void numbers_wanted(bool to_clipboard);
 
   private:
-    QComboBox* add_list(QBoxLayout* row, const char* name, const QString& label, const QString& tip,
-                        void (PlotHeader::*chosen)(const QString&));
-    QToolButton* add_button(QBoxLayout* row, const char* name, const char* drawing, const QString& text,
-                            const QString& tip);
+    QComboBox* add_tipped_list(QBoxLayout* row, const char* name, const QString& label, const QString& tip,
+                               void (PlotHeader::*chosen)(const QString&));
+    QToolButton* add_tipped_button(QBoxLayout* row, const char* name, const char* drawing,
+                                   const QString& text, const QString& tip);
     void make_first_row(QBoxLayout* row);
     void make_second_row(QBoxLayout* row);
     QMenu* make_export_menu();

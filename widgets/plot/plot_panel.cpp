@@ -47,26 +47,10 @@ PlotPanel::PlotPanel(QWidget* parent)
     column->addWidget(header_);
     column->addWidget(pages_, 1);
     make_table();
-    pages_->addWidget(make_empty());
+    connect(empty_.button, &QPushButton::clicked, this, &PlotPanel::button_clicked);
+    pages_->addWidget(empty_.page);
     pages_->addWidget(make_content());
     link_selection();
-}
-
-QWidget* PlotPanel::make_empty() {
-    auto* page = new QWidget;
-    auto* column = new QVBoxLayout(page);
-    empty_ = new QLabel;
-    empty_->setObjectName(QStringLiteral("empty"));
-    empty_->setWordWrap(true);
-    empty_->setAlignment(Qt::AlignCenter);
-    button_ = new QPushButton;
-    button_->setObjectName(QStringLiteral("empty-button"));
-    column->addStretch(1);
-    column->addWidget(empty_);
-    column->addWidget(button_, 0, Qt::AlignHCenter);
-    column->addStretch(1);
-    connect(button_, &QPushButton::clicked, this, &PlotPanel::button_clicked);
-    return page;
 }
 
 void PlotPanel::make_table() {
@@ -194,9 +178,7 @@ void PlotPanel::show_lines() {
 }
 
 void PlotPanel::show_empty(const QString& text, const QString& button) {
-    empty_->setText(text);
-    button_->setText(button);
-    button_->setVisible(!button.isEmpty());
+    empty_.show(text, button);
     pages_->setCurrentIndex(0);
 }
 

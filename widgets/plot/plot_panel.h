@@ -3,13 +3,13 @@
 #include <QSortFilterProxyModel>
 #include <QWidget>
 
+#include "widgets/panels/controls.h"
 #include "widgets/plot/plot_header.h"
 #include "widgets/plot/plot_table_model.h"
 #include "widgets/plot/plot_view.h"
 
 class QLabel;
 class QListWidget;
-class QPushButton;
 class QSplitter;
 class QStackedWidget;
 
@@ -46,7 +46,6 @@ class PlotPanel : public QWidget {
 
   private:
     QWidget* make_content();
-    QWidget* make_empty();
     void make_table();
     void link_selection();
     void select_row(const QString& id);
@@ -60,8 +59,8 @@ class PlotPanel : public QWidget {
     EmptyTreeView* table_;
     QSplitter* split_ = nullptr;
     QStackedWidget* pages_;
-    QLabel *empty_ = nullptr, *waiting_ = nullptr, *point_ = nullptr;
-    QPushButton* button_ = nullptr;
+    const EmptyPage empty_ = make_empty_page();
+    QLabel *waiting_ = nullptr, *point_ = nullptr;
     QListWidget* lines_ = nullptr;
     std::vector<std::string> column_widths_of_;
     bool linking_ = false;

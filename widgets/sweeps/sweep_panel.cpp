@@ -72,7 +72,8 @@ SweepPanel::SweepPanel(QWidget* parent)
     inner->addWidget(make_tools());
     inner->addWidget(tabs_pages_, 1);
     inner->addWidget(make_foot());
-    pages_->addWidget(make_empty());
+    connect(empty_.button, &QPushButton::clicked, this, &SweepPanel::new_wanted);
+    pages_->addWidget(empty_.page);
     pages_->addWidget(content);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -83,32 +84,6 @@ SweepPanel::SweepPanel(QWidget* parent)
     show_run();
 }
 
-QComboBox* SweepPanel::add_list(QBoxLayout* row, const char* name, const QString& label, int characters) {
-    auto* list = new QComboBox;
-    list->setObjectName(QLatin1String(name));
-    list->setAccessibleName(label);
-    list->setToolTip(label);
-    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    list->setMinimumContentsLength(characters);
-    row->addWidget(list, 1);
-    return list;
-}
-
-QToolButton* SweepPanel::add_button(QBoxLayout* row, const char* name, const char* drawing,
-                                    const QString& text, bool has_text) {
-    auto* button = new QToolButton;
-    button->setObjectName(QLatin1String(name));
-    button->setIcon(icon(drawing));
-    button->setText(text);
-    button->setToolTip(text);
-    button->setAccessibleName(text);
-    button->setToolButtonStyle(has_text ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    row->addWidget(button);
-    return button;
-}
-
 QWidget* SweepPanel::make_head() {
     auto* head = new QWidget;
     auto* row = row_in(head);
@@ -116,18 +91,18 @@ QWidget* SweepPanel::make_head() {
     sweeps_ = add_list(row, "sweep", tr("Sweep"), 8);
     connect(sweeps_, &QComboBox::activated, this,
             [this](int index) { emit sweep_chosen(sweeps_->itemData(index).toString()); });
-    new_ = add_button(row, "new", "add", tr("New sweep"), false);
+    new_ = add_icon_button(row, "new", "add", tr("New sweep"));
     connect(new_, &QToolButton::clicked, this, &SweepPanel::new_wanted);
-    edit_ = add_button(row, "edit", "rename", tr("Edit what varies"), false);
+    edit_ = add_icon_button(row, "edit", "rename", tr("Edit what varies"));
     connect(edit_, &QToolButton::clicked, this, &SweepPanel::edit_wanted);
     judged_ = new QCheckBox(tr("Reference"));
     judged_->setObjectName(QStringLiteral("judged"));
     connect(judged_, &QCheckBox::toggled, this, &SweepPanel::judging_chosen);
     row->addWidget(judged_);
-    run_ = add_button(row, "run", "rerun", tr("Run"), true);
+    run_ = add_button(row, "run", "rerun", tr("Run"));
     connect(run_, &QToolButton::clicked, this,
             [this] { fields_.run == SweepFields::Run::none ? emit run_wanted() : emit cancel_wanted(); });
-    pause_ = add_button(row, "pause", "pause", tr("Pause"), true);
+    pause_ = add_button(row, "pause", "pause", tr("Pause"));
     connect(pause_, &QToolButton::clicked, this,
             [this] { emit pause_wanted(fields_.run == SweepFields::Run::running); });
     progress_ = new QProgressBar;
@@ -138,7 +113,7 @@ QWidget* SweepPanel::make_head() {
     row->addWidget(progress_, 1);
     doing_ = make_cut_label("doing");
     row->addWidget(doing_, 3);
-    files_ = add_button(row, "files", "export", tr("Results"), true);
+    files_ = add_button(row, "files", "export", tr("Results"));
     files_->setPopupMode(QToolButton::InstantPopup);
     files_->setToolTip(tr("Write the table or a report, or look at results of another folder"));
     auto* menu = new QMenu(files_);
@@ -193,7 +168,7 @@ QWidget* SweepPanel::make_sheet_tools() {
     connect(sorting_, &QComboBox::activated, this, [this](int column) {
         table_->sortByColumn(column, is_descending() ? Qt::DescendingOrder : Qt::AscendingOrder);
     });
-    descending_ = add_button(row, "descending", "down", tr("Largest first"), false);
+    descending_ = add_icon_button(row, "descending", "down", tr("Largest first"));
     descending_->setCheckable(true);
     connect(descending_, &QToolButton::clicked, this, [this](bool on) {
         table_->sortByColumn(std::max(0, sorting_->currentIndex()),
@@ -249,23 +224,6 @@ QWidget* SweepPanel::make_plot_tools() {
             [this](int index) { emit quantity_chosen(quantities_->itemData(index).toString()); });
     row->addStretch(1);
     return tools;
-}
-
-QWidget* SweepPanel::make_empty() {
-    auto* page = new QWidget;
-    auto* column = new QVBoxLayout(page);
-    empty_ = new QLabel;
-    empty_->setObjectName(QStringLiteral("empty"));
-    empty_->setWordWrap(true);
-    empty_->setAlignment(Qt::AlignCenter);
-    button_ = new QPushButton;
-    button_->setObjectName(QStringLiteral("empty-button"));
-    column->addStretch(1);
-    column->addWidget(empty_);
-    column->addWidget(button_, 0, Qt::AlignHCenter);
-    column->addStretch(1);
-    connect(button_, &QPushButton::clicked, this, &SweepPanel::new_wanted);
-    return page;
 }
 
 QWidget* SweepPanel::make_foot() {
@@ -354,9 +312,7 @@ void SweepPanel::set_fields(const SweepFields& fields) {
     show_options(quantities_, fields.quantities, fields.quantity);
     const QSignalBlocker silent(judged_);
     judged_->setChecked(fields.is_judged);
-    empty_->setText(fields.empty);
-    button_->setText(fields.button);
-    button_->setVisible(!fields.button.isEmpty());
+    empty_.show(fields.empty, fields.button);
     pages_->setCurrentIndex(fields.empty.isEmpty() ? 1 : 0);
     sheet_->pictures().set_semantic(fields.semantic);
     if (!(plot_->data() == fields.data)) plot_->set_data(fields.data);

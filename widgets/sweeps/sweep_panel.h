@@ -4,6 +4,7 @@
 
 #include "renderers/plot/plot_data.h"
 #include "widgets/models/number_order.h"
+#include "widgets/panels/controls.h"
 #include "widgets/parameters/option.h"
 #include "widgets/plot/plot_view.h"
 #include "widgets/sweeps/contact_sheet.h"
@@ -15,7 +16,6 @@ class QComboBox;
 class QLabel;
 class QMenu;
 class QProgressBar;
-class QPushButton;
 class QSlider;
 class QStackedWidget;
 class QTabBar;
@@ -103,13 +103,9 @@ class SweepPanel : public QWidget {
     QWidget* make_tools();
     QWidget* make_sheet_tools();
     QWidget* make_plot_tools();
-    QWidget* make_empty();
     QWidget* make_foot();
     void make_table();
     void link_selection();
-    QToolButton* add_button(QBoxLayout* row, const char* name, const char* drawing, const QString& text,
-                            bool has_text);
-    QComboBox* add_list(QBoxLayout* row, const char* name, const QString& label, int characters);
     void show_run();
     void show_sorting();
 
@@ -132,9 +128,9 @@ class SweepPanel : public QWidget {
     QProgressBar* progress_ = nullptr;
     QSlider* size_ = nullptr;
     NumberField* exposure_ = nullptr;
-    QLabel *doing_ = nullptr, *foot_ = nullptr, *foot_icon_ = nullptr, *extent_ = nullptr, *empty_ = nullptr,
+    QLabel *doing_ = nullptr, *foot_ = nullptr, *foot_icon_ = nullptr, *extent_ = nullptr,
            *no_plot_ = nullptr;
-    QPushButton* button_ = nullptr;
+    const EmptyPage empty_ = make_empty_page();
 };
 
 }  // namespace ir::widgets

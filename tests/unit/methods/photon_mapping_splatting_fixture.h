@@ -114,6 +114,8 @@ class SplatTest : public PassTest {
         run_shot(shot, method(run), run, 0, processor, threads);
         return {read("splat.irradiance"), read("splat.direction")};
     }
+    /// Photons on the surfaces that a camera sees, with kernels as large as many texels.
+    SplatRun on_what_is_seen(const Shot& shot, int photons, unsigned seed);
     /// One texel in so many may differ: at the border of a kernel it may be on either side, by rounding.
     static void expect_equal(const Sums& expected, const Sums& sums, const std::string& name,
                              int of_texels = 100) {
@@ -207,6 +209,44 @@ inline std::vector<SomePhoton> on_surfaces(const Image& positions, const Image& 
              .light = bounce(random)});
     }
     return photons;
+}
+
+inline SplatRun SplatTest::on_what_is_seen(const Shot& shot, int photons, unsigned seed) {
+    run_gbuffer(shot);
+    SplatRun run{on_surfaces(read("gbuffer.position"), read("gbuffer.geometric_normal"), photons, seed),
+                 plain_kernels()};
+    run.parameters.sum_precision = pm::Precision::single_float;
+    run.parameters.kernel_scale = 6;
+    run.parameters.normal_axis = 0.5f;
+    return run;
+}
+
+struct NamedShot {
+    std::string name;
+    Shot shot;
+};
+
+/// A box from afar, from its middle, and in parallel; pictures end within a tile.
+inline std::vector<NamedShot> views_of_a_box(int size) {
+    const auto box = scene::load_scene("builtin:cornell");
+    auto close = box.cameras[0], parallel = box.cameras[0];
+    close.eye = scene::bounds_of(box, 0).centre();
+    close.target = close.eye + glm::vec3(0.3f, 0.2f, -1);
+    parallel.orthographic = true;
+    parallel.height = 0.5f * scene::bounds_of(box, 0).radius();
+    return {{"perspective", Shot(box, box.cameras[0], size, size - 3)},
+            {"close", Shot(box, close, size, size - 3)},
+            {"parallel", Shot(box, parallel, size, size - 3)}};
+}
+
+/// Kernels around the eye, one beside it, and one behind it altogether.
+inline SplatRun around_the_eye(const Shot& shot) {
+    SplatRun run{{{.position_ws = {0, 0, 0}, .power = glm::vec3(2)},
+                  {.position_ws = {0, 3, 0}, .power = glm::vec3(1)},
+                  {.position_ws = {-0.5f, -9, 0}, .power = glm::vec3(1)}},
+                 with_radius(shot, 1)};
+    run.parameters.sum_precision = pm::Precision::single_float;
+    return run;
 }
 
 }  // namespace ir::test

@@ -15,30 +15,15 @@ class SplattedOnHost : public SplatTest {
 };
 
 TEST_F(SplattedOnHost, AsOnTheDeviceAtEveryResolutionAndInEveryView) {
-    auto box = scene::load_scene("builtin:cornell");
-    auto close = box.cameras[0];
-    close.eye = scene::bounds_of(box, 0).centre();
-    close.target = close.eye + glm::vec3(0.3f, 0.2f, -1);
-    auto parallel = box.cameras[0];
-    parallel.orthographic = true;
-    parallel.height = 0.5f * scene::bounds_of(box, 0).radius();
-    const char* names[] = {"perspective", "close", "parallel"};
-    int view = 0;
-    for (const auto& camera : {box.cameras[0], close, parallel}) {
-        const Shot shot(box, camera, host_splat_size, host_splat_size - 3);
-        run_gbuffer(shot);
-        SplatRun run{on_surfaces(read("gbuffer.position"), read("gbuffer.geometric_normal"), 3000, 4),
-                     plain_kernels()};
-        run.parameters.sum_precision = pm::Precision::single_float;
-        run.parameters.kernel_scale = 6;
-        run.parameters.normal_axis = 0.5f;
+    for (const auto& view : views_of_a_box(host_splat_size)) {
+        const auto& shot = view.shot;
+        auto run = on_what_is_seen(shot, 3000, 4);
         for (const bool facing : {false, true})
             for (const int divisor : {1, 2, 4}) {
                 run.parameters.facing_test = facing;
                 run.parameters.splat_resolution = static_cast<pm::SplatResolution>(divisor / 2);
-                expect_as_on_device(shot, run, std::string(names[view]) + " / " + std::to_string(divisor));
+                expect_as_on_device(shot, run, view.name + " / " + std::to_string(divisor));
             }
-        ++view;
     }
 }
 
@@ -46,12 +31,7 @@ TEST_F(SplattedOnHost, AsOnTheDeviceAtEveryResolutionAndInEveryView) {
 TEST_F(SplattedOnHost, AsOnTheDeviceFromWithinAKernel) {
     const Shot shot(wide_square(), camera_at({0.1f, 0.2f, 0.1f}, {0.4f, 0.3f, 0}), host_splat_size,
                     host_splat_size);
-    SplatRun run{{{.position_ws = {0, 0, 0}, .power = glm::vec3(2)},
-                  {.position_ws = {0, 3, 0}, .power = glm::vec3(1)},
-                  {.position_ws = {-0.5f, -9, 0}, .power = glm::vec3(1)}},
-                 with_radius(shot, 1)};
-    run.parameters.sum_precision = pm::Precision::single_float;
-    expect_as_on_device(shot, run, "within");
+    expect_as_on_device(shot, around_the_eye(shot), "within");
 }
 
 /// A probe that rounds to another texel changes all that its kernel covers.

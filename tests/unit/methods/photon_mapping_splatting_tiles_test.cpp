@@ -15,29 +15,11 @@ class SplattedByTiles : public SplatTest {
     void expect_as_drawn(const Shot& shot, const SplatRun& run, const std::string& name) {
         expect_equal(by(pm::Splatting::drawn, shot, run), by(pm::Splatting::tiles, shot, run), name);
     }
-    SplatRun on_what_is_seen(const Shot& shot, int photons, unsigned seed) {
-        run_gbuffer(shot);
-        SplatRun run{on_surfaces(read("gbuffer.position"), read("gbuffer.geometric_normal"), photons, seed),
-                     plain_kernels()};
-        run.parameters.sum_precision = pm::Precision::single_float;
-        run.parameters.kernel_scale = 6;
-        run.parameters.normal_axis = 0.5f;
-        return run;
-    }
 };
 
 TEST_F(SplattedByTiles, AsDrawnAtEveryResolutionAndInEveryView) {
-    auto box = scene::load_scene("builtin:cornell");
-    auto close = box.cameras[0];
-    close.eye = scene::bounds_of(box, 0).centre();
-    close.target = close.eye + glm::vec3(0.3f, 0.2f, -1);
-    auto parallel = box.cameras[0];
-    parallel.orthographic = true;
-    parallel.height = 0.5f * scene::bounds_of(box, 0).radius();
-    const char* names[] = {"perspective", "close", "parallel"};
-    int view = 0;
-    for (const auto& camera : {box.cameras[0], close, parallel}) {
-        const Shot shot(box, camera, gathered_size, gathered_size - 3);
+    for (const auto& view : views_of_a_box(gathered_size)) {
+        const auto& shot = view.shot;
         auto run = on_what_is_seen(shot, 3000, 4);
         for (const bool flat : {false, true})
             for (const int divisor : {1, 2, 4}) {
@@ -46,10 +28,8 @@ TEST_F(SplattedByTiles, AsDrawnAtEveryResolutionAndInEveryView) {
                 run.parameters.edge_probes = divisor == 1;
                 run.parameters.splat_resolution = static_cast<pm::SplatResolution>(divisor / 2);
                 expect_as_drawn(
-                    shot, run,
-                    names[view] + std::string(flat ? ", flat / " : " / ") + std::to_string(divisor));
+                    shot, run, view.name + std::string(flat ? ", flat / " : " / ") + std::to_string(divisor));
             }
-        ++view;
     }
 }
 
@@ -57,12 +37,7 @@ TEST_F(SplattedByTiles, AsDrawnAtEveryResolutionAndInEveryView) {
 TEST_F(SplattedByTiles, AsDrawnFromWithinAKernel) {
     const Shot shot(wide_square(), camera_at({0.1f, 0.2f, 0.1f}, {0.4f, 0.3f, 0}), gathered_size,
                     gathered_size);
-    SplatRun run{{{.position_ws = {0, 0, 0}, .power = glm::vec3(2)},
-                  {.position_ws = {0, 3, 0}, .power = glm::vec3(1)},
-                  {.position_ws = {-0.5f, -9, 0}, .power = glm::vec3(1)}},
-                 with_radius(shot, 1)};
-    run.parameters.sum_precision = pm::Precision::single_float;
-    expect_as_drawn(shot, run, "within");
+    expect_as_drawn(shot, around_the_eye(shot), "within");
 }
 
 /// A kernel's own tile alone would leave squares.

@@ -7,6 +7,7 @@
 #include "renderers/core/error.h"
 #include "renderers/scene/world.h"
 #include "tests/unit/scene/gltf_builder.h"
+#include "tests/unit/scene/near.h"
 
 namespace ir::test {
 namespace {
@@ -22,10 +23,6 @@ Part plane(const glm::mat4& transform = glm::mat4(1)) {
 }
 glm::mat4 moved(float x, float y, float z) {
     return glm::translate(glm::mat4(1), glm::vec3(x, y, z));
-}
-
-void expect_near(glm::vec3 a, glm::vec3 b) {
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-5) << i;
 }
 
 const scene::Material& material(const scene::Scene& scene, const std::string& name) {

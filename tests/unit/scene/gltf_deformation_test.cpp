@@ -5,20 +5,17 @@
 #include "renderers/scene/compose.h"
 #include "renderers/scene/world.h"
 #include "tests/unit/scene/gltf_builder.h"
+#include "tests/unit/scene/near.h"
 
 // Skins and morph targets, still and animated.
 
 namespace {
 
 using namespace ir;
+using test::expect_near;
 using test::GltfBuilder;
 using test::Json;
 using test::load;
-
-void expect_near(glm::vec3 a, glm::vec3 b, float tolerance = 1e-5f) {
-    EXPECT_LT(glm::length(a - b), tolerance)
-        << a.x << ", " << a.y << ", " << a.z << " for " << b.x << ", " << b.y << ", " << b.z;
-}
 
 void animate(GltfBuilder& builder, int node, const std::string& path, const std::vector<float>& times,
              const std::vector<float>& values, const std::string& interpolation = "LINEAR") {

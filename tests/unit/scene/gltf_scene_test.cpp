@@ -6,20 +6,17 @@
 #include "renderers/core/error.h"
 #include "renderers/scene/world.h"
 #include "tests/unit/scene/gltf_builder.h"
+#include "tests/unit/scene/near.h"
 
 // Nodes, animation, cameras and lights.
 
 namespace {
 
 using namespace ir;
+using test::expect_near;
 using test::GltfBuilder;
 using test::Json;
 using test::load;
-
-void expect_near(glm::vec3 a, glm::vec3 b, float tolerance = 1e-5f) {
-    EXPECT_LT(glm::length(a - b), tolerance)
-        << a.x << ", " << a.y << ", " << a.z << " for " << b.x << ", " << b.y << ", " << b.z;
-}
 
 /// A quarter turn about +Y: +Z goes to +X, -Z to -X.
 Json quarter_turn() {
