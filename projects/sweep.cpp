@@ -10,8 +10,6 @@
 namespace ir::projects {
 namespace {
 
-constexpr std::size_t max_points = 100'000;
-
 [[noreturn]] void refuse(const Sweep& sweep, const std::string& problem) {
     throw UsageError("sweep '" + sweep.id + "': " + problem);
 }
@@ -21,8 +19,8 @@ std::size_t count_points(const Sweep& sweep) {
     for (const auto& axis : sweep.axes) {
         if (axis.values.empty()) refuse(sweep, "axis '" + printable(axis.key, 60) + "' has no values");
         count *= axis.values.size();
-        if (count > max_points)
-            refuse(sweep, "has more than " + std::to_string(max_points) + " points; shorten its axes");
+        if (count > max_sweep_points)
+            refuse(sweep, "has more than " + std::to_string(max_sweep_points) + " points; shorten its axes");
     }
     return count;
 }

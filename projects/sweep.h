@@ -14,11 +14,14 @@ struct SweepPoint {
     Json coordinates;  ///< {"samples": 16, "seed": 2}
 };
 
+inline constexpr std::size_t max_sweep_points = 100'000;
+
 /// All variations, last axis fastest. Throws UsageError (one line) for unknown experiments, keys, or values
-/// that the method refuses, and beyond 100,000 points.
+/// that the method refuses, and beyond max_sweep_points.
 std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep, const Registry& registry);
 
-/// Where a window puts what a sweep renders, relative to results/, '/' as separator. The id is a valid one.
+/// Where a window puts what a sweep renders, relative to results/, '/' as separator. An
+/// empty id gives the folder of all sweeps.
 std::string sweep_path(const std::string& sweep);
 
 }  // namespace ir::projects

@@ -60,9 +60,10 @@ int repeats_of(const SweepFlags& flags) {
     return flags.repeats.value_or(engine::usual_repeats(flags.is_judged));
 }
 
-std::vector<projects::SweepPoint> points_of(const SweepFlags& flags, const projects::Project& project) {
+std::vector<projects::SweepPoint> points_of(const SweepFlags& flags, const projects::Project& project,
+                                            const projects::Sweep& sweep) {
     try {
-        return projects::sweep_points(project, chosen_sweep(project, flags.name), engine::registry());
+        return projects::sweep_points(project, sweep, engine::registry());
     } catch (const UsageError& error) {  // the project says it, not the command line
         throw InputError(flags.project, "", error.what());
     }
@@ -70,8 +71,8 @@ std::vector<projects::SweepPoint> points_of(const SweepFlags& flags, const proje
 
 int plan(const SweepFlags& flags, bool as_json) {
     const auto loaded = load_project(flags.project);
-    chosen_sweep(loaded.project, flags.name);
-    SweepPlan plan{flags.machine, loaded, points_of(flags, loaded.project), {}};
+    const auto& sweep = chosen_sweep(loaded.project, flags.name);
+    SweepPlan plan{flags.machine, loaded, points_of(flags, loaded.project, sweep), {}};
     plan.options.is_judged = flags.is_judged;
     plan.options.samples = parse_samples(flags.samples);
     plan.options.repeats = repeats_of(flags);
@@ -94,8 +95,9 @@ class SweepCommand {
           loaded_(load_project(flags.project)) {}
 
     int run() {
-        const auto job = job_of(chosen_sweep(loaded_.project, flags_.name));
-        const auto points = points_of(flags_, loaded_.project);
+        const auto& sweep = chosen_sweep(loaded_.project, flags_.name);
+        const auto job = job_of(sweep);
+        const auto points = points_of(flags_, loaded_.project, sweep);
         OutputFiles files;
         files.reads(loaded_);
         for (const auto& file : {job.list(), job.lines()}) files.writes("--out", file.string());
@@ -282,7 +284,7 @@ void add_sweep_plan(CLI::App& sweep, Run& run) {
     command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene())->required();
     command->add_option("NAME", flags->name, "Id or name of the sweep")->required();
     command->add_option("--probes", flags->probes, "How many to measure (default: as many as are enough)")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}));
+        ->check(CLI::Range(std::size_t{1}, projects::max_sweep_points));
     const auto* reference = add_work_flags(*command, *flags);
     auto as_json = std::make_shared<bool>(false);
     add_json_flag(*command, *as_json);

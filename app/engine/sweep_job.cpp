@@ -1,5 +1,6 @@
 #include "app/engine/sweep_job.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <map>
@@ -123,14 +124,15 @@ void run_sweep_request(const SweepRequest& request, const SweepCallbacks& callba
 SweepSheet look_at_sweep(const SweepJob& job, const Registry& registry,
                          const std::function<bool()>& is_cancelled) {
     SweepSheet sheet;
-    SweepTable kept;
+    std::vector<SweepTable> lists;  // shards may have rendered what the whole one lacks
     try {
-        if (!sweep_lists(job.out).empty()) kept = read_tables(job.out);
+        for (const auto& file : sweep_lists(job.out)) lists.push_back(read_table(file));
     } catch (const Error& error) {
         sheet.problem = error.what();
     }
-    const bool is_own =
-        kept.rows.empty() || (kept.sweep == job.sweep.id && kept.experiment == job.sweep.experiment);
+    const bool is_own = std::ranges::all_of(lists, [&](const SweepTable& list) {
+        return list.sweep == job.sweep.id && list.experiment == job.sweep.experiment;
+    });
     std::vector<projects::SweepPoint> points;
     try {
         if (is_own) points = projects::sweep_points(job.project, job.sweep, registry);
@@ -138,25 +140,19 @@ SweepSheet look_at_sweep(const SweepJob& job, const Registry& registry,
         sheet.refused = error.what();
     }
     if (points.empty()) {
-        sheet.is_foreign = !kept.rows.empty();
-        sheet.table = std::move(kept);
+        sheet.is_foreign = !lists.empty();
+        try {
+            if (sheet.is_foreign) sheet.table = read_tables(job.out);
+        } catch (const Error& error) {
+            sheet.problem = error.what();
+        }
         sheet.stale.resize(sheet.table.rows.size());
         return sheet;
     }
     std::map<std::string, SweepRow*> by_id;
-    for (auto& row : kept.rows) by_id[row.id] = &row;
-    // Shards may have rendered what the whole list lacks, as resume_rows() finds it.
-    std::vector<SweepTable> lists;
-    try {
-        for (const auto& file : sweep_lists(job.out)) lists.push_back(read_table(file));
-    } catch (const Error& error) {
-        sheet.problem = error.what();
-    }
-    for (auto& list : lists) {
-        if (list.sweep != job.sweep.id || list.experiment != job.sweep.experiment) continue;
+    for (auto& list : lists)
         for (auto& row : list.rows)
             if (auto& known = by_id[row.id]; !known || (row.is_done() && !known->is_done())) known = &row;
-    }
     const auto now = projects::with_contents(job.project, projects::read_contents(job.project, job.folder));
     sheet.table = {job.sweep.id, job.sweep.experiment, {}, {}, {}};
     for (const auto& point : points) {

@@ -29,7 +29,7 @@ struct SweepQuantity {
 std::vector<SweepQuantity> quantities_of(const SweepTable& table);
 std::optional<double> value_of(const SweepRow& row, const std::string& quantity);
 
-/// A metric over an axis of numbers, or over the time of rendering where `over` is empty, with the Pareto
+/// A quantity over an axis of numbers, or over the time of rendering where `over` is empty, with the Pareto
 /// front. One series for each combination of the other axes.
 PlotData sweep_plot(const SweepTable& table, const std::string& over, const std::string& quantity);
 /// A quantity at each pair of values of two axes, as colours. Where other axes vary, too, it is their mean,

@@ -85,7 +85,7 @@ void DocumentDock::update_document() {
         return editor_->clear();
     }
     const auto& open = session_.open_project();
-    const auto why = tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    const auto why = read_only_text(open);
     tree_->set_project(session_.document(), session_.registry(), open.is_read_only(), why);
     editor_->set_command_line({command_line_program(), text_of(open.folder().string()), !open.is_dirty()});
     editor_->set_project(session_.document(), session_.registry(), open.is_read_only(), why);

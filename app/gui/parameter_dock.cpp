@@ -195,7 +195,7 @@ void ParameterDock::update_panels() {
     for (const auto& [key, value] : projects::effective(*experiment).values) values[key] = value;
     parameters_->set_values(values);
     const auto& open = session_.open_project();
-    const QString why = tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    const QString why = read_only_text(open);
     parameters_->set_read_only(open.is_read_only(), why);
     experiment_->set_read_only(open.is_read_only(), why);
 }

@@ -406,8 +406,7 @@ widgets::PlotChoices PlotsDock::plot_lists() const {
         choices.plots.push_back(
             {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.notes)});
     choices.plot = text_of(chosen());
-    if (open.is_read_only())
-        choices.why_read_only = tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    if (open.is_read_only()) choices.why_read_only = read_only_text(open);
     return choices;
 }
 

@@ -30,8 +30,7 @@ QString References::why_not(const std::string& experiment) const {
     const auto* chosen = session_.experiment(experiment);
     if (!chosen) return tr("No experiment is shown.");
     const auto& open = session_.open_project();
-    if (open.is_read_only())
-        return tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    if (open.is_read_only()) return read_only_text(open);
     if (!session_.registry().reference()) return tr("This build has no reference method.");
     const auto* method = session_.registry().find(chosen->method);
     if (!method) return tr("The experiment's method is unknown to this build.");

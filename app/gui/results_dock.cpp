@@ -78,8 +78,7 @@ QString ResultsDock::why_not_keep() const {
     const auto id = shown();
     if (id.empty()) return tr("No experiment is shown.");
     const auto& open = session_.open_project();
-    if (open.is_read_only())
-        return tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    if (open.is_read_only()) return read_only_text(open);
     if (open.folder().empty()) return tr("Results are kept in the project's folder: save the project first.");
     using State = LivePictures::State;
     const auto state = live_.state(id);
@@ -173,10 +172,7 @@ void ResultsDock::update() {
     panel_->set_empty_text(empty_text());
     panel_->set_rows(rows());
     const bool read_only = session_.has_project() && session_.open_project().is_read_only();
-    panel_->set_read_only(
-        read_only
-            ? tr("The project is open read-only: %1").arg(text_of(session_.open_project().read_only_reason()))
-            : QString());
+    panel_->set_read_only(read_only ? read_only_text(session_.open_project()) : QString());
 }
 
 void ResultsDock::show_result(const QString& key, bool as_b) {

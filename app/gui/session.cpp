@@ -5,6 +5,10 @@
 
 namespace ir::gui {
 
+QString read_only_text(const projects::OpenProject& open) {
+    return QObject::tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+}
+
 Session::Session(const Registry& registry, QObject* parent)
     : QObject(parent), registry_(registry), files_(*this), camera_(*this) {
     connect(&files_, &ProjectFiles::message, this, &Session::message);

@@ -13,6 +13,9 @@
 
 namespace ir::gui {
 
+/// Why a project is open read-only, in a sentence.
+QString read_only_text(const projects::OpenProject& open);
+
 /// The open project and the experiment that is worked on. Every change of the document goes through here and
 /// can be undone. No widgets, no pictures.
 class Session : public QObject {

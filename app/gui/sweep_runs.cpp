@@ -91,15 +91,15 @@ void SweepRuns::keep_row(std::size_t row, const engine::SweepRow& outcome) {
 void SweepRuns::keep_progress(const std::string& what, double fraction) {
     {
         const std::lock_guard lock(mutex_);
+        const bool is_told_soon = progress_.has_value();
         progress_ = {what, fraction};
-        if (std::exchange(has_progress_, true)) return;
+        if (is_told_soon) return;
     }
     post([this] {
         std::pair<std::string, double> newest;
         {
             const std::lock_guard lock(mutex_);
-            newest = progress_;
-            has_progress_ = false;
+            newest = *std::exchange(progress_, std::nullopt);
         }
         if (is_running_) emit progressed(text_of(newest.first), newest.second);
     });

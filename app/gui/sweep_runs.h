@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -55,11 +56,10 @@ class SweepRuns : public QObject {
     const engine::SweepRunner runner_;
     bool is_running_ = false;
     CancelToken token_;
-    std::mutex mutex_;  ///< of the three below
+    std::mutex mutex_;  ///< of pauses_, rows_ and progress_
     bool pauses_ = false;
     Rows rows_;
-    std::pair<std::string, double> progress_;
-    bool has_progress_ = false;
+    std::optional<std::pair<std::string, double>> progress_;  ///< that nobody has heard of
     std::condition_variable changed_;
     std::thread thread_;
 };

@@ -273,8 +273,7 @@ QString SweepsDock::why_not_run() const {
     const auto& open = session_.open_project();
     if (open.folder().empty())
         return tr("Save the project first (Ctrl+S): the variations are files in its folder.");
-    if (open.is_read_only())
-        return tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    if (open.is_read_only()) return read_only_text(open);
     if (opened_.count(chosen())) return tr("These results are in another folder; go back to the project's.");
     if (!sheet_.refused.empty()) return text_of(sheet_.refused);
     if (sheet_.is_foreign) return tr("The sweep's folder has results of another one; move them away.");
@@ -389,8 +388,7 @@ widgets::SweepFields SweepsDock::fields() const {
         fields.sweeps.push_back(
             {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.id)});
     fields.sweep = text_of(chosen());
-    if (open.is_read_only())
-        fields.why_read_only = tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    if (open.is_read_only()) fields.why_read_only = read_only_text(open);
     if (!sweep()) {
         const bool can_have = !document.experiments.empty() && !open.is_read_only();
         fields.empty =

@@ -105,8 +105,7 @@ void TimelineDock::update_panel() {
     state.frames_per_second = playback_.frames_per_second();
     if (const auto shown = live_.result(chosen->id)) state.history = shown->history;
     const auto& open = session_.open_project();
-    if (open.is_read_only())
-        state.read_only = tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
+    if (open.is_read_only()) state.read_only = read_only_text(open);
     panel_->show_state(state);
 }
 

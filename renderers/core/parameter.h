@@ -58,7 +58,7 @@ struct ParameterText {
     /// What it is worth in a coarse picture, which is shown while the full one is rendered and counts for
     /// nothing: of numbers the most, of others the value itself. Absent: what was asked for.
     std::optional<Value> coarse = {};
-    int since_version = 1;                              ///< the method version that introduced the parameter
+    int since_version = 1;  ///< the method version that introduced the parameter, or its present default
     std::optional<Value> value_in_older_projects = {};  ///< for projects saved before since_version
 };
 

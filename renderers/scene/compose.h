@@ -50,8 +50,8 @@ using SceneLoader = std::function<std::shared_ptr<const Scene>(const std::string
 /// - a part's lights and cameras move with it, lights of a part with a motion hang on its node; sizes of area
 /// lights and heights of orthographic cameras that
 ///   hang on no node scale by the cube root of the transform's volume;
-/// - `variant` chooses materials [KHR_materials_variants]; parts without variants keep theirs, unless none of
-/// the parts that name one has any;
+/// - `variant` chooses materials [KHR_materials_variants]; a part whose file has no variants keeps its
+/// materials, but at least one part that names a variant must have it;
 /// - an override that names no material of its part is a warning which lists the known names.
 /// Throws as load_scene(), and UsageError for values out of range, for transforms that are not affine, and
 /// for variants that a part does not have.

@@ -75,7 +75,7 @@ class Flattener {
         if (now.stands_like(before)) return;
         world_.to_previous.resize(first_vertex, glm::vec3(0));
         for (std::size_t i = 0; i < now.vertices(); ++i)
-            world_.to_previous.push_back(before.position(i) - now.position(i));
+            world_.to_previous.push_back(before.position(i) - world_.positions[first_vertex + i]);
     }
 
     void finish() {

@@ -32,8 +32,8 @@ struct World {
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uv0, uv1;
     std::vector<std::uint32_t> colours;  ///< RGBA8 UNORM, linear, R in the low byte; 0xffffffff where none
-    std::vector<glm::vec3>
-        to_previous;  ///< previous position = position + to_previous; empty: all stand still
+    /// Previous position = position + to_previous. Empty: all stand still.
+    std::vector<glm::vec3> to_previous;
     std::vector<std::uint32_t> indices;  ///< three per triangle
     std::vector<std::uint32_t> triangle_materials;
     std::vector<MaterialRange> ranges;

@@ -197,8 +197,8 @@ void SweepEditor::show_count(const ShownProject& shown) {
 void SweepEditor::show_command(const CommandLine& line) {
     const QString id = q(sweep_.id),
                   out = line.folder + QStringLiteral("/results/") + q(projects::sweep_path(sweep_.id));
-    QStringList words = {line.program, QStringLiteral("sweep"), line.folder,
-                         id,           QStringLiteral("--out"), out};
+    QStringList words = {line.program, QStringLiteral("sweep"),   line.folder, id, QStringLiteral("--out"),
+                         out,          QStringLiteral("--resume")};
     for (auto& word : words) word = shell_word(word);
     const bool is_known = !line.folder.isEmpty();
     command_->setText(is_known ? words.join(QLatin1Char(' ')) : QString());

@@ -65,11 +65,6 @@ ContactSheet::ContactSheet(const SweepModel& model, QWidget* parent) : QListView
     fit_grid();
 }
 
-void ContactSheet::set_empty_text(const QString& text) {
-    empty_text_ = text;
-    viewport()->update();
-}
-
 void ContactSheet::set_shows(Shows shows) {
     shows_ = shows;
     fit_grid();
@@ -142,11 +137,6 @@ void ContactSheet::ask_for_seen() {
 void ContactSheet::paintEvent(QPaintEvent* event) {
     ask_for_seen();
     QListView::paintEvent(event);
-    if (model() && model()->rowCount() > 0) return;
-    QPainter painter(viewport());
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
-                     empty_text_);
 }
 
 void ContactSheet::resizeEvent(QResizeEvent* event) {
@@ -239,7 +229,6 @@ void ContactSheet::set_part(QRectF part) {
     if (part == part_) return;
     part_ = part;
     viewport()->update();
-    emit part_changed();
 }
 
 void ContactSheet::zoom(double factor, QPointF about) {

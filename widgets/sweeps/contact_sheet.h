@@ -19,7 +19,6 @@ class ContactSheet : public QListView {
 
     ContactSheet(const SweepModel& model, QWidget* parent = nullptr);
     SheetPictures& pictures() { return pictures_; }
-    void set_empty_text(const QString& text);
     void set_shows(Shows shows);
     void set_picture_width(int width);
     /// The column whose number stands below each picture; 0: none.
@@ -39,7 +38,6 @@ class ContactSheet : public QListView {
   signals:
     /// Clicked, or chosen with Enter.
     void variation_chosen(const QString& id);
-    void part_changed();
 
   protected:
     bool event(QEvent* event) override;
@@ -64,7 +62,6 @@ class ContactSheet : public QListView {
 
     const SweepModel& model_;
     SheetPictures pictures_;
-    QString empty_text_;
     Shows shows_ = Shows::pictures;
     int width_ = usual_width, told_ = 0;
     double aspect_ = 0.75;  ///< height over width of the pictures

@@ -78,13 +78,17 @@ void SheetPictures::restart() {
 void SheetPictures::set_exposure(double stops) {
     if (stops == stops_) return;
     stops_ = stops;
-    std::erase_if(entries_, [this](const auto& each) {
-        if (!each.first.reference.isEmpty()) return false;  // a difference
+    drop(false);
+    ++serial_;
+    emit arrived();
+}
+
+void SheetPictures::drop(bool are_differences) {
+    std::erase_if(entries_, [&](const auto& each) {
+        if (each.first.reference.isEmpty() == are_differences) return false;
         bytes_ -= std::size_t(each.second.image.sizeInBytes());
         return true;
     });
-    ++serial_;
-    emit arrived();
 }
 
 void SheetPictures::want(std::vector<SheetRequest> requests) {
@@ -160,14 +164,7 @@ void SheetPictures::take(const SheetRequest& request, Entry entry, const Look& l
         if (look.extent > extent_) {
             extent_ = look.extent;
             // Those with the smaller one are not to be compared with it.
-            for (auto each = entries_.begin(); each != entries_.end();) {
-                if (each->first.reference.isEmpty()) {
-                    ++each;
-                    continue;
-                }
-                bytes_ -= std::size_t(each->second.image.sizeInBytes());
-                each = entries_.erase(each);
-            }
+            drop(true);
         }
         entry.used = clock_;
         bytes_ += std::size_t(entry.image.sizeInBytes());

@@ -73,6 +73,8 @@ class SheetPictures : public QObject {
     void read_next();
     void take(const SheetRequest& request, Entry entry, const Look& look);
     void forget_all();
+    /// Differences, or pictures: they are to be read again.
+    void drop(bool are_differences);
     void drop_oldest();
 
     const std::size_t max_bytes_;

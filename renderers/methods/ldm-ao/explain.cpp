@@ -178,8 +178,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .unit = "m",
          .doc =
              "Of each entry under the pixel the texel's outline, tilted as the node's slopes say that its "
-             "surface lies, but not steeper than 4. slope_u, slope_v: depth gained along the texel's sides, "
-             "in m per m. Nodes without slopes lie flat.",
+             "surface lies, but not steeper than 4 texels of depth a texel. slope_u, slope_v: depth gained along "
+             "the texel's sides, in m per m. Nodes without slopes lie flat.",
          .categories = {what_an_entry_is},
          .when_empty = no_surface,
          .explains = true},

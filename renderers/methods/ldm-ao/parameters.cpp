@@ -33,7 +33,8 @@ void add_exact(ParameterTable<Parameters>& table) {
              .doc =
                  "Takes hits from ray tracing instead of the maps, to tell the causes of error apart: what "
                  "is left with all hits exact is due to the directions, what exact hits nearby take away "
-                 "to the self-hit rule, and the rest to the texels. 'selected' makes the picture better: only pixels that need them take exact hits.",
+                 "to the self-hit rule, and the rest to the texels. 'selected' makes the picture better: only "
+                 "pixels that need them take exact hits.",
              .choices =
                  {{"none", "None", "All hits come from the maps: the method itself."},
                   {"near", "Near hits",

@@ -110,8 +110,8 @@ struct EffectBuffers {
     bool of_picked_pixel = false;
     graph::BufferRef openness;  ///< V by map and pixel
     graph::BufferRef sums;      ///< Σ V cosθ and Σ cosθ by pixel
-    graph::CountedBuffer
-        effects;  ///< "ldm.effects" or "ldm.explain.effects": elements of "ldm.directions" and these
+    /// "ldm.effects" or "ldm.explain.effects": elements of "ldm.directions" and these.
+    graph::CountedBuffer effects;
 };
 using Effects = std::array<EffectBuffers, 2>;
 

@@ -94,10 +94,7 @@ class DirectLightOnHost {
         if (!extended_.empty()) radiance_[pixel] = glm::vec4(glm::vec3(extended_[pixel]), 0);
         surface.transmission = 0;
         surface.roughness = std::max(surface.roughness, min_roughness);
-        const auto wo = is_peeled_ ? surface.geometric_normal_ws
-                        : viewer_.view_axis_ws == glm::vec3(0)
-                            ? glm::normalize(viewer_.eye_ws - surface.position_ws)
-                            : -viewer_.view_axis_ws;
+        const auto wo = is_peeled_ ? surface.geometric_normal_ws : viewer_.seen_from(surface.position_ws);
         const auto& material = context_.inputs().scene->materials[static_cast<std::size_t>(surface.material)];
         receivers.push_back({pixel, surface.position_ws, surface.shading_normal_ws,
                              surface.geometric_normal_ws,

@@ -178,10 +178,7 @@ class LightSampling {
     /// Each frame and group has numbers of its own; within a group samples are stratified.
     void add_samples(const Surface& surface, int x, int y, Scratch& scratch, glm::vec4& sums) const {
         const auto& inputs = context_.inputs();
-        const auto wo = is_peeled_ ? surface.geometric_normal_ws
-                        : viewer_.view_axis_ws == glm::vec3(0)
-                            ? glm::normalize(viewer_.eye_ws - surface.position_ws)
-                            : -viewer_.view_axis_ws;
+        const auto wo = is_peeled_ ? surface.geometric_normal_ws : viewer_.seen_from(surface.position_ws);
         const auto key = pixel_key(mixed(inputs.seed) + static_cast<std::uint64_t>(inputs.frame), x, y);
         scratch.samplers.clear();
         for (int group = 0; group < groups_; ++group)

@@ -27,30 +27,29 @@ ImageRef declare_image(GraphBuilder& builder, int layer, gl::Format format, grap
 
 GBuffer declare_images(GraphBuilder& builder, int layer = 1) {
     using gl::Format;
-    const auto declare = [&](GraphBuilder& to, Format format, graph::ResourceText text) {
-        return declare_image(to, layer, format, std::move(text));
+    const auto declare = [&](Format format, graph::ResourceText text) {
+        return declare_image(builder, layer, format, std::move(text));
     };
     GBuffer g;
-    g.depth = declare(builder, Format::depth32f,
+    g.depth = declare(Format::depth32f,
                       {"gbuffer.depth", "Depth", "Normalised device depth; 1: background", Semantic::depth});
-    g.position = declare(builder, Format::rgba32f, graph::text_of(position_output()));
-    g.normal = declare(builder, Format::rgba16f, graph::text_of(normal_output()));
+    g.position = declare(Format::rgba32f, graph::text_of(position_output()));
+    g.normal = declare(Format::rgba16f, graph::text_of(normal_output()));
     g.geometric_normal =
-        declare(builder, Format::rgba32f,
+        declare(Format::rgba32f,
                 {"gbuffer.geometric_normal", "Geometric normal",
                  "Of the triangle's plane, turned to the viewer; w: distance of the point along the previous "
                  "frame's view axis, m",
                  Semantic::normal});
-    g.albedo = declare(builder, Format::rgba16f, graph::text_of(albedo_output()));
-    g.material = declare(
-        builder, Format::rgba16f,
-        {"gbuffer.material", "Material", "x metallic, y roughness, z unlit, w index (exact up to 2048)"});
-    g.emission = declare(builder, Format::rgba16f,
-                         {"gbuffer.emission", "Emission", "", Semantic::radiance, "W/(m² sr)"});
-    g.velocity = declare(builder, Format::rg16f,
-                         {"gbuffer.velocity", "Velocity", "From the previous frame's place to this one's",
-                          Semantic::velocity, "px"});
-    g.valid = declare(builder, Format::r8, graph::text_of(valid_output()));
+    g.albedo = declare(Format::rgba16f, graph::text_of(albedo_output()));
+    g.material = declare(Format::rgba16f, {"gbuffer.material", "Material",
+                                           "x metallic, y roughness, z unlit, w index (exact up to 2048)"});
+    g.emission =
+        declare(Format::rgba16f, {"gbuffer.emission", "Emission", "", Semantic::radiance, "W/(m² sr)"});
+    g.velocity =
+        declare(Format::rg16f, {"gbuffer.velocity", "Velocity",
+                                "From the previous frame's place to this one's", Semantic::velocity, "px"});
+    g.valid = declare(Format::r8, graph::text_of(valid_output()));
     return g;
 }
 
@@ -121,6 +120,9 @@ graph::ResourceText of_layer(graph::ResourceText text, int number) {
     if (number == 1) return text;
     text.key += '.' + std::to_string(number);
     text.label = pass_of_layer(text.label, number);
+    text.doc +=
+        " Of a layer behind what is seen, by depth peeling: normals are those of the triangles' fronts, "
+        "and light goes along them, by rays.";
     return text;
 }
 

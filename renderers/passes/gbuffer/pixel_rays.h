@@ -27,6 +27,10 @@ PixelRays pixel_rays(const scene::View& view);
 struct Viewer {
     glm::vec3 eye_ws, view_axis_ws;  ///< axis of an orthographic view; 0 for a perspective one
     IR_FIELDS(eye_ws, view_axis_ws)
+    /// Unit direction to the viewer.
+    glm::vec3 seen_from(glm::vec3 p) const {
+        return view_axis_ws == glm::vec3(0) ? glm::normalize(eye_ws - p) : -view_axis_ws;
+    }
 };
 Viewer viewer(const scene::View& view);
 

@@ -79,8 +79,8 @@ std::vector<OutputDescription> map_outputs() {
          .unit = "m",
          .doc =
              "The points of the maps chosen as pieces of surface: of each the texel's outline, tilted as the "
-             "triangle lies, but not steeper than 4 texels of depth a texel. Seen through each other, they are the map; the layers' "
-             "slider cuts it open.",
+             "triangle lies, but not steeper than 4 texels of depth a texel. Seen through each other, they are "
+             "the map; the layers' slider cuts it open.",
          .explains = true},
         {.key = "ldm.directions",
          .label = "Directions",

@@ -158,7 +158,8 @@ class LayeredDepthCube::March {
   public:
     March(const LayeredDepthCube& cube, const Map& map, const Ray& ray, float far) : map_(&map) {
         const int axes[2] = {(map.axis + 1) % 3, (map.axis + 2) % 3};
-        cube.clip(ray, enter_, leave_ = far);
+        leave_ = far;
+        cube.clip(ray, enter_, leave_);
         if (!(enter_ < leave_)) return;
         for (int k = 0; k < 2; ++k) {
             start_[k] = (ray.origin[axes[k]] - map.origin[k]) / cube.texel_;

@@ -26,7 +26,7 @@ class LayerPainter {
     void measure(std::vector<LayerPlan>& plans, const Sight& sight, scene::Bounds& bounds);
     void draw(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
               bool show_centres);
-    /// The translucent ones among these, once all others are drawn. What stands at a pixel is the nearest.
+    /// The translucent ones among these, once all others are drawn. The id of a pixel is that of the nearest.
     void draw_translucent(const std::vector<LayerPlan>& plans, const Sight& sight, Target& target);
     /// Outlines the selected element, on top of everything.
     void mark(const LayerPlan& plan, std::size_t index, const Sight& sight);

@@ -50,8 +50,8 @@ struct Layer {
     std::string colour_map = "viridis";
     float size_px = 3;  ///< of points and lines, 1 … 64
     static constexpr float min_opacity = 0.01f;
-    float opacity =
-        1;  ///< min_opacity … 1; below 1 elements hide nothing, and mix in any order; not of spheres
+    /// min_opacity … 1; below 1 elements hide nothing, and mix in any order; not of spheres.
+    float opacity = 1;
     std::vector<Filter> filters = {};
     std::int64_t selected = -1;  ///< element that is marked
     bool operator==(const Layer&) const = default;

@@ -1,5 +1,6 @@
-// By how much accessibility changes where one direction is left out: over the pixels of the grid that show a surface the
-// mean change, and the root of its mean square. A work group has one map, and writes the regions of v and -v.
+// By how much accessibility changes where one direction is left out: over the pixels of the grid that show
+// a surface the mean change, and the root of its mean square. A work group has one map, and writes the
+// regions of v and -v.
 layout(local_size_x = 64) in;
 #include "methods/ldm-ao/effect_pixels.glsl"
 #include "passes/ldm/frames.glsl"

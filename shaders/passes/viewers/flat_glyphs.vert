@@ -1,4 +1,5 @@
-// Discs, parallelograms, and points of a translucent layer as discs that face the viewer: six vertices for each element.
+// Discs, parallelograms, and points of a translucent layer as discs that face the viewer: six vertices for
+// each element.
 #include "lib/spaces.glsl"
 #include "passes/viewers/layer.glsl"
 #include "passes/viewers/colour.glsl"

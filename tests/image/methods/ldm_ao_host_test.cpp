@@ -261,15 +261,15 @@ bool has_pass(const FrameReport& report, const std::string& name) {
                        [&](const auto& pass) { return pass.name == name && !pass.culled; });
 }
 
-TEST_F(LdmAoStream, CoarserScenesMissMoreOwnEntriesAndLeak) {
+TEST_F(LdmAoStream, CoarserScenesMissMoreOwnEntries) {
     load(atrium);
     processor = Processor::host;
-    std::map<std::string, double> missing;
+    std::vector<double> missing;
     for (const double detail : {1.0, 0.5, 0.1})
-        missing[std::to_string(detail)] = mean(render(
-            camera("nave"), 60, 45, maps(16, 200, 1, set({{"detail", detail}})), {}, 0, "ldm.missing"));
-    EXPECT_GT(missing[std::to_string(0.5)], missing[std::to_string(1.0)]);
-    EXPECT_GT(missing[std::to_string(0.1)], missing[std::to_string(0.5)]);
+        missing.push_back(mean(render(camera("nave"), 60, 45, maps(16, 200, 1, set({{"detail", detail}})), {},
+                                      0, "ldm.missing")));
+    EXPECT_GT(missing[1], missing[0]);
+    EXPECT_GT(missing[2], missing[1]);
 }
 
 TEST_F(LdmAoStream, StandsForTheDefaultStorageAlone) {

@@ -35,8 +35,7 @@ passes::BinnedPhotons sort_kernels(graph::GraphBuilder& builder, const Kernels& 
                       [=](graph::PassBuilder& pass) {
                           pass.reads("Photons", kernels.photons.records)
                               .reads("Stored", kernels.photons.stored)
-                              .reads("tiles", kernels.tiles)
-                              .reads("depths", kernels.surfaces.depth);
+                              .reads("tiles", kernels.tiles);
                       },
                   .set = [=](const graph::PassContext& p,
                              const gl::Program& program) { program.set(rules_of(p, kernels)); }});

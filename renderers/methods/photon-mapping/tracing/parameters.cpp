@@ -16,7 +16,8 @@ ParameterTable<passes::CubeOptions> cube_parameters() {
               .unit = "texels",
               .hard = {1, 8192},
               .soft = {64, 2048},
-              .active_when = with_cube})
+              .active_when = with_cube,
+              .since_version = 5})
         .add(&CubeOptions::maps,
              {.key = "cube_maps",
               .label = "Maps of the cube",
@@ -27,7 +28,8 @@ ParameterTable<passes::CubeOptions> cube_parameters() {
                           {"closest", "The closest one",
                            "As published: the map whose direction is closest to the ray's has all surfaces. "
                            "Those that it sees edge-on are gaps."}},
-              .active_when = with_cube})
+              .active_when = with_cube,
+              .since_version = 5})
         .add(&CubeOptions::tolerance, {.key = "cube_tolerance",
                                        .label = "Depth tolerance of the cube",
                                        .doc = "How far a ray may pass a node and still hit it.",
@@ -35,7 +37,8 @@ ParameterTable<passes::CubeOptions> cube_parameters() {
                                        .citation = "Aalund15 §2.2",
                                        .hard = {0, 64},
                                        .soft = {0, 4},
-                                       .active_when = with_cube});
+                                       .active_when = with_cube,
+                                       .since_version = 5});
     return table;
 }
 

@@ -63,7 +63,7 @@ TEST_F(SeriesTest, ASweepSaysByWhichCommandItIsRun) {
     field<QToolButton>("copy-command")->click();
     EXPECT_EQ(QApplication::clipboard()->text(),
               "interreflect-cli sweep '/data/it'\\''s mine/a.interreflect' " + id +
-                  " --out '/data/it'\\''s mine/a.interreflect/results/sweeps/" + id + "'");
+                  " --out '/data/it'\\''s mine/a.interreflect/results/sweeps/" + id + "' --resume");
     EXPECT_TRUE(field<QLabel>("outcome")->text().contains("results/sweeps/" + id));
     EXPECT_FALSE(field<QLabel>("outcome")->text().contains("save it first"));
     editor->set_command_line({"interreflect-cli", "/data/a.interreflect", false});
