@@ -13,7 +13,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
-#include "widgets/plot/plot_chart.h"
+#include "widgets/plot/plot_painter.h"
 
 namespace ir::gui {
 namespace {

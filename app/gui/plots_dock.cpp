@@ -20,6 +20,7 @@
 #include "renderers/core/write_file.h"
 #include "renderers/image/metrics.h"
 #include "widgets/document/plot_options.h"
+#include "widgets/plot/plot_painter.h"
 
 namespace ir::gui {
 namespace {

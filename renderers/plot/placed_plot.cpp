@@ -119,8 +119,8 @@ PlacedPlot place_plot(const PlotData& data, double width, double height) {
             }
             const bool is_displaced = plot.x.is_displaced(point.x) || plot.y.is_displaced(point.y);
             displaced += is_displaced ? 1 : 0;
-            plot.marks.push_back({point.id, int(s), plot.x.place(point.x), plot.y.place(point.y), point.ring,
-                                  is_displaced, i % every == first, std::exchange(begins, false),
+            plot.marks.push_back({point.id, int(s), i, plot.x.place(point.x), plot.y.place(point.y),
+                                  point.ring, is_displaced, i % every == first, std::exchange(begins, false),
                                   point.value});
         }
     }

@@ -16,7 +16,8 @@ struct PlacedPlot {
     struct Mark {
         std::string id;
         int series = 0;
-        double x = 0, y = 0;  ///< places on the axes
+        std::size_t point = 0;  ///< of the series
+        double x = 0, y = 0;    ///< places on the axes
         bool ring = false, displaced = false;
         bool shown = true;    ///< false: a line alone passes here
         bool begins = false;  ///< no line comes from the point before

@@ -160,7 +160,7 @@ void PlotPanel::show_point() {
 
 void PlotPanel::show_lines() {
     QStringList lines;
-    for (const auto* group : {&data().problems, &view_->plot().remarks(), &data().notes})
+    for (const auto* group : {&data().problems, &view_->drawing().plot().remarks, &data().notes})
         for (const auto& line : *group) lines << QString::fromStdString(line);
     QStringList shown;
     for (int i = 0; i < lines_->count(); ++i) shown << lines_->item(i)->text();

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include "widgets/plot/plot_marks.h"
+#include "widgets/plot/plot_painter.h"
 
 namespace ir::widgets {
 namespace {
@@ -15,8 +15,8 @@ QIcon mark_icon(int series) {
     pixmap.setDevicePixelRatio(sharpness);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    draw_mark(painter, {size / 2.0, size / 2.0}, series, 4.5, PlotStyle::screen());
+    PlotPainter canvas({}, &painter);
+    draw_plot_mark(canvas, {size / 2.0, size / 2.0}, series, mark_radius(0), PlotStyle::screen());
     return pixmap;
 }
 

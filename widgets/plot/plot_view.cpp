@@ -2,17 +2,24 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "widgets/plot/plot_painter.h"
 
 namespace ir::widgets {
 namespace {
 
 constexpr double reach = 12;  ///< logical pixels from the middle of a mark
 
-using Mark = PlotChart::Mark;
+using Mark = PlotDrawing::Mark;
+
+const PlotStyle& plot_style() {
+    return PlotStyle::screen();
+}
 
 /// From left to right, then from below.
 bool is_before(const Mark& a, const Mark& b) {
@@ -21,57 +28,127 @@ bool is_before(const Mark& a, const Mark& b) {
 
 }  // namespace
 
-PlotView::PlotView(QWidget* parent)
-    : QChartView(new PlotChart(PlotStyle::screen()), parent), chart_(static_cast<PlotChart*>(chart())) {
-    setFrameShape(NoFrame);
-    setRenderHint(QPainter::Antialiasing);
+PlotView::PlotView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
-    viewport()->setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(220, 180);  // title, a line of the legend, both axes
-    setBackgroundBrush(colour_of(chart_->colours().background));
     setAccessibleName(tr("Plot"));
     setAccessibleDescription(
         tr("Left and right walk along a series, up and down go to another one, Enter "
            "takes over the chosen point"));
+    lay_out();
 }
 
 void PlotView::set_data(const PlotData& data) {
-    chart_->set_data(data);
+    data_ = data;
+    lay_out();
+    if (!mark(selected_)) selected_.clear();
+    if (!mark(hovered_)) hovered_.clear();
+}
+
+void PlotView::lay_out() {
+    drawing_.emplace(data_, plot_style(), width(), height(), true, PlotPainter(font()));
+    update();
+}
+
+void PlotView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    lay_out();
+}
+
+void PlotView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) lay_out();
+}
+
+const Mark* PlotView::mark(const QString& id) const {
+    const auto wanted = id.toStdString();
+    const auto found =
+        std::find_if(marks().begin(), marks().end(), [&](const Mark& each) { return each.id == wanted; });
+    return id.isEmpty() || found == marks().end() ? nullptr : &*found;
+}
+
+void PlotView::show_selected(const QString& id) {
+    selected_ = id;
+    update();
+}
+
+void PlotView::hover(const QString& id) {
+    if (hovered_ == id) return;
+    hovered_ = id;
+    update();
 }
 
 void PlotView::select(const QString& id) {
-    chart_->set_selected(chart_->mark(id) ? id : QString());
+    show_selected(mark(id) ? id : QString());
 }
 
 void PlotView::choose(const QString& id) {
-    if (id == selected() || id.isEmpty()) return;
-    chart_->set_selected(id);
+    if (id == selected_ || id.isEmpty()) return;
+    show_selected(id);
     emit selected_changed(id);
 }
 
 QPointF PlotView::position_of(const QString& id) const {
-    const auto* mark = chart_->mark(id);
-    return mark ? QPointF(mapFromScene(chart_->mapToScene(chart_->position(*mark)))) : QPointF(-1, -1);
+    const auto* found = mark(id);
+    if (!found) return {-1, -1};
+    const auto place = drawing_->place(*found);
+    return {place.x, place.y};
 }
 
-QString PlotView::point_at(const QPointF& viewport) const {
-    const QPointF at = chart_->mapFromScene(mapToScene(viewport.toPoint()));
-    if (chart_->is_heat()) {
-        for (const auto& mark : chart_->marks())
-            if (chart_->is_in_tile(mark, at)) return QString::fromStdString(mark.id);
-        return {};
-    }
+QString PlotView::point_at(const QPointF& place) const {
+    const PlotCanvas::Place at{place.x(), place.y()};
     double nearest = reach;
     QString found;
-    for (const auto& mark : chart_->marks()) {
-        const QPointF apart = chart_->position(mark) - at;
-        const double distance = std::hypot(apart.x(), apart.y());
+    for (const auto& mark : marks()) {
+        if (drawing_->plot().heat) {
+            if (drawing_->tile(mark).contains(at)) return QString::fromStdString(mark.id);
+            continue;
+        }
+        const auto [x, y] = drawing_->place(mark);
+        const double distance = std::hypot(x - at.x, y - at.y);
         if (distance > nearest || (distance == nearest && !found.isEmpty())) continue;
         nearest = distance;
         found = QString::fromStdString(mark.id);
     }
     return found;
+}
+
+void PlotView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), colour_of(plot_style().background));
+    PlotPainter canvas(font(), &painter);
+    drawing_->draw(canvas);
+    drawing_->plot().heat ? paint_chosen_tiles(painter) : paint_chosen_points(canvas);
+    if (!hasFocus()) return;
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+void PlotView::paint_chosen_tiles(QPainter& painter) const {
+    painter.setBrush(Qt::NoBrush);
+    const auto frame = [&](const QString& id, double width) {
+        const auto* chosen = mark(id);
+        if (!chosen) return;
+        const auto tile = drawing_->tile(*chosen);
+        const auto box = QRectF(tile.left, tile.top, tile.width(), tile.height()).adjusted(1, 1, -1, -1);
+        painter.setPen(QPen(colour_of(plot_style().background), width + 2));
+        painter.drawRect(box);
+        painter.setPen(QPen(colour_of(plot_style().selection), width));
+        painter.drawRect(box);
+    };
+    frame(hovered_, 1);
+    frame(selected_, 2.5);
+}
+
+void PlotView::paint_chosen_points(PlotCanvas& canvas) const {
+    if (const auto* hovered = mark(hovered_)) drawing_->draw_mark(canvas, *hovered, 2);
+    const auto* chosen = mark(selected_);
+    if (!chosen) return;
+    drawing_->draw_mark(canvas, *chosen, 1.5);
+    canvas.shape(
+        {drawing_->place(*chosen), drawing_->mark_radius() + 7, {}, {}, plot_style().selection, 2.5, {}});
 }
 
 void PlotView::mousePressEvent(QMouseEvent* event) {
@@ -88,7 +165,7 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 
 void PlotView::mouseMoveEvent(QMouseEvent* event) {
     const auto id = point_at(event->position());
-    chart_->set_hovered(id);
+    hover(id);
     setCursor(id.isEmpty() ? Qt::ArrowCursor : Qt::PointingHandCursor);
     const auto* point = data().find(id.toStdString());
     if (point)
@@ -98,16 +175,16 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PlotView::leaveEvent(QEvent* event) {
-    chart_->set_hovered({});
-    QChartView::leaveEvent(event);
+    hover({});
+    QWidget::leaveEvent(event);
 }
 
 /// The next point of the selected one's series, or the first of all.
 QString PlotView::neighbour(int steps) const {
-    const auto* now = chart_->mark(selected());
+    const auto* now = mark(selected_);
     std::vector<const Mark*> row;
-    for (const auto& mark : chart_->marks())
-        if (!now || mark.series == now->series) row.push_back(&mark);
+    for (const auto& each : marks())
+        if (!now || each.series == now->series) row.push_back(&each);
     if (row.empty()) return {};
     std::stable_sort(row.begin(), row.end(), [](const Mark* a, const Mark* b) { return is_before(*a, *b); });
     if (!now) return QString::fromStdString(row.front()->id);
@@ -119,16 +196,16 @@ QString PlotView::neighbour(int steps) const {
 
 /// The nearest point along x of the next series that has points.
 QString PlotView::in_other_series(int steps) const {
-    const auto* now = chart_->mark(selected());
+    const auto* now = mark(selected_);
     if (!now) return neighbour(1);
     const int count = int(data().series.size());
     for (int i = 1; i < count; ++i) {
         const int series = ((now->series + steps * i) % count + count) % count;
         const Mark* nearest = nullptr;
-        for (const auto& mark : chart_->marks())
-            if (mark.series == series &&
-                (!nearest || std::abs(mark.x - now->x) < std::abs(nearest->x - now->x)))
-                nearest = &mark;
+        for (const auto& each : marks())
+            if (each.series == series &&
+                (!nearest || std::abs(each.x - now->x) < std::abs(nearest->x - now->x)))
+                nearest = &each;
         if (nearest) return QString::fromStdString(nearest->id);
     }
     return QString::fromStdString(now->id);
@@ -151,28 +228,11 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
             return choose(in_other_series(1));
         case Qt::Key_Return:
         case Qt::Key_Enter:
-            if (!selected().isEmpty()) emit activated(selected());
+            if (!selected_.isEmpty()) emit activated(selected_);
             return;
         default:
             return event->ignore();
     }
-}
-
-void PlotView::focusInEvent(QFocusEvent* event) {
-    QChartView::focusInEvent(event);
-    viewport()->update();
-}
-
-void PlotView::focusOutEvent(QFocusEvent* event) {
-    QChartView::focusOutEvent(event);
-    viewport()->update();
-}
-
-void PlotView::drawForeground(QPainter* painter, const QRectF&) {
-    if (!hasFocus()) return;
-    painter->setPen(QPen(palette().color(QPalette::Highlight), 2));
-    painter->setBrush(Qt::NoBrush);
-    painter->drawRect(mapToScene(viewport()->rect().adjusted(1, 1, -1, -1)).boundingRect());
 }
 
 }  // namespace ir::widgets

@@ -1,27 +1,31 @@
 #pragma once
 
-#include <QChartView>
+#include <QWidget>
+#include <optional>
 
-#include "widgets/plot/plot_chart.h"
+#include "renderers/plot/plot_drawing.h"
 
 namespace ir::widgets {
 
 /// A plot on the screen: tells which point lies under the cursor, is clicked, or walked to by keys.
-class PlotView : public QChartView {
+class PlotView : public QWidget {
     Q_OBJECT
   public:
     explicit PlotView(QWidget* parent = nullptr);
     /// What was selected stays so, where it still is. Emits nothing.
     void set_data(const PlotData& data);
-    const PlotData& data() const { return chart_->data(); }
-    PlotChart& plot() { return *chart_; }
+    const PlotData& data() const { return data_; }
+    /// Where its parts are, in the widget's coordinates.
+    const PlotDrawing& drawing() const { return *drawing_; }
+    /// Points that have a place, in the order of series, then points.
+    const std::vector<PlotDrawing::Mark>& marks() const { return drawing_->plot().marks; }
     /// Emits nothing.
     void select(const QString& id);
-    QString selected() const { return chart_->selected(); }
-    /// Where a point is drawn, in the viewport's coordinates.
+    const QString& selected() const { return selected_; }
+    /// Where a point is drawn.
     QPointF position_of(const QString& id) const;
     /// The point whose mark is under the place, or nearly; empty: none.
-    QString point_at(const QPointF& viewport) const;
+    QString point_at(const QPointF& place) const;
 
   signals:
     void selected_changed(const QString& id);
@@ -29,22 +33,30 @@ class PlotView : public QChartView {
     void activated(const QString& id);
 
   protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void focusInEvent(QFocusEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
-    void drawForeground(QPainter* painter, const QRectF& rectangle) override;
 
   private:
+    using Mark = PlotDrawing::Mark;
+    void lay_out();
+    const Mark* mark(const QString& id) const;
+    void show_selected(const QString& id);
+    void hover(const QString& id);
     void choose(const QString& id);
     QString neighbour(int steps) const;
     QString in_other_series(int steps) const;
+    void paint_chosen_tiles(QPainter& painter) const;
+    void paint_chosen_points(PlotCanvas& canvas) const;
 
-    PlotChart* chart_;
-    QString pressed_;
+    PlotData data_;
+    std::optional<PlotDrawing> drawing_;  ///< of data_; never empty
+    QString selected_, hovered_, pressed_;
 };
 
 }  // namespace ir::widgets

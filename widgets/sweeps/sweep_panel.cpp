@@ -57,7 +57,7 @@ SweepPanel::SweepPanel(QWidget* parent)
     no_plot_->setAlignment(Qt::AlignCenter);
     no_plot_->setWordWrap(true);
     no_plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    (new QVBoxLayout(plot_->viewport()))->addWidget(no_plot_);
+    (new QVBoxLayout(plot_))->addWidget(no_plot_);
     auto* plot_page = new QScrollArea;  // in a low panel it keeps its height
     plot_page->setFrameShape(QFrame::NoFrame);
     plot_page->setWidget(plot_);

@@ -358,7 +358,7 @@ TEST_F(SweepsWindowTest, PlotsAreDrawnAndTheirPointsLoad) {
     panel().plot().repaint();
     const auto place = panel().plot().position_of(QString::fromStdString(id));
     // A tile is clicked anywhere in it.
-    QTest::mouseClick(panel().plot().viewport(), Qt::LeftButton, {}, (place + QPointF(14, 9)).toPoint());
+    QTest::mouseClick(&panel().plot(), Qt::LeftButton, {}, (place + QPointF(14, 9)).toPoint());
     ASSERT_TRUE(settle());
     EXPECT_EQ(level_now(), 2);
     EXPECT_EQ(window.session().experiment()->seed, 2u);

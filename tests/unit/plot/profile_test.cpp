@@ -78,7 +78,7 @@ TEST(LineProfile, WhatHasNoValueBreaksTheCurveAndIsEmptyInTables) {
     const auto profile = line_profile(images, {0, 2, 31, 2}, one_number);
     const auto plot = plot_of(profile, "Value (m)");
     const auto svg = plot_svg(plot, 640, 400, true);
-    EXPECT_EQ(occurrences(svg, "<polyline"), 3u) << "before, between and behind the gaps";
+    EXPECT_EQ(occurrences(svg, "class=\"line "), 4u) << "in the legend, before, between and behind the gaps";
     EXPECT_EQ(occurrences(svg, "<title>"), occurrences(svg, "<g>"));
     EXPECT_LE(occurrences(svg, "<g>"), 9u) << "a curve has few marks";
     EXPECT_GE(occurrences(svg, "<g>"), 5u);

@@ -123,7 +123,7 @@ TEST(PlotSvg, TilesOfAHeatMapTouchAndHaveTheColoursOfTheirValues) {
     EXPECT_EQ(placed.heat->ink(1), "#ffffff");
     EXPECT_EQ(placed.heat->ink(100), "#000000");
     EXPECT_EQ(count(svg, ">10</text>"), 1u) << "the value is written in its tile";
-    EXPECT_EQ(count(svg, "polyline"), 0u);
+    EXPECT_EQ(count(svg, "class=\"line "), 0u);
 }
 
 TEST(PlotSvg, AHeatMapOfOneValueHasAColour) {
