@@ -44,6 +44,7 @@ void add_figure(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
 void add_schema(CLI::App& app, Run& run);
 void add_submit(CLI::App& app, Run& run);
+void add_tev(CLI::App& app, Run& run);
 void add_thumbnail(CLI::App& app, Run& run);
 void add_shell(CLI::App& app, Run& run);
 

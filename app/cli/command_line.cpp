@@ -21,7 +21,8 @@ int fail(const std::string& line, int status) {
 
 /// Commands that write nothing have nothing to put away: signals end them as if they were not watched.
 bool writes(const CLI::App& app) {
-    for (const char* name : {"info", "list", "describe", "scene", "diff", "schema", "completion", "manual"})
+    for (const char* name :
+         {"info", "list", "describe", "scene", "diff", "tev", "schema", "completion", "manual"})
         if (app.got_subcommand(name)) return false;
     if (!app.got_subcommand("project")) return true;
     const auto& project = *app.get_subcommand("project");
@@ -62,6 +63,7 @@ void add_commands(CLI::App& app, Run& run) {
     add_figure(app, run);
     add_bench(app, run);
     add_submit(app, run);
+    add_tev(app, run);
     add_thumbnail(app, run);
     add_schema(app, run);
     add_shell(app, run);

@@ -7,6 +7,7 @@
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/text_of.h"
+#include "renderers/image/tev.h"
 
 namespace ir::gui {
 
@@ -30,6 +31,9 @@ ExportController::ExportController(QWidget& window, Session& session, Renderer& 
         tr("Comma-separated values (*.csv)"), &Exports::save_values);
     add("export-all", tr("&All buffers in one file (EXR) …"), nullptr, Qt::Key_A, ".exr", exr,
         &Exports::save_all_buffers);
+    all << actions.add("show-in-tev", tr("Show the buffer in &tev"), nullptr, {},
+                       [this] { show_in_tev(tev_address); });
+    all.back()->setData(tr("Sends the values to the viewer tev, which must be running"));
     enable_with_experiment(session, all);
     connect(&workspace, &Workspace::export_values_wanted, actions.find("export-values"), &QAction::trigger);
     connect(&renderer, &Renderer::exported, this,
@@ -37,6 +41,32 @@ ExportController::ExportController(QWidget& window, Session& session, Renderer& 
                 if (error.empty()) return notices_.say(tr("Wrote %1").arg(text_of(file)));
                 notices_.fail(QStringLiteral("file"), "export", text_of(error));
             });
+}
+
+ExportController::~ExportController() {
+    if (tev_.joinable()) tev_.join();
+}
+
+void ExportController::show_in_tev(const std::string& address) {
+    if (is_sending_) return notices_.say(tr("A picture is being sent to tev"));
+    ImageLayer layer;
+    if (!notices_.attempt([&] { layer = exports_.buffer(); }, tr("Cannot show in tev"))) return;
+    if (tev_.joinable()) tev_.join();
+    is_sending_ = true;
+    tev_ = std::thread([this, address, name = exports_.title().toStdString(), layer = std::move(layer)] {
+        std::string failure;
+        try {
+            send_to_tev(name, {layer}, address);
+        } catch (const std::exception& error) {
+            failure = error.what();
+        }
+        const auto tell = [this, failure] {
+            is_sending_ = false;
+            if (failure.empty()) return notices_.say(tr("Shown in tev"));
+            notices_.fail(QStringLiteral("file"), "export", text_of(failure));
+        };
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    });
 }
 
 void ExportController::copy_view() {

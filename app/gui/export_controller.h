@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <thread>
 
 #include "app/gui/actions.h"
 #include "app/gui/exports.h"
@@ -14,6 +15,9 @@ class ExportController : public QObject {
   public:
     ExportController(QWidget& window, Session& session, Renderer& renderer, Workspace& workspace,
                      const Exports& exports, Notices& notices, Actions& actions);
+    ~ExportController() override;
+    /// Shows the active view's buffer in the program tev, on a thread of its own.
+    void show_in_tev(const std::string& address);
 
   private:
     using Save = void (Exports::*)(const QString& file) const;
@@ -23,6 +27,8 @@ class ExportController : public QObject {
     QWidget& window_;
     const Exports& exports_;
     Notices& notices_;
+    std::thread tev_;
+    bool is_sending_ = false;
 };
 
 }  // namespace ir::gui

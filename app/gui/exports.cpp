@@ -75,10 +75,13 @@ void Exports::save_view(const QString& file) const {
     write_picture(file, view());
 }
 
-void Exports::save_buffer(const QString& file) const {
+ImageLayer Exports::buffer() const {
     const auto shown = picture();
-    ImageLayer layer{"", channel_names(shown->semantic, shown->image->channels), *shown->image};
-    write_exr(file.toStdString(), {std::move(layer)}, {{"interreflect.shown", shown->label.toStdString()}});
+    return {"", channel_names(shown->semantic, shown->image->channels), *shown->image};
+}
+
+void Exports::save_buffer(const QString& file) const {
+    write_exr(file.toStdString(), {buffer()}, {{"interreflect.shown", picture()->label.toStdString()}});
 }
 
 void Exports::save_values(const QString& file) const {

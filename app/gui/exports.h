@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/gui/workspace.h"
+#include "renderers/image/image.h"
 
 namespace ir::gui {
 
@@ -18,6 +19,7 @@ class Exports {
     QImage view() const;
     void save_view(const QString& file) const;
     /// The buffer's values as they are; for differences those, for pairs A.
+    ImageLayer buffer() const;
     void save_buffer(const QString& file) const;
     /// Values of a picture (x, y, channels) or of a buffer's elements, as comma-separated lines.
     void save_values(const QString& file) const;

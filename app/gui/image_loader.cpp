@@ -13,16 +13,6 @@ std::filesystem::file_time_type time_of(const std::filesystem::path& file) {
     return std::filesystem::last_write_time(file, missing);
 }
 
-std::vector<ImageLayer> read_layers(const std::filesystem::path& file) {
-    auto extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    if (extension == ".exr") return read_exr(file);
-    std::vector<ImageLayer> layers(1);
-    layers[0].image = read_image(file);
-    return layers;
-}
-
 }  // namespace
 
 ImageLoader::~ImageLoader() {

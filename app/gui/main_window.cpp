@@ -194,7 +194,7 @@ void MainWindow::make_menus() {
     file->addMenu(files_.recent_menu());
     actions_.fill(file, "| save save-as |");
     actions_.fill(file->addMenu(tr("&Export")),
-                  "copy-view export-view export-buffer export-values | export-all");
+                  "copy-view export-view export-buffer export-values | export-all | show-in-tev");
     actions_.fill(file, "report figure | close quit");
     file->setToolTipsVisible(true);
     add_menu(
@@ -219,7 +219,7 @@ void MainWindow::make_menus() {
     picture_menu_ = new QMenu(this);
     actions_.fill(picture_menu_,
                   "light-here light-camera headlight | explain pin | rectangle line | bookmark | "
-                  "fit actual | copy-view export-view export-buffer");
+                  "fit actual | copy-view export-view export-buffer show-in-tev");
     picture_menu_->setToolTipsVisible(true);
     add_menu(tr("&Render"), "cancel rerun shaders | play step-forward step-back | match keep")
         ->setToolTipsVisible(true);

@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
     TimelineDock& timeline() { return *timeline_; }
     References& references() { return references_; }
     Exports& exports() { return exports_; }
+    ExportController& export_controller() { return export_; }
     ReportController& reports() { return report_; }
     DockLayout& docks() { return docks_; }
     /// The picture of the active view.

@@ -16,13 +16,7 @@ PicturePtr read(const py::object& path) {
     const auto file = to_path(path);
     const py::gil_scoped_release unlocked;
     auto picture = std::make_shared<Picture>();
-    if (std::filesystem::path(file).extension() == ".exr") {
-        picture->layers = read_exr(file, &picture->attributes);
-    } else {
-        auto image = read_image(file);
-        auto channels = channel_names(Semantic::radiance, image.channels);
-        picture->layers.push_back({"", std::move(channels), std::move(image)});
-    }
+    picture->layers = read_layers(file, &picture->attributes);
     return picture;
 }
 

@@ -38,6 +38,10 @@ std::vector<std::string> standard_channels(int channels, bool vector_valued = fa
 /// Throws InputError (also for an unknown layer, listing the known ones).
 Image read_image(const std::filesystem::path& file, const std::string& layer = {});
 
+/// All layers of an EXR file, with the texts of its header; the picture of another file that OpenImageIO
+/// reads as one layer without a name. Throws InputError.
+std::vector<ImageLayer> read_layers(const std::filesystem::path& file, ImageAttributes* attributes = nullptr);
+
 /// The bytes of a PNG as write_png has it; `exposure` in stops. Throws Error.
 std::string png_of(const Image& linear, double exposure = 0);
 /// 8-bit sRGB PNG of a linear image; values are clamped to [0,1] after `exposure` stops. Throws Error.

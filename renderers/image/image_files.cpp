@@ -6,6 +6,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
 #include "renderers/core/write_file.h"
+#include "renderers/image/channels.h"
 #include "renderers/image/codecs/codecs.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/image/exr.h"
@@ -75,6 +76,14 @@ Image read_image(const std::filesystem::path& file, const std::string& layer) {
     if (!layer.empty())
         throw InputError(file.string(), "", "has no layer '" + layer + "'; only EXR files have layers");
     return decoded(file);
+}
+
+std::vector<ImageLayer> read_layers(const std::filesystem::path& file, ImageAttributes* attributes) {
+    require_regular_file(file);
+    if (has_exr_magic(file)) return read_exr(file, attributes);
+    auto image = decoded(file);
+    auto channels = channel_names(Semantic::radiance, image.channels);
+    return {{"", std::move(channels), std::move(image)}};
 }
 
 std::string png_of(const Image& linear, double exposure) {

@@ -1,10 +1,13 @@
 #include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QTemporaryDir>
+#include <future>
 
 #include "renderers/core/error.h"
 #include "renderers/image/exr.h"
+#include "tests/fake_tev.h"
 #include "tests/gui/window/window_fixture.h"
 #include "tests/unit/scarce_disk.h"
 
@@ -232,6 +235,21 @@ TEST_F(InspectWindowTest, WhatIsShownIsExported) {
     EXPECT_EQ(file.readAll().count('\n'), fake_elements + 1);
     EXPECT_THROW(window.exports().save_buffer(exr), Error);
     EXPECT_THROW(window.exports().save_view(folder.path() + "/no/such/folder.png"), Error);
+}
+
+TEST_F(InspectWindowTest, TheShownBufferIsSentToTev) {
+    FakeTev tev;
+    auto received = std::async(std::launch::async, [&] { return tev.receive(); });
+    window.export_controller().show_in_tev(tev.address());
+    const auto shown = received.get();
+    ASSERT_EQ(shown.size(), 1u);
+    EXPECT_EQ(shown.begin()->first, window.exports().title().toStdString());
+    EXPECT_EQ(shown.begin()->second.image.pixels, window.view().image().pixels);
+    const auto labels = window.findChild<StatusLine*>()->findChildren<QLabel*>();
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        return std::any_of(labels.begin(), labels.end(),
+                           [](const auto* each) { return each->text() == "Shown in tev"; });
+    }));
 }
 
 TEST_F(InspectWindowTest, ExportsThatDoNotFitOnTheDiskAreRefused) {
