@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <future>
 
 #include "renderers/core/error.h"
