@@ -4,11 +4,13 @@
 #include <archive_entry.h>
 
 #include <fstream>
+#include <limits>
 #include <new>
 #include <vector>
 
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 
 namespace ir::projects {
 namespace {
@@ -16,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t block_size = 1u << 20;  // bytes that are read or written at once
+constexpr int max_files = 1'000'000;
 
 /// What failed in the archive itself.
 void require(archive* archive, int status) {
@@ -113,24 +116,36 @@ void read_archive(const fs::path& file,
     archive_read_support_filter_zstd(archive);
     refuse_if(archive_read_open_filename(archive, file.c_str(), block_size) != ARCHIVE_OK);
     std::vector<char> buffer(block_size);
+    std::error_code error;
+    const auto length = fs::file_size(file, error);  // none of a pipe
+    auto left = error ? std::numeric_limits<std::uint64_t>::max() : max_expanded(length);
+    const auto require_left = [&](la_int64_t bytes) {
+        if (bytes > 0 && static_cast<std::uint64_t>(bytes) > left)
+            throw InputError(file.string(), "", "unpacks to far more than it has bytes; it is no project");
+    };
     const CopyContent copy = [&](std::ostream& out) {
         la_ssize_t count = 0;
         while (out && (count = archive_read_data(archive, buffer.data(), buffer.size())) > 0) {
             if (cancel) cancel->check();
+            require_left(count);
+            left -= static_cast<std::uint64_t>(count);
             out.write(buffer.data(), count);
         }
         refuse_if(count < 0);
     };
     archive_entry* entry = nullptr;
-    while (true) {
+    for (int number = 0;; ++number) {
         const int status = archive_read_next_header(archive, &entry);
         if (status == ARCHIVE_EOF) return;
         refuse_if(status < ARCHIVE_WARN);
+        if (number == max_files)
+            throw InputError(file.string(), "", "holds more than a million files; it is no project");
         const auto name = name_of(entry);
         if (archive_entry_filetype(entry) == AE_IFDIR) continue;  // files make their folders
         if (!is_plain_file(entry) || !stays_inside(name))
             throw InputError(file.string(), printable(name),
                              "is no plain file inside the archive; a packed project holds nothing else");
+        require_left(archive_entry_size(entry));
         if (!read(name, copy)) return;
     }
 }

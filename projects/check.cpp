@@ -7,6 +7,7 @@
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "projects/text.h"
+#include "renderers/core/named_files.h"
 
 namespace ir::projects {
 namespace {
@@ -62,6 +63,13 @@ class Checker {
                 report("environment of '" + set.id + "'", status(set.environment, folder_, known_), "");
         for (const auto& image : project_.images)
             report("image '" + image.id + "'", status(image, folder_, known_), "");
+        if (folder_.empty()) return;  // never saved: all is elsewhere
+        std::vector<std::string> outside;
+        for (const auto& source : sources_of(project_))
+            if (!is_builtin(source) && !lies_within(resolve(source, folder_), folder_))
+                outside.push_back(source);
+        if (!outside.empty())
+            say(Severity::note, "reads files outside of its folder: " + printable(listed(outside), 400));
     }
 
     void check(const Experiment& experiment) {

@@ -7,19 +7,23 @@
 #include <fstream>
 
 #include "projects/json.h"
-#include "projects/scene_files.h"
-#include "renderers/core/percent_decoded.h"
+#include "renderers/core/named_files.h"
 
 namespace ir::projects {
 namespace {
 
 namespace fs = std::filesystem;
 
+struct Uri {
+    std::string text;
+    NamedFile kind;
+};
+
 /// Keeps the value of every "uri" three levels down, {"buffers": [{"uri": …}]}, without building a tree: the
 /// files may hold large embedded data.
 class UriCollector final : public nlohmann::json_sax<Json> {
   public:
-    std::vector<std::string> uris;
+    std::vector<Uri> uris;
 
     bool null() override { return true; }
     bool boolean(bool) override { return true; }
@@ -28,11 +32,12 @@ class UriCollector final : public nlohmann::json_sax<Json> {
     bool number_float(number_float_t, const string_t&) override { return true; }
     bool binary(binary_t&) override { return true; }
     bool string(string_t& text) override {
-        if (depth_ == 3 && is_list_ && key_ == "uri") uris.push_back(text);
+        if (depth_ == 3 && key_ == "uri" && (list_ == "buffers" || list_ == "images"))
+            uris.push_back({text, list_ == "images" ? NamedFile::image : NamedFile::buffer});
         return true;
     }
     bool key(string_t& key) override {
-        if (depth_ == 1) is_list_ = key == "buffers" || key == "images";
+        if (depth_ == 1) list_ = key;
         key_ = key;
         return true;
     }
@@ -44,8 +49,7 @@ class UriCollector final : public nlohmann::json_sax<Json> {
 
   private:
     int depth_ = 0;
-    bool is_list_ = false;
-    std::string key_;
+    std::string list_, key_;
 };
 
 std::uint32_t read_u32(std::istream& stream) {
@@ -54,28 +58,30 @@ std::uint32_t read_u32(std::istream& stream) {
     return b[0] | std::uint32_t{b[1]} << 8 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[3]} << 24;
 }
 
-/// The JSON text; of a .glb that of its first chunk. [glTF 2.0 §4.4]
+/// The JSON text; of a binary file, known by its first bytes as the loader knows it, that of its first chunk.
+/// [glTF 2.0 §4.4] Empty for what begins in no way as JSON does.
 std::string json_text(const fs::path& file) {
     std::error_code error;
-    const auto size = fs::file_size(file, error);
+    const auto size = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;
     std::ifstream stream(file, std::ios::binary);
-    if (error || !stream) return {};
+    if (error || !stream || size < 2) return {};
     std::uintmax_t length = size;
-    if (file.extension() == ".glb" || file.extension() == ".GLB") {
-        const bool is_glb = read_u32(stream) == 0x46546C67;
+    if (read_u32(stream) == 0x46546C67) {
         read_u32(stream);  // version
         read_u32(stream);  // length of the file
         length = read_u32(stream);
-        if (!is_glb || read_u32(stream) != 0x4E4F534A || length > size) return {};
+        if (read_u32(stream) != 0x4E4F534A || length > size) return {};
+    } else {
+        stream.clear();
+        stream.seekg(0);
+        const bool has_mark = stream.peek() == 0xEF;  // the mark of UTF-8
+        if (has_mark) stream.ignore(3);
+        if ((stream >> std::ws).peek() != '{') return {};
+        length = size - static_cast<std::uintmax_t>(stream.tellg());
     }
     std::string text(length, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(length));
     return stream ? text : std::string{};
-}
-
-bool is_gltf(const fs::path& file) {
-    std::error_code ignored;
-    return is_gltf_name(file) && fs::is_regular_file(file, ignored);
 }
 
 /// Keeps two lists of the document, and nothing of its buffers and images.
@@ -93,7 +99,6 @@ double last_key(const Json& document, const Json& animation, const Json& channel
 }  // namespace
 
 double gltf_animation_end(const fs::path& file) {
-    if (!is_gltf(file)) return 0;
     const auto text = json_text(file);
     if (text.find("\"animations\"") == std::string::npos) return 0;
     double end = 0;
@@ -110,14 +115,12 @@ double gltf_animation_end(const fs::path& file) {
 }
 
 std::vector<std::string> gltf_references(const fs::path& file) {
-    if (!is_gltf(file)) return {};
     UriCollector collector;
     if (!Json::sax_parse(json_text(file), &collector)) return {};
     std::vector<std::string> references;
     for (const auto& uri : collector.uris) {
-        const auto path = percent_decoded(uri);
-        const bool is_embedded = uri.rfind("data:", 0) == 0 || uri.find("://") != std::string::npos;
-        if (!is_embedded && !path.empty() && path.find('\0') == std::string::npos && path.front() != '/')
+        const auto path = has_scheme(uri.text) ? std::string() : path_in_uri(file, uri.text);
+        if (!path.empty() && path.front() != '/' && may_read(file, file.parent_path() / path, uri.kind))
             references.push_back(path);
     }
     return references;

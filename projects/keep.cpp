@@ -11,6 +11,7 @@
 #include "projects/store.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
+#include "renderers/core/named_files.h"
 
 namespace ir::projects {
 namespace {
@@ -78,6 +79,7 @@ void keep(const fs::path& project_folder, KeptResult result, const std::set<std:
 ResultsGuard::ResultsGuard(const std::filesystem::path& project_folder) {
     const auto results = project_folder / "results";
     real_file_system().create_directories(results);
+    refuse_links_out(results, Links::to_folders);
     const auto file = results / results_guard_name;
     constexpr int flags = O_CLOEXEC | O_NOFOLLOW;
     descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | flags, 0666);

@@ -16,7 +16,8 @@ inline constexpr const char* results_guard_name = ".guard";
 /// time, and neither loses the other's.
 class ResultsGuard {
   public:
-    /// Makes results/ where it is missing. Throws Error where it cannot be written.
+    /// Makes results/ where it is missing. Throws Error where it cannot be written, or where a link to a
+    /// folder in it leads out of it.
     explicit ResultsGuard(const std::filesystem::path& project_folder);
     ~ResultsGuard();
     ResultsGuard(const ResultsGuard&) = delete;

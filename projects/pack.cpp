@@ -10,6 +10,7 @@
 #include "projects/store.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/named_files.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::projects {
@@ -30,6 +31,22 @@ fs::path common_folder(const std::vector<fs::path>& files) {
     return common;
 }
 
+/// What no packer writes: somebody's unsaved changes and lock.
+bool is_left_out(const std::string& name) {
+    return name == ".lock" || name.rfind(std::string(project_file_name) + ".", 0) == 0;
+}
+
+/// A packed project holds all that it names. Throws InputError for one that does not.
+void require_whole(const fs::path& packed, const fs::path& folder) {
+    if (are_outside_files_allowed()) return;
+    const Registry no_methods({});
+    const auto outside = files_outside(load_project(folder, no_methods).project, folder);
+    if (!outside.empty())
+        throw InputError(packed.string(), printable(outside.front().string(), 400),
+                         "is named by the project and lies outside of its folder; if you trust who packed "
+                         "it, allow it by --allow-outside");
+}
+
 class Packer {
   public:
     Packer(const LoadedProject& loaded, ArchiveWriter& archive)
@@ -39,6 +56,8 @@ class Packer {
           archive_(archive) {}
 
     std::vector<Message> run() {
+        refuse_links_out(folder_ / "results", Links::all);
+        tell_files_from_outside();
         for_each_file(project_, [&](std::string& source, const std::string&) { add_source(source); });
         archive_.add_text(root_ + project_file_name, write_project(project_));
         add_results();
@@ -47,20 +66,35 @@ class Packer {
     }
 
   private:
+    /// A document of somebody else may name what its reader would not send back.
+    void tell_files_from_outside() {
+        std::vector<std::string> names;
+        for (const auto& file : files_outside(project_, folder_)) names.push_back(file.string());
+        if (!names.empty())
+            messages_.push_back(
+                {Severity::note, "project",
+                 "files from outside of the project's folder are packed: " + printable(listed(names), 400)});
+    }
+
     void miss(const std::string& source) {
         messages_.push_back(
             {Severity::warning, "project", "'" + printable(source) + "' is missing and was not packed"});
     }
 
-    /// Every source gets a folder of its own, in which its files keep their places relative to each other.
+    /// Every source gets a folder of its own, in which its files keep their places relative to each other. So
+    /// does one that is missing: what is packed names nothing outside.
     void add_source(std::string& source) {
         if (is_builtin(source)) return;
         const auto file = resolve(source, folder_);
+        const auto home = "files/" + std::to_string(++sources_) + "/";
         std::error_code ignored;
-        if (!fs::is_regular_file(file, ignored)) return miss(source);
+        if (!fs::is_regular_file(file, ignored)) {
+            miss(source);
+            source = home + file.filename().generic_string();
+            return;
+        }
         const auto files = files_of(file);
         const auto base = common_folder(files);
-        const auto home = "files/" + std::to_string(++sources_) + "/";
         for (const auto& one : files) {
             if (fs::is_regular_file(one, ignored))
                 archive_.add_file(root_ + home + one.lexically_relative(base).generic_string(), one);
@@ -140,6 +174,7 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
             }
             if (top != *root || path == *path.begin())
                 throw InputError(file.string(), printable(name), "is outside the project's folder");
+            if (is_left_out(path.lexically_relative(*path.begin()).string())) return true;
             files.create_directories((parent / path).parent_path());
             write_atomically(files, parent / path, copy);
             return true;
@@ -148,6 +183,7 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
         if (!root) throw InputError(file.string(), "", "is empty; ask for another copy");
         if (!fs::is_regular_file(*root / project_file_name, ignored))
             throw InputError(file.string(), "", "holds no project.json; ask for another copy");
+        require_whole(file, *root);
     } catch (...) {
         if (root) fs::remove_all(*root, ignored);
         throw;

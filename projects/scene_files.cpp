@@ -6,6 +6,7 @@
 #include "projects/hash.h"
 #include "projects/hash_cache.h"
 #include "renderers/core/error.h"
+#include "renderers/core/named_files.h"
 
 namespace ir::projects {
 namespace {
@@ -120,6 +121,16 @@ std::vector<fs::path> files_of(const fs::path& file) {
         if (std::find(files.begin(), files.end(), path) == files.end()) files.push_back(path);
     }
     return files;
+}
+
+std::vector<fs::path> files_outside(const Project& project, const fs::path& project_folder) {
+    std::vector<fs::path> outside;
+    for (const auto& source : sources_of(project)) {
+        if (is_builtin(source)) continue;
+        for (auto& file : files_of(resolve(source, project_folder)))
+            if (!lies_within(file, project_folder)) outside.push_back(std::move(file));
+    }
+    return outside;
 }
 
 std::string scene_hash(const std::string& source, const fs::path& project_folder, const CancelToken* cancel) {

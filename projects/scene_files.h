@@ -55,6 +55,9 @@ std::string scene_hash(const std::string& source, const std::filesystem::path& p
                        const CancelToken* cancel = nullptr);
 /// A glTF file and the files that it refers to, the file itself first.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file);
+/// The files that a document names, and those that its glTF files name, which lie outside of its folder.
+std::vector<std::filesystem::path> files_outside(const Project& project,
+                                                 const std::filesystem::path& project_folder);
 
 /// With `known` nothing is read: the state is that of the known hashes, and `unread` where there is none (a
 /// missing file is seen at once). Without, files are read: not on the GUI thread.

@@ -13,7 +13,8 @@
 
 namespace ir::cli {
 
-using engine::add_machine_flags, engine::machine_options, engine::parse_bytes, engine::MachineFlags;
+using engine::add_machine_flags, engine::add_outside_flag, engine::machine_options, engine::parse_bytes,
+    engine::MachineFlags;
 
 /// The contract with scripts; engine::interruption_status() where a signal ended the work.
 enum ExitStatus { done = 0, failed = 1, wrong_usage = 2, bad_input = 3, limit_exceeded = 4 };

@@ -161,6 +161,7 @@ void add_figure(CLI::App& app, Run& run) {
         ->required()
         ->check(no_scene());
     command->add_option("--out", flags->out, "The file: .pdf, .svg or .png")->required();
+    add_outside_flag(*command);
     command->add_option("--picture", flags->pictures,
                         "Of a project: name of an experiment or image; repeat it, in the figure's order "
                         "(default: those that are compared first)");

@@ -203,6 +203,7 @@ void add_scene(CLI::App& app, Run& run) {
         "about the glTF extensions that it uses");
     command->add_option("SCENE", flags->scene, "A .gltf or .glb file, or builtin:NAME")->required();
     add_json_flag(*command, flags->json);
+    add_outside_flag(*command);
     command->callback([flags, &run] { run = [flags] { return print_scene(flags->scene, flags->json); }; });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
+#include "renderers/core/named_files.h"
 
 namespace ir::engine {
 namespace {
@@ -69,6 +70,13 @@ void add_machine_flags(CLI::App& command, MachineFlags& flags) {
                            " auto, gl or host (default: auto, the host where the device is "
                            "software)");
     command.add_flag("--gl-debug", flags.debug, "Report the driver's debug messages");
+    add_outside_flag(command);
+}
+
+void add_outside_flag(CLI::App& command) {
+    command.add_flag_function(
+        "--allow-outside", [](std::int64_t) { allow_outside_files(); },
+        "Let scenes and packed projects name files outside of their folders");
 }
 
 MachineOptions machine_options(const MachineFlags& flags) {

@@ -9,6 +9,7 @@
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
+#include "renderers/core/named_files.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::engine {
@@ -113,6 +114,7 @@ void run_sweep(Machine& machine, const SweepJob& job, const std::vector<projects
 
 void run_sweep_request(const SweepRequest& request, const SweepCallbacks& callbacks) {
     const auto points = projects::sweep_points(request.job.project, request.job.sweep, registry());
+    refuse_links_out(request.job.folder / "results", Links::all);
     real_file_system().create_directories(request.job.out);
     auto told = callbacks;
     told.frame.memory_budget = request.memory_budget;

@@ -100,10 +100,12 @@ class Preprocessor {
     }
 
     fs::path resolve(const std::string& name, const std::string& place, const fs::path& from) {
-        const fs::path beside = (from.parent_path() / name).lexically_normal();
-        if (look_at(beside)) return beside;
-        const fs::path below = (folder_ / name).lexically_normal();
-        if (look_at(below)) return below;
+        for (const auto& folder : {from.parent_path(), folder_}) {
+            const fs::path path = (folder / name).lexically_normal();
+            if (*path.lexically_relative(folder_.lexically_normal()).begin() == "..")
+                throw Error(place + "include file \"" + name + "\" leads out of the shader folder");
+            if (look_at(path)) return path;
+        }
         throw Error(place + "include file \"" + name +
                     "\" does not exist, neither beside this file nor in the shader folder");
     }

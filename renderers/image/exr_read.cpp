@@ -11,6 +11,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
+#include "renderers/core/limits.h"
 #include "renderers/image/exr_parts.h"
 
 namespace ir {
@@ -18,9 +19,6 @@ namespace {
 
 /// Larger images are taken for damaged files.
 constexpr std::int64_t max_exr_pixels = std::int64_t(1) << 28;
-
-/// So are files that would have to be compressed by more than this (zip reaches 1032) beyond a first 64 MiB.
-constexpr std::int64_t max_compression = 5000, free_bytes = 64 << 20;
 
 /// "ldm.layers.Y" → {"ldm.layers", "Y"}; without a dot the layer is empty.
 struct ChannelName {
@@ -101,8 +99,8 @@ std::int64_t channel_count(const Imf::Header& header) {
     return count;
 }
 
-/// The data window, before anything of its size is allocated.
-Imath::Box2i checked_window(const Imf::Header& header, const std::string& file) {
+/// The data window, before anything of its size is allocated. Its bytes are taken from those that are `left`.
+Imath::Box2i checked_window(const Imf::Header& header, const std::string& file, std::uint64_t& left) {
     const auto window = header.dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
     const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
@@ -111,12 +109,11 @@ Imath::Box2i checked_window(const Imf::Header& header, const std::string& file) 
         throw InputError(file, "data window",
                          std::to_string(width) + "x" + std::to_string(height) +
                              " pixels are not a sensible size; the file seems damaged");
-    const auto bytes = width * height * channel_count(header) * std::int64_t(sizeof(float));
-    const auto file_bytes = static_cast<std::int64_t>(std::filesystem::file_size(file));
-    if (bytes > free_bytes + max_compression * file_bytes)
+    const auto values = static_cast<std::uint64_t>(width * height * channel_count(header));
+    if (values > left / sizeof(float))
         throw InputError(file, "data window",
-                         "its pixels cannot all be in a file of " + std::to_string(file_bytes) +
-                             " bytes; the file seems damaged");
+                         "its pixels take far more memory than the file has bytes; it seems damaged");
+    left -= values * sizeof(float);
     return window;
 }
 
@@ -130,11 +127,11 @@ void insert_layer(Imf::FrameBuffer& buffer, ImageLayer& layer, const LayerChanne
                                        image.height, pixel, pixel * image.width));
 }
 
-void read_part(Imf::MultiPartInputFile& input, int index, const std::string& file,
+void read_part(Imf::MultiPartInputFile& input, int index, const std::string& file, std::uint64_t& left,
                std::vector<ImageLayer>& layers) {
     const Imf::Header& header = input.header(index);
     const std::string part = index > 0 && header.hasName() ? header.name() : "";
-    const auto window = checked_window(header, file);
+    const auto window = checked_window(header, file, left);
     const auto names = layers_in(header, part, file);
     std::vector<ImageLayer> read;
     for (const auto& each : names)
@@ -189,8 +186,9 @@ ImageAttributes read_exr_attributes(const std::filesystem::path& file) {
 std::vector<ImageLayer> read_exr(const std::filesystem::path& file, ImageAttributes* attributes) {
     std::vector<ImageLayer> layers;
     read(file, [&](Imf::MultiPartInputFile& input) {
+        auto left = max_expanded(std::filesystem::file_size(file));
         for (int i = 0; i < input.parts(); ++i)
-            if (is_flat(input.header(i))) read_part(input, i, file.string(), layers);
+            if (is_flat(input.header(i))) read_part(input, i, file.string(), left, layers);
         if (attributes) *attributes = attributes_of(input.header(0));
     });
     if (layers.empty()) throw InputError(file.string(), "", "has no flat image; save it without deep data");

@@ -5,6 +5,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
+#include "renderers/core/limits.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/codecs/codecs.h"
@@ -41,7 +42,8 @@ void decode_srgb(Image& image, int alpha_channel) {
 }
 
 Image decoded(const std::filesystem::path& file) {
-    auto [image, is_srgb, alpha_channel, error] = image_codecs().read(file.string(), max_pixels);
+    const auto max_bytes = max_expanded(std::filesystem::file_size(file));
+    auto [image, is_srgb, alpha_channel, error] = image_codecs().read(file.string(), max_pixels, max_bytes);
     if (!error.empty()) throw InputError(file.string(), "", error);
     if (is_srgb) decode_srgb(image, alpha_channel);
     return std::move(image);

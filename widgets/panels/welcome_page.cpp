@@ -221,7 +221,7 @@ QWidget* WelcomePage::make_start() {
     };
     button("new", "new", tr("New project …"), tr("From a built-in scene or a file"),
            &WelcomePage::new_chosen);
-    button("open", "open", tr("Open a project …"), tr("A folder NAME.interreflect, or a packed one"),
+    button("open", "open", tr("Open a project …"), tr("A folder NAME.interreflect"),
            &WelcomePage::open_chosen);
     button("scene", "add", tr("Open a scene …"), tr("A .gltf or .glb file, in a new project"),
            &WelcomePage::scene_chosen);

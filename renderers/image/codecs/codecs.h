@@ -29,8 +29,9 @@ struct DecodedTexels {
 
 /// What the module image_codecs does, with OpenImageIO and libwebp.
 struct ImageCodecs {
-    /// Refuses more than `max_pixels`.
-    DecodedImage (*read)(const std::string& file, std::int64_t max_pixels);
+    /// A file in HDR, PNG, JPEG, TIFF or WebP, told by its first bytes. Refuses more than `max_pixels` and
+    /// what takes more than `max_bytes`.
+    DecodedImage (*read)(const std::string& file, std::int64_t max_pixels, std::uint64_t max_bytes);
     /// A WebP file in memory, at most `max_pixels` large. Thread-safe.
     DecodedTexels (*webp)(std::span<const std::uint8_t> bytes, std::int64_t max_pixels);
     /// 8 bits a channel, sRGB, of 1, 3 or 4 channels with alpha unassociated.

@@ -2,6 +2,9 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <fstream>
+#include <string_view>
+
 #include "renderers/image/codecs/codecs.h"
 #include "renderers/image/codecs/webp.h"
 
@@ -19,18 +22,40 @@ bool is_srgb_encoded(const OIIO::ImageSpec& spec) {
     return space != "Linear" && !spec.format.is_floating_point();
 }
 
-DecodedImage read(const std::string& file, std::int64_t max_pixels) {
+/// OpenImageIO's name of the format that the first bytes show; empty for others. By themselves its readers
+/// also take films, lists of files and addresses, and volumes: a picture that a document names is none.
+std::string format_of(const std::string& file) {
+    std::string begin(12, '\0');
+    std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    const auto starts = [&](std::string_view bytes, std::size_t at = 0) {
+        return begin.compare(at, bytes.size(), bytes) == 0;
+    };
+    using namespace std::string_view_literals;
+    if (starts("\x89PNG")) return "png";
+    if (starts("\xff\xd8\xff")) return "jpeg";
+    if (starts("#?")) return "hdr";
+    if (starts("II*\0"sv) || starts("MM\0*"sv) || starts("II+\0"sv) || starts("MM\0+"sv)) return "tiff";
+    return starts("RIFF") && starts("WEBP", 8) ? "webp" : "";
+}
+
+DecodedImage read(const std::string& file, std::int64_t max_pixels, std::uint64_t max_bytes) {
     DecodedImage result;
-    OIIO::ImageSpec config;
+    OIIO::ImageSpec config, spec;
     config.attribute("oiio:UnassociatedAlpha", 1);  // colours as the file has them
-    const auto input = OIIO::ImageInput::open(file, &config);
-    if (!input) {
-        result.error = "is not a readable image (" + first_line(OIIO::geterror()) + ")";
+    const auto format = format_of(file);
+    if (format.empty()) {
+        result.error = "is not a readable image (none in EXR, HDR, PNG, JPEG, TIFF or WebP)";
         return result;
     }
-    const auto& spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || std::int64_t(spec.width) * spec.height > max_pixels) {
-        result.error = "has no sensible size; the file seems damaged";
+    const auto input = OIIO::ImageInput::create(format);
+    if (!input || !input->open(file, spec, config)) {
+        result.error =
+            "is not a readable image (" + first_line(input ? input->geterror() : OIIO::geterror()) + ")";
+        return result;
+    }
+    if (spec.width < 1 || spec.height < 1 || std::int64_t(spec.width) * spec.height > max_pixels ||
+        spec.nchannels < 1 || spec.image_pixels() * spec.nchannels > max_bytes / sizeof(float)) {
+        result.error = "has no sensible size for a file of its length; it seems damaged";
         return result;
     }
     result.image = Image(spec.width, spec.height, spec.nchannels);

@@ -43,9 +43,10 @@ Json parse(const std::string& file, const std::string& text) {
 }
 
 /// Bytes of a buffer or image URI; external files go to the hash.
-Bytes load_uri(Document& document, Hasher& hasher, const std::string& place, const std::string& uri) {
+Bytes load_uri(Document& document, Hasher& hasher, const std::string& place, const std::string& uri,
+               NamedFile kind) {
     if (is_data_uri(uri)) return decode_data_uri(document.file, place, uri);
-    auto bytes = read_file(resolve_uri(document.file, place, uri), document.file, place);
+    auto bytes = read_file(resolve_uri(document.file, place, uri, kind), document.file, place);
     hasher.add(std::as_bytes(std::span(bytes)));
     document.total_bytes += bytes.size();
     return bytes;
@@ -64,7 +65,7 @@ void load_buffers(Document& document, Checking& checking, Container& container, 
         const auto uri = buffer.text("uri");
         auto& data = document.buffers.emplace_back();
         if (uri) {
-            data.bytes = load_uri(document, hasher, buffer.place("uri"), *uri);
+            data.bytes = load_uri(document, hasher, buffer.place("uri"), *uri, NamedFile::buffer);
         } else if (i == 0 && container.has_binary) {
             data.bytes = std::move(container.binary);
         } else {
@@ -81,7 +82,8 @@ void load_buffers(Document& document, Checking& checking, Container& container, 
 }
 
 Bytes image_bytes(Document& document, const Checking& checking, CheckedObject& image, Hasher& hasher) {
-    if (const auto uri = image.text("uri")) return load_uri(document, hasher, image.place("uri"), *uri);
+    if (const auto uri = image.text("uri"))
+        return load_uri(document, hasher, image.place("uri"), *uri, NamedFile::image);
     const auto view = image.index("bufferView", checking.count("bufferViews"), "bufferViews");
     if (!view) image.fail("uri", "is missing, as is bufferView; export the file again");
     const auto& fields = checking.checked["bufferViews"][*view];

@@ -1,7 +1,6 @@
 #include "renderers/scene/gltf/source.h"
 
 #include <array>
-#include <cctype>
 #include <cstring>
 #include <fstream>
 
@@ -17,14 +16,6 @@ std::uint32_t word_at(const Bytes& bytes, std::size_t offset) {
     std::uint32_t word = 0;
     for (int i = 3; i >= 0; --i) word = (word << 8) | bytes[offset + i];
     return word;
-}
-
-bool has_scheme(const std::string& uri) {
-    const auto colon = uri.find(':');
-    if (colon == std::string::npos || colon < 2) return false;
-    for (const char c : uri.substr(0, colon))
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '+' && c != '.' && c != '-') return false;
-    return true;
 }
 
 std::array<int, 256> base64_table() {
@@ -132,20 +123,22 @@ Bytes decode_data_uri(const std::string& file, const std::string& place, std::st
     return bytes;
 }
 
-std::filesystem::path resolve_uri(const std::string& file, const std::string& place, const std::string& uri) {
+std::filesystem::path resolve_uri(const std::string& file, const std::string& place, const std::string& uri,
+                                  NamedFile kind) {
     if (has_scheme(uri))
         throw InputError(
             file, place,
             "the URI " + one_line(uri) + " has a scheme; only relative paths and data: are read");
-    const auto folder = std::filesystem::path(file).parent_path();
-    const auto decoded = percent_decoded(uri);
-    if (decoded.empty() || decoded.find('\0') != std::string::npos)
-        throw InputError(file, place, "an empty or broken URI; give a relative path");
-    std::error_code failure;
-    // Some writers do not escape a literal percent sign.
-    if (!std::filesystem::exists(folder / decoded, failure) && std::filesystem::exists(folder / uri, failure))
-        return folder / uri;
-    return folder / decoded;
+    const auto path = path_in_uri(file, uri);
+    if (path.empty()) throw InputError(file, place, "an empty or broken URI; give a relative path");
+    const auto named = std::filesystem::path(file).parent_path() / path;
+    if (!may_read(file, named, kind))
+        throw InputError(
+            file, place,
+            "the URI " + one_line(uri) + " leads out of the scene's folder; put the file there" +
+                (kind == NamedFile::image ? " or, as a PNG, JPEG or WebP, beside that folder" : "") +
+                ", or allow it by --allow-outside");
+    return named;
 }
 
 }  // namespace ir::scene::gltf

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "renderers/core/named_files.h"
+
 /// Where a glTF document's bytes come from: files, GLB chunks and data URIs.
 namespace ir::scene::gltf {
 
@@ -36,7 +38,9 @@ bool is_data_uri(std::string_view uri);
 /// Bytes of a data URI, base64 or percent-encoded [RFC 2397]. Throws InputError.
 Bytes decode_data_uri(const std::string& file, const std::string& place, std::string_view uri);
 
-/// The file that a relative URI means, percent-decoded. Throws InputError for a scheme such as http:.
-std::filesystem::path resolve_uri(const std::string& file, const std::string& place, const std::string& uri);
+/// The file that a relative URI means. Throws InputError for a scheme such as http:, and for what a glTF file
+/// must not read.
+std::filesystem::path resolve_uri(const std::string& file, const std::string& place, const std::string& uri,
+                                  NamedFile kind);
 
 }  // namespace ir::scene::gltf

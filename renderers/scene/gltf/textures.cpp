@@ -6,12 +6,14 @@
 #include <thread>
 
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/scene/gltf/image_file.h"
 
 namespace ir::scene::gltf {
 namespace {
 
 constexpr std::size_t max_total_texels = std::size_t{1} << 28;  // 1 GiB as RGBA8
+constexpr std::size_t texel_bytes = 4;
 
 Wrap wrap_of(int value) {
     if (value == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp_to_edge;
@@ -92,13 +94,23 @@ std::vector<Texture> TextureTable::decode() const {
         if (texels > max_total_texels)
             throw InputError(document_.file, place_of(request.image),
                              "all textures together have more than 2^28 texels; scale them down");
+        if (texels * texel_bytes > max_expanded(document_.total_bytes))
+            throw InputError(
+                document_.file, place_of(request.image),
+                "all textures together have far more texels than the files have bytes; scale them "
+                "down");
     }
-    const auto decoded = decode_images({wanted.begin(), wanted.end()});
+    auto decoded = decode_images({wanted.begin(), wanted.end()});
     std::vector<Texture> textures;
-    for (const auto& request : requests_) {
+    for (std::size_t i = 0; i < requests_.size(); ++i) {
+        const auto& request = requests_[i];
         const auto size = sizes[request.image];
+        const bool is_needed_again =
+            std::any_of(requests_.begin() + static_cast<std::ptrdiff_t>(i) + 1, requests_.end(),
+                        [&](const Request& later) { return later.image == request.image; });
+        auto texels_now = is_needed_again ? decoded[request.image] : std::move(decoded[request.image]);
         textures.push_back(
-            {request.name, size.width, size.height, decoded[request.image], request.srgb, request.sampler});
+            {request.name, size.width, size.height, std::move(texels_now), request.srgb, request.sampler});
     }
     return textures;
 }

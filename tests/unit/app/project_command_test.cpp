@@ -156,6 +156,27 @@ TEST_F(ProjectCommand, DevicesAreNamedAsWhatTheyAre) {
     EXPECT_NE(check(3).find("'/dev/zero' is no regular file; locate another"), std::string::npos);
 }
 
+TEST_F(ProjectCommand, FilesOutsideAreToldAndUnpackedWhereThatIsAllowed) {
+    json["scenes"][0]["parts"][0]["source"] = "/etc/hostname";
+    store();
+    EXPECT_NE(check(0).find("reads files outside of its folder: /etc/hostname"), std::string::npos);
+    const auto packed = (root_ / "packed.tar").string();
+    const auto there = (root_ / "there").string();
+    fs::create_directories(there);
+    ASSERT_EQ(std::system(("tar cf " + packed + " -C " + root_.string() + " p.interreflect").c_str()), 0);
+    for (const auto& command :
+         {"project " + packed + " --unpack " + there, "report " + packed + " --out " + there + "/a.html",
+          "figure " + packed + " --out " + there + "/a.pdf"}) {
+        const auto outcome = run(command);
+        EXPECT_EQ(outcome.status, 3) << command;
+        EXPECT_NE(outcome.err.find("/etc/hostname: is named by the project and lies outside"),
+                  std::string::npos)
+            << outcome.err;
+        EXPECT_TRUE(fs::is_empty(there)) << command;
+    }
+    EXPECT_EQ(run("project " + packed + " --allow-outside --unpack " + there).status, 0);
+}
+
 TEST_F(ProjectCommand, ChecksResultsAndUnsavedChanges) {
     write(project / "results/index.json", "damaged");
     EXPECT_NE(check(3).find("index.json: line 1"), std::string::npos);

@@ -159,5 +159,22 @@ TEST_F(SceneCommand, ListsOrRefusesSharedScenes) {
     EXPECT_GT(refused, 5u);
 }
 
+TEST_F(SceneCommand, FilesOutsideAreReadWhereThatIsAllowed) {
+    test::GltfBuilder builder;
+    builder.draw({{"POSITION", builder.triangle_positions()}});
+    builder.json["buffers"] = {{{"byteLength", builder.bytes.size()}, {"uri", "../a.bin"}}};
+    fs::create_directories(file("scene"));
+    std::ofstream(file("scene/a.gltf")) << builder.json.dump();
+    std::ofstream(file("a.bin"), std::ios::binary)
+        .write(reinterpret_cast<const char*>(builder.bytes.data()),
+               static_cast<std::streamsize>(builder.bytes.size()));
+    expect_refused("scene " + file("scene/a.gltf"), 3, "or allow it by --allow-outside");
+    EXPECT_EQ(run("scene --allow-outside " + file("scene/a.gltf")).status, 0);
+    const auto render = "render --scene " + file("scene/a.gltf") +
+                        " --method view-normals --size 8x8 --out " + file("out.exr");
+    expect_refused(render, 3, "or allow it by --allow-outside");
+    EXPECT_EQ(run(render + " --allow-outside").status, 0);
+}
+
 }  // namespace
 }  // namespace ir

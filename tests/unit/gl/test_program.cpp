@@ -153,6 +153,14 @@ TEST_P(ProgramTest, ReportsIncludeCycles) {
     EXPECT_EQ(error_of({{"main.comp"}}), "b.glsl:1: circular include: a.glsl → b.glsl → a.glsl");
 }
 
+TEST_P(ProgramTest, IncludesStayInTheShaderFolder) {
+    for (const char* name : {"/etc/passwd", "../secret.glsl", "lib/../../secret.glsl", "/dev/zero"}) {
+        folder.write("main.comp", "#include \"" + std::string(name) + "\"\n");
+        EXPECT_EQ(error_of({{"main.comp"}}),
+                  "main.comp:1: include file \"" + std::string(name) + "\" leads out of the shader folder");
+    }
+}
+
 TEST_P(ProgramTest, MovesExtensionsToTheFront) {
     folder.write("main.comp", writes_answer);
     folder.write("lib/answer.glsl",

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "renderers/core/error.h"
 #include "renderers/image/exr.h"
 #include "temporary_folder.h"
 
@@ -23,6 +24,33 @@ TEST(ImageCodecs, AreLoadedByTheFirstPictureThatNeedsThem) {
     EXPECT_FALSE(is_loaded("libOpenImageIO"));
     write_png(folder / "a.png", Image(2, 2, 1, 0.5f));
     EXPECT_TRUE(is_loaded("libOpenImageIO"));
+}
+
+std::string refusal_of(const std::string& name, const std::string& bytes) {
+    TemporaryFolder folder;
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    try {
+        read_image(folder / name);
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+/// OpenImageIO takes films, too, and a list of parts of a film names addresses.
+TEST(ImageCodecs, OnlyPicturesAreRead) {
+    const std::string list = "#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\nhttp://127.0.0.1:9/a.ts\n";
+    for (const char* name : {"a.m3u8", "a.png", "a.mp4", "a.avi", "a.null", "a.vdb", "a.dcm", "a.gif", "a"}) {
+        const auto refusal = refusal_of(name, list);
+        EXPECT_NE(refusal.find("none in EXR, HDR, PNG, JPEG, TIFF or WebP"), std::string::npos) << refusal;
+    }
+    EXPECT_NE(refusal_of("a.png", ""), "");
+    EXPECT_NE(refusal_of("a.png", "\x89PNG"), "");
+}
+
+TEST(ImageCodecs, SizesThatNoFileOfItsLengthHasAreRefused) {
+    const auto refusal = refusal_of("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16000 +X 16000\n....");
+    EXPECT_NE(refusal.find("has no sensible size"), std::string::npos) << refusal;
 }
 
 }  // namespace

@@ -48,8 +48,11 @@ TEST(Pack, RoundTripsToAnotherPlace) {
     TemporaryFolder here, there;
     const auto folder = make_project(here.path());
     const auto messages = pack_project(folder, here.path() / "a.tar", registry());
-    ASSERT_EQ(messages.size(), 1u);  // the photograph does not exist
-    EXPECT_NE(messages[0].text.find("photo.exr"), std::string::npos);
+    ASSERT_EQ(messages.size(), 2u);
+    EXPECT_NE(messages[0].text.find("from outside of the project's folder are packed: "), std::string::npos);
+    for (const char* name : {"church.gltf", "church.bin", "stone.png"})
+        EXPECT_NE(messages[0].text.find(name), std::string::npos) << messages[0].text;
+    EXPECT_NE(messages[1].text.find("photo.exr"), std::string::npos) << "it does not exist";
 
     const auto unpacked = unpack_project(here.path() / "a.tar", there.path());
     EXPECT_EQ(unpacked, there.path() / "a.interreflect");
@@ -84,8 +87,9 @@ TEST(Pack, OrdinaryTarReadsIt) {
 
 TEST(Pack, ReadsWhatOtherProgramsPacked) {
     if (std::system("tar --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs the tar program";
-    TemporaryFolder here, there;
-    const auto folder = make_project(here.path());
+    TemporaryFolder origin, here, there;
+    pack_project(make_project(origin.path()), origin.path() / "a.tar", registry());
+    const auto folder = unpack_project(origin.path() / "a.tar", here.path());
     const auto packed = (here.path() / "a.tar.gz").string();
     const std::string in = "cd " + here.path().string() + " && tar czf a.tar.gz ";
     ASSERT_EQ(std::system((in + "a.interreflect").c_str()), 0);
@@ -97,6 +101,92 @@ TEST(Pack, ReadsWhatOtherProgramsPacked) {
     fs::create_symlink("/etc/hostname", folder / "results/link");
     ASSERT_EQ(std::system((in + "a.interreflect").c_str()), 0);
     EXPECT_THROW(unpack_project(packed, there.path()), InputError);
+    EXPECT_TRUE(fs::is_empty(there.path()));
+}
+
+/// What `archive` of these files says when it is unpacked; empty where it is.
+std::string refusal_of(const std::vector<std::pair<std::string, std::string>>& files) {
+    TemporaryFolder here, there;
+    const auto archive = here.path() / "bad.tar";
+    std::ofstream stream(archive, std::ios::binary);
+    ArchiveWriter writer(stream);
+    for (const auto& [name, text] : files) writer.add_text("a.interreflect/" + name, text);
+    writer.finish();
+    stream.close();
+    try {
+        unpack_project(archive, there.path());
+        EXPECT_FALSE(fs::exists(there.path() / "a.interreflect/project.json.autosave"));
+        return "";
+    } catch (const InputError& error) {
+        EXPECT_TRUE(fs::is_empty(there.path()));
+        const std::string line = error.what();
+        EXPECT_EQ(line.rfind(archive.string() + ": ", 0), 0u) << line;
+        EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+        return line;
+    }
+}
+
+std::string document_with(const std::string& source) {
+    auto project = sample_project();
+    project.scenes[0].parts = {{source, "", {}}};
+    project.images.clear();
+    return write_project(project);
+}
+
+TEST(Pack, WhatItNamesIsInIt) {
+    const std::string lies_outside = "lies outside of its folder; if you trust who packed it";
+    for (const char* source : {"/etc/passwd", "../scenes/church.gltf", "files/../../x.glb", "/dev/zero"}) {
+        const auto refusal = refusal_of({{"project.json", document_with(source)}});
+        EXPECT_NE(refusal.find(lies_outside), std::string::npos) << source << ": " << refusal;
+    }
+    EXPECT_EQ(refusal_of({{"project.json", document_with("files/1/gone.gltf")}}), "");
+    EXPECT_EQ(refusal_of({{"project.json", document_with("~root/a.gltf")}}), "") << "a name like any other";
+    // Neither does a scene in it, whatever its name.
+    const std::string scene = R"({"images": [{"uri": "../../stone.png"}]})";
+    for (const char* name : {"files/a.gltf", "files/a.txt"}) {
+        const auto refusal = refusal_of({{"project.json", document_with(name)}, {name, scene}});
+        EXPECT_EQ(refusal, "") << "the loader refuses it: two folders above";
+    }
+    const std::string beside = R"({"images": [{"uri": "../stone.png"}]})";
+    for (const char* name : {"a.gltf", "a.txt"}) {
+        const auto refusal = refusal_of({{"project.json", document_with(name)}, {name, beside}});
+        EXPECT_NE(refusal.find(lies_outside), std::string::npos) << name << ": " << refusal;
+    }
+    EXPECT_EQ(refusal_of({{"project.json", document_with("files/a.gltf")}, {"files/a.gltf", beside}}), "");
+}
+
+TEST(Pack, UnsavedChangesOfOthersStayOut) {
+    EXPECT_EQ(refusal_of({{"project.json", document_with("files/a.gltf")},
+                          {"project.json.autosave", "evil"},
+                          {".lock", "evil"}}),
+              "");
+}
+
+TEST(Pack, LinksInResultsAreNotFollowed) {
+    TemporaryFolder here;
+    const auto folder = make_project(here.path());
+    testing::write_text(here.path() / "secret", "secret");
+    fs::remove(folder / "results/k/main.exr");
+    fs::create_symlink(here.path() / "secret", folder / "results/k/main.exr");
+    EXPECT_THROW(pack_project(folder, here.path() / "a.tar", registry()), Error);
+    EXPECT_FALSE(fs::exists(here.path() / "a.tar"));
+}
+
+TEST(Pack, BombsAreRefused) {
+    if (std::system("tar --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs the tar program";
+    TemporaryFolder here, there;
+    testing::write_text(here.path() / "a.interreflect/project.json", document_with("files/a.gltf"));
+    testing::write_text(here.path() / "a.interreflect/hole", "");
+    fs::resize_file(here.path() / "a.interreflect/hole", std::uintmax_t{8} << 30);
+    const auto pack = "cd " + here.path().string() + " && tar cSf a.tar a.interreflect";
+    ASSERT_EQ(std::system(pack.c_str()), 0);
+    ASSERT_LT(fs::file_size(here.path() / "a.tar"), 100'000u);
+    try {
+        unpack_project(here.path() / "a.tar", there.path());
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("unpacks to far more than it has bytes"), std::string::npos);
+    }
     EXPECT_TRUE(fs::is_empty(there.path()));
 }
 

@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "projects/hash.h"
+#include "projects/keep.h"
+#include "projects/store.h"
 #include "projects/sweep.h"
 #include "renderers/core/error.h"
 #include "tests/unit/projects/sample.h"
@@ -256,6 +258,27 @@ TEST(ResultIndex, PruneKeepsWhatExperimentsNeed) {
     EXPECT_FALSE(fs::exists(folder.path() / "results/old"));
     EXPECT_TRUE(fs::exists(folder.path() / "keep.txt"));
     EXPECT_TRUE(prune_results(project, registry(), folder.path()).files.empty());
+}
+
+/// A project of somebody else lists files that are none of its own, behind a link.
+TEST(ResultLinks, NothingIsWrittenOrRemovedBehindThem) {
+    TemporaryFolder root;
+    const auto folder = root.path() / "a.interreflect", home = root.path() / "home";
+    save_project(sample_project(), folder, "");
+    testing::write_text(home / "thesis.tex", "years of work");
+    ResultIndex index;
+    KeptResult result;
+    result.key = "k";
+    result.files = {{"main", "k/thesis.tex", ""}};
+    index.put(result);
+    index.save(folder);
+    fs::create_directory_symlink(home, folder / "results/k");
+    EXPECT_THROW(delete_results(folder, {"k"}), Error);
+    EXPECT_THROW(prune_results(load_project(folder, registry()).project, registry(), folder), Error);
+    EXPECT_THROW(ResultsGuard{folder}, Error);
+    EXPECT_EQ(testing::read_text(home / "thesis.tex"), "years of work");
+    fs::remove(folder / "results/k");
+    EXPECT_EQ(delete_results(folder, {"k"}).keys.size(), 1u);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstring>
 #include <limits>
 
 #include "renderers/core/error.h"
+#include "renderers/image/exr.h"
 #include "renderers/scene/world.h"
 #include "tests/unit/scene/gltf_builder.h"
 
@@ -75,6 +77,50 @@ TEST(GltfErrors, NetworkUri) {
     auto builder = triangle();
     builder.json["buffers"] = {{{"byteLength", 36}, {"uri", "https://example.com/a.bin"}}};
     expect_refusal(builder.json.dump(), "buffers[0].uri", "scheme");
+}
+
+TEST(GltfErrors, FilesOutsideOfTheScenesFolder) {
+    auto builder = triangle();
+    for (const char* uri : {"/etc/passwd", "../a.bin", "%2e%2e/a.bin", "maps/../../a.bin"}) {
+        builder.json["buffers"] = {{{"byteLength", 36}, {"uri", uri}}};
+        expect_refusal(builder.json.dump(), "buffers[0].uri", "leads out of the scene's folder");
+    }
+    for (const char* uri : {"~root/a.bin", "$HOME/a.bin"}) {
+        builder.json["buffers"] = {{{"byteLength", 36}, {"uri", uri}}};
+        expect_refusal(builder.json.dump(), "buffers[0].uri", "no such file");
+    }
+    builder = triangle();
+    builder.append("images", {{"uri", "/etc/passwd"}});
+    builder.append("textures", {{"source", 0}});
+    builder.append("materials", {{"emissiveTexture", {{"index", 0}}}});
+    expect_refusal(builder.embedded_text(), "images[0].uri", "leads out of the scene's folder");
+    builder.json["images"][0]["uri"] = "../../stone.png";
+    expect_refusal(builder.embedded_text(), "images[0].uri", "leads out of the scene's folder");
+    builder.json["images"][0]["uri"] = "../textures/stone.png";
+    expect_refusal(builder.embedded_text(), "images[0].uri", "no such file");
+}
+
+TEST(GltfErrors, DevicesAndPipes) {
+    auto builder = triangle();
+    builder.json["buffers"] = {{{"byteLength", 36}, {"uri", "a.bin"}}};
+    const TemporaryFolder folder;
+    const auto file = write_file(folder, "bad.gltf", builder.json.dump());
+    ASSERT_EQ(mkfifo((folder.path / "a.bin").c_str(), 0600), 0);
+    EXPECT_NE(refusal_of(file).find("a.bin: not a regular file"), std::string::npos) << refusal_of(file);
+    EXPECT_NE(refusal_of("/dev/zero").find("not a regular file"), std::string::npos);
+}
+
+/// Each of 64 grey images of 16 Mi texels is a few kilobytes of zeros.
+TEST(GltfErrors, TexturesThatExpandBeyondReasonAreRefused) {
+    auto builder = triangle();
+    const auto png = png_of(Image(4096, 4096, 1, 0.0f), 0);
+    const auto uri = "data:image/png;base64," + GltfBuilder::base64({png.begin(), png.end()});
+    for (int i = 0; i < 12; ++i) {
+        builder.append("images", {{"uri", uri}});
+        builder.append("textures", {{"source", i}});
+        builder.append("materials", {{"emissiveTexture", {{"index", i}}}});
+    }
+    expect_refusal(builder.embedded_text(), "images[", "far more texels than the files have bytes");
 }
 
 TEST(GltfErrors, AccessorBeyondItsView) {
