@@ -42,12 +42,34 @@ void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kern
     source.defines.merge(tiles.bins.defines());
     source.defines["SUMS"] = half ? "rgba16f" : "rgba32f";
     source.defines["DIRECTIONS"] = half ? "rg16f" : "rg32f";
+    define_reflection(source, kernels);
     const auto& program = p.use(source);
     program.set(rules_of(p, kernels));
+    set_reflection(program, kernels);
     passes::gather_tiles(p, slice, program, tiles);
 }
 
 }  // namespace
+
+void define_reflection(gl::ProgramSource& source, const Kernels& kernels) {
+    if (!kernels.parameters.reflects_each_photon()) return;
+    source.defines["REFLECTS"] = "1";
+    source.defines["MATERIALS"] = std::to_string(static_cast<int>(kernels.parameters.transport.materials));
+}
+
+void reads_receivers(graph::PassBuilder& pass, const Kernels& kernels) {
+    const auto& gbuffer = kernels.surfaces.gbuffer;
+    const bool reflects = kernels.parameters.reflects_each_photon();
+    if (reflects || kernels.parameters.facing_test) pass.reads(gbuffer.geometric_normal);
+    if (reflects)
+        pass.reads(gbuffer.albedo, gbuffer.material, gbuffer.normal, kernels.surfaces.scene.materials);
+}
+
+void set_reflection(const gl::Program& program, const Kernels& kernels) {
+    const auto& parameters = kernels.parameters;
+    if (parameters.reflects_each_photon())
+        program.set(passes::DirectionalConstants{parameters.max_stretch, parameters.receivers.directional});
+}
 
 void gather_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass) {
     const auto size = texels_of(builder.inputs().view, kernels.surfaces.divisor);
@@ -57,7 +79,8 @@ void gather_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const 
                                    .size_px = size,
                                    .entries_at_once = entries_at_once};
     auto declared = builder.pass(pass.name);
-    if (kernels.parameters.facing_test) declared.reads(kernels.surfaces.geometric_normal);
+    if (pass.has_two_bodies) declared.has_two_bodies();
+    reads_receivers(declared, kernels);
     declared.reads("Photons", kernels.photons.records)
         .reads("Stored", kernels.photons.stored)
         .reads("tiles", kernels.tiles)

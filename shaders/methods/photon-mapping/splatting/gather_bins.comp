@@ -1,7 +1,6 @@
 // Sums the kernels of a bin's photons over its texels. A work group makes kernels of photons side by side, once for all
 // of its texels.  [Smal19 §6.3]
-#include "methods/photon-mapping/splatting/photon_kernel.glsl"
-#include "methods/photon-mapping/splatting/inside.glsl"
+#include "methods/photon-mapping/splatting/added.glsl"
 #include "passes/photons/binned.glsl"
 
 const uint KERNELS_AT_ONCE = 128u;
@@ -34,9 +33,9 @@ void main() {
         for (uint i = 0u; i < end; ++i) {
             Kernel k = kernels[i];
             if (!covers(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, to_light_ws[i], seen)) continue;
-            vec3 weighted = dot(k.irradiance, vec3(1)) * to_light_ws[i];
-            sum += vec4(k.irradiance, weighted.x);
-            direction += weighted.yz;
+            Added added = added_by(k, to_light_ws[i], seen);
+            sum += vec4(added.irradiance, added.direction.x);
+            direction += added.direction.yz;
         }
     }
     if (!is_there) return;
