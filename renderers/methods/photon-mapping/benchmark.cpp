@@ -50,20 +50,18 @@ std::vector<std::string> splatting_passes() {
     return {"count photons*", "splat.bins*", "list photons of bins", "surfaces to splat on", "splat photons"};
 }
 
-/// Kernels that the device draws and gathers, and that the host adds up.
+/// Kernels that the device draws and gathers, also with the BRDF of each photon, and that the host adds up.
 void add_splatting(std::vector<graph::Benchmark::Variant>& variants, int photons) {
-    const auto add = [&](const char* label, const char* splatting, const char* inside, Processor processor) {
-        variants.push_back({std::to_string(photons / 1000) + " k photons, " + label,
-                            {{"photons", std::int64_t{photons}},
-                             {"splatting", std::string(splatting)},
-                             {"inside_test", std::string(inside)}},
-                            1,
-                            processor});
+    const auto add = [&](const char* label, Settings settings, Processor processor = Processor::gl) {
+        settings["photons"] = std::int64_t{photons};
+        variants.push_back({std::to_string(photons / 1000) + " k photons, " + label, settings, 1, processor});
     };
-    add("drawn", "drawn", "ellipsoid", Processor::gl);
-    add("tiles", "tiles", "ellipsoid", Processor::gl);
-    add("drawn as planes", "drawn", "linear-depth", Processor::gl);
-    add("host", "drawn", "ellipsoid", Processor::host);
+    const Value tiles = std::string("tiles");
+    add("drawn", {});
+    add("tiles", {{"splatting", tiles}});
+    add("tiles, full BRDF", {{"splatting", tiles}, {"receiver", std::string("full")}});
+    add("drawn as planes", {{"inside_test", std::string("linear-depth")}});
+    add("host", {}, Processor::host);
 }
 
 graph::Benchmark on_conference(const char* name, const char* doc, int width, int height) {
@@ -112,10 +110,10 @@ std::vector<graph::Benchmark> benchmarks() {
     };
     auto splatting = on_conference(
         "photon-mapping-splatting",
-        "Kernels drawn as ellipsoids, gathered by tiles, drawn as planes and added up on the host, at 480x270: "
-        "the columns of [Smal19 table 6.1], over the number of photons. Published on an RTX 2080 Ti at "
-        "1920x1080, ms for ellipsoids, tiles, planes: Sponza, 500 k photons 1.3, 6.6, 1.5; conference room, "
-        "100 k photons 0.9, 7.4, 1.1",
+        "Kernels drawn as ellipsoids, gathered by tiles, the same with the BRDF of each photon, drawn as "
+        "planes, and added up on the host, at 480x270: the columns of [Smal19 table 6.1], over the number of "
+        "photons. Published on an RTX 2080 Ti at 1920x1080, ms for ellipsoids, tiles, planes: Sponza, 500 k "
+        "photons 1.3, 6.6, 1.5; conference room, 100 k photons 0.9, 7.4, 1.1",
         480, 270);
     splatting.total_of = splatting_passes();
     for (const int photons : {25'000, 100'000, 400'000}) add_splatting(splatting.variants, photons);

@@ -36,7 +36,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto samples = emit(builder, scene, gbuffer, parameters);
     const auto photons = trace_photons(builder, scene, samples, parameters);
     learn_weights(builder, samples, parameters);
-    const auto splat = splat_photons(builder, gbuffer, photons, parameters);
+    const auto splat = splat_photons(builder, scene, gbuffer, photons, parameters);
     show_paths(builder, gbuffer, samples, photons, splat);
     const auto filtered = filter_irradiance(builder, gbuffer, splat, parameters);
     compose(builder, scene, gbuffer, filtered, parameters);

@@ -92,6 +92,8 @@ struct Parameters {
     }
     /// Weights that came of the same photons would bias what they find.
     bool renews_photons() const { return is_progressive() || has_weights(); }
+    /// The BRDF is evaluated where kernels are added up.
+    bool reflects_each_photon() const { return receivers.is_full(transport.materials); }
     /// A mean over many frames would show how half floats are rounded.
     bool has_half_sums() const { return sum_precision == Precision::half_float && !is_progressive(); }
 };

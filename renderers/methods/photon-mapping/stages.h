@@ -76,14 +76,15 @@ std::vector<OutputDescription> tracing_outputs();
 struct Splat {
     graph::ImageRef irradiance;  ///< "splat.irradiance" RGB: E, W/m²; A: x of the sum of directions to the
                                  ///< light, each weighted by R + G + B of what it adds
-    graph::ImageRef direction;   ///< "splat.direction" RG: y and z of that sum, world space
+    graph::ImageRef direction;   ///< "splat.direction" RG: y and z of that sum, world space. With
+                                 ///< Receiver::full both are what passes::ArrivedLight says
     int divisor = 1;  ///< pixels of the view along a side of a texel, which is for one of them: 1, 2 or 4
     graph::BufferRef found;  ///< "splat.explain.photons": FoundPhoton, of the picked texel, strongest first
     graph::BufferRef sum;    ///< "splat.explain.sum"
 };
 
-Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
-                    const Parameters& parameters);
+Splat splat_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                    const passes::GBuffer& gbuffer, const Photons& photons, const Parameters& parameters);
 
 std::vector<OutputDescription> splatting_outputs();
 

@@ -31,14 +31,30 @@ struct BinnedPhotons {
 struct PhotonBinning {
     PhotonList photons;
     PhotonBins bins;
-    std::string counts, lists;  ///< programs that include count_bins.glsl, and fill_bins.glsl
+    std::string count_shader, fill_shader;  ///< files that include count_bins.glsl, and fill_bins.glsl
     std::map<std::string, std::string> defines = {};
-    int turns = 0;                                   ///< of loops, that seen_pixels() takes
-    std::function<void(graph::PassBuilder&)> reads;  ///< declares what it reads, the photons included
-    std::function<void(const graph::PassContext&, const gl::Program&)> set;  ///< its constants
+    int loop_turns = 0;                                      ///< that seen_pixels() takes for a photon
+    std::function<void(graph::PassBuilder&)> declare_reads;  ///< the photons included
+    std::function<void(const graph::PassContext&, const gl::Program&)> set_constants;
 };
 
 /// Declares the passes "count photons of bins", "splat.bins …" and "list photons of bins".
 BinnedPhotons sort_into_bins(graph::GraphBuilder& builder, const PhotonBinning& binning);
+
+/// A sum over the lists by a program that includes binned.glsl: a work group sums a tile of gathered_tile
+/// pixels a side.
+struct TileGather {
+    PhotonBins bins;
+    graph::BufferRef photons;      ///< their records: as many as a list may hold
+    glm::ivec2 size_px;            ///< of the picture
+    std::int64_t entries_at_once;  ///< of a list, that a dispatch sums; max_turns is for all loops together
+    int rows = 1;                  ///< pixels that an invocation sums, one below the other
+    std::int64_t tiles() const;
+};
+
+/// Runs the program in use for the tiles of the slice, round after round of their lists. The pass reads
+/// "Places" and "Lists", and its images keep the sums of earlier rounds.
+void gather_tiles(const graph::PassContext& p, graph::Slice slice, const gl::Program& program,
+                  const TileGather& gather);
 
 }  // namespace ir::passes

@@ -4,10 +4,20 @@
 
 namespace ir::passes {
 
-ParameterTable<ReceiverParameters> receiver_parameters(int since_version) {
+ParameterTable<ReceiverParameters> receiver_parameters(int since_version, bool offers_full) {
     const auto in_older_projects = [&](Value value) {
         return since_version > 1 ? std::optional(std::move(value)) : std::nullopt;
     };
+    std::vector<Choice> choices{
+        {"diffuse", "Diffuse", "Without highlights; metals are black."},
+        {"mean-direction", "Mean direction",
+         "The whole BRDF, as if all light came from its mean direction. Highlights flicker."},
+        {"widened", "Widened", "The same with highlights as wide as the directions of the light are apart."}};
+    if (offers_full)
+        choices.push_back(
+            {"full", "Full",
+             "The whole BRDF for each photon, where kernels are added up. The device gathers photons by tiles "
+             "for it."});
     ParameterTable<ReceiverParameters> table;
     table
         .add(&ReceiverParameters::receiver,
@@ -16,12 +26,7 @@ ParameterTable<ReceiverParameters> receiver_parameters(int since_version) {
               .doc = "How the surfaces that are seen reflect indirect light, of which each pixel knows the "
                      "irradiance and the mean direction.",
               .citation = "Smal19 §8.3",
-              .choices = {{"diffuse", "Diffuse", "Without highlights; metals are black."},
-                          {"mean-direction", "Mean direction",
-                           "The whole BRDF, as if all light came from its mean direction. Highlights "
-                           "flicker."},
-                          {"widened", "Widened",
-                           "The same with highlights as wide as the directions of the light are apart."}},
+              .choices = choices,
               .active_when = has_microfacets,
               .since_version = since_version,
               .value_in_older_projects = in_older_projects(std::string("diffuse"))})

@@ -96,8 +96,9 @@ class SplatTest : public PassTest {
         method.description.id = "test";
         method.description.outputs = outputs();
         method.setup = [run](graph::GraphBuilder& builder, const Settings&) {
-            const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
-            pm::splat_photons(builder, gbuffer, upload(builder, run), run.parameters);
+            const auto scene = passes::upload_scene(builder);
+            const auto gbuffer = passes::gbuffer(builder, scene);
+            pm::splat_photons(builder, scene, gbuffer, upload(builder, run), run.parameters);
         };
         return method;
     }

@@ -83,11 +83,12 @@ TEST_F(Splatting, AnIcosahedronWithinTheKernelLosesAQuarterOfTheFlux) {
     const SplatRun run{scattered(256, 0.6f), with_radius(shot, 0.4f)};
     for (const bool mutant : {false, true}) {
         PassTest::run(shot, [&](graph::GraphBuilder& builder) {
-            const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
+            const auto scene = passes::upload_scene(builder);
+            const auto gbuffer = passes::gbuffer(builder, scene);
             const auto photons = pm::stored_photons(builder, upload(builder, run));
             const auto kernels =
                 pm::declare_kernels(builder, photons, pm::count_tiles(builder, photons, run.parameters),
-                                    pm::splat_surfaces(builder, gbuffer, 1), run.parameters);
+                                    pm::splat_surfaces(builder, scene, gbuffer, 1), run.parameters);
             const auto irradiance = builder.output("splat.irradiance", {.format = gl::Format::rgba32f});
             const auto direction = builder.output("splat.direction", {.format = gl::Format::rgba32f});
             pm::KernelPass pass{"draw", "draw.command", {irradiance, direction}, {}};

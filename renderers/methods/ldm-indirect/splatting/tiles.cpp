@@ -1,15 +1,14 @@
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 #include "renderers/passes/photons/photon_bins.h"
-#include "shaders/methods/ldm-indirect/splatting/gather_bins.comp.h"
+#include "shaders/passes/photons/binned.glsl.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
 
-constexpr int tile = gathered_tile;
-constexpr int rows = 8;  ///< pixels of an invocation; divides tile
-/// Entries of a list that one dispatch sums. Compilers unroll the loop over rows only where it is short; else
-/// each entry takes a turn, one for each row, and one that ends the rows.
-std::int64_t round_size(const SplatTask& task) {
+constexpr int rows = 8;  ///< pixels of an invocation; divides gathered_tile
+/// Compilers unroll the loop over rows only where it is short; else each entry takes a turn, one for each
+/// row, and one that ends the rows.
+std::int64_t entries_at_once(const SplatTask& task) {
     return task.photons.looks ? passes::max_turns / (rows + 2) : 49152;
 }
 constexpr std::uint64_t expected_kernels = 1 << 16;
@@ -19,12 +18,6 @@ struct MakeKernels {
     Footprints footprints;
     unsigned capacity;
     IR_FIELDS(footprints, capacity)
-};
-
-/// Constants of gather_bins.comp.
-struct GatherBins {
-    unsigned tiles_across, bins_across, first_tile, round_first, round_size;
-    IR_FIELDS(tiles_across, bins_across, first_tile, round_first, round_size)
 };
 
 graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons& photons) {
@@ -55,39 +48,29 @@ passes::BinnedPhotons sort_photons(graph::GraphBuilder& builder, const SplatTask
     const auto& view = builder.inputs().view;
     constexpr int turns_of_box = 40;  // of clipped_box()
     return passes::sort_into_bins(
-        builder,
-        {.photons = task.photons,
-         .bins = passes::photon_bins({view.width, view.height}, tile),
-         .counts = folder + "count_bins.comp",
-         .lists = folder + "fill_bins.comp",
-         .turns = turns_of_box,
-         .reads = [=](graph::PassBuilder& pass) { reads_footprints(pass, task.photons); },
-         .set = [=](const graph::PassContext& p,
-                    const gl::Program& program) { program.set(outlines(p.inputs(), task.photons)); }});
+        builder, {.photons = task.photons,
+                  .bins = passes::photon_bins({view.width, view.height}, passes::gathered_tile),
+                  .count_shader = folder + "count_bins.comp",
+                  .fill_shader = folder + "fill_bins.comp",
+                  .loop_turns = turns_of_box,
+                  .declare_reads = [=](graph::PassBuilder& pass) { reads_footprints(pass, task.photons); },
+                  .set_constants =
+                      [=](const graph::PassContext& p, const gl::Program& program) {
+                          program.set(outlines(p.inputs(), task.photons));
+                      }});
 }
 
 void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
-            const passes::PhotonBins& bins, int tiles_across) {
+            const passes::TileGather& tiles) {
     if (slice.first) p.clear(task.irradiance);
     if (slice.first) p.clear(task.direction);
-    auto defines = bins.defines();
+    auto defines = tiles.bins.defines();
     defines["ROWS"] = std::to_string(rows);
     gl::ProgramSource source{{folder + "gather_bins.comp"}, defines};
     define_clipped(source, task.photons);
     const auto& program = p.use(source);
     set_units(p, program, task.photons);
-    // a photon stands once in a list, so that no list is longer than there are photons
-    const auto longest = static_cast<std::int64_t>(p.capacity(task.photons.records));
-    const auto round = round_size(task);
-    for (std::int64_t first = 0; first < longest; first += round) {
-        program.set(GatherBins{.tiles_across = static_cast<unsigned>(tiles_across),
-                               .bins_across = static_cast<unsigned>(bins.across),
-                               .first_tile = static_cast<unsigned>(slice.begin),
-                               .round_first = static_cast<unsigned>(first),
-                               .round_size = static_cast<unsigned>(round)});
-        program.dispatch((slice.end - slice.begin) * tile, tile / rows);
-        p.barrier();
-    }
+    passes::gather_tiles(p, slice, program, tiles);
 }
 
 }  // namespace
@@ -96,7 +79,11 @@ void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto binned = sort_photons(builder, task);
     const auto kernels = make_kernels(builder, task.photons);
     const auto& view = builder.inputs().view;
-    const int across = (view.width + tile - 1) / tile, down = (view.height + tile - 1) / tile;
+    const passes::TileGather tiles{.bins = binned.bins,
+                                   .photons = task.photons.records,
+                                   .size_px = {view.width, view.height},
+                                   .entries_at_once = entries_at_once(task),
+                                   .rows = rows};
     auto pass = builder.pass("gather photons of tiles");
     pass.has_two_bodies()
         .reads(task.photons.records, task.position, task.normal)
@@ -108,9 +95,8 @@ void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task) {
         .writes("sums", task.irradiance)
         .writes("directions", task.direction);
     reads_looks(pass, task.photons);
-    pass.execute_sliced(std::int64_t{across} * down, [=](graph::PassContext& p, graph::Slice slice) {
-        gather(p, slice, task, binned.bins, across);
-    });
+    pass.execute_sliced(tiles.tiles(),
+                        [=](graph::PassContext& p, graph::Slice slice) { gather(p, slice, task, tiles); });
 }
 
 }  // namespace ir::methods::ldm_indirect

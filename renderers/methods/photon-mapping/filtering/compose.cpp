@@ -83,8 +83,10 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
     if (paths != Paths::indirect) in.direct = direct;
     const auto irradiance = builder.output("irradiance", {.format = gl::Format::rgba32f});
     show(builder, in, irradiance, "irradiance", "");
-    const auto flicker = builder.output("history.flicker", {.format = gl::Format::r32f});
-    show(builder, in, flicker, "spread of directions", "FLICKER");
+    if (!parameters.reflects_each_photon()) {
+        const auto flicker = builder.output("history.flicker", {.format = gl::Format::r32f});
+        show(builder, in, flicker, "spread of directions", "FLICKER");
+    }
     reflect(builder, in);
 }
 

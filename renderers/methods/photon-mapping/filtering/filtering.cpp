@@ -27,20 +27,19 @@ OutputDescription level_view(std::string key, std::string label, std::string doc
 }
 
 std::vector<OutputDescription> results() {
-    return {{.key = "radiance",
-             .label = "Radiance",
-             .semantic = Semantic::radiance,
-             .unit = "W/(m² sr)",
-             .doc = "What leaves towards the eye. Indirect light is reflected by the diffuse part of the "
-                    "surface alone: highlights of indirect light on what is seen are left out. Direct light "
-                    "has them. Pixels without a surface are 0, or with the paths “full” a constant "
-                    "environment."},
-            {.key = "irradiance",
-             .label = "Irradiance",
-             .semantic = Semantic::irradiance,
-             .unit = "W/m²",
-             .doc = "Indirect light on the surface as it is shaded: filtered, and with the directional term "
-                    "where that is on."}};
+    return {
+        {.key = "radiance",
+         .label = "Radiance",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "What leaves towards the eye. How indirect light is reflected is up to “Receivers”. Pixels "
+                "without a surface are 0, or with the paths “full” a constant environment."},
+        {.key = "irradiance",
+         .label = "Irradiance",
+         .semantic = Semantic::irradiance,
+         .unit = "W/m²",
+         .doc = "Indirect light on the surface as it is shaded: filtered, and with the directional term "
+                "where that is on. With the receivers “full” without what the interface reflects."}};
 }
 
 std::vector<OutputDescription> temporal_views() {
@@ -50,7 +49,8 @@ std::vector<OutputDescription> temporal_views() {
          .semantic = Semantic::irradiance,
          .unit = "W/m²",
          .doc = "The estimate at the view's resolution, averaged over frames. The fourth channel is the "
-                "x component of the sum of directions to the light."},
+                "x component of the sum of directions to the light; with the receivers “full” red of what "
+                "the interface reflects."},
         {.key = "history.weight",
          .label = "Weight of history",
          .semantic = Semantic::probability,
@@ -75,7 +75,9 @@ std::vector<OutputDescription> temporal_views() {
          .label = "Spread of directions",
          .semantic = Semantic::probability,
          .doc = "1 minus the length of the mean direction to the light. Where it is large, the mean "
-                "stands for light from several sides, and what depends on it flickers [Smal19 fig. 8.7]."}};
+                "stands for light from several sides, and what depends on it flickers [Smal19 fig. 8.7].",
+         .active_when = {"receiver",
+                         {std::string("diffuse"), std::string("mean-direction"), std::string("widened")}}}};
 }
 
 std::vector<OutputDescription> spatial_views() {

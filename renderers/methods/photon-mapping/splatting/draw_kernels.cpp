@@ -153,7 +153,7 @@ void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const Ke
         .reads(kernels.corners)
         .reads("depths", kernels.surfaces.depth)
         .writes("Draw", command);
-    if (kernels.parameters.facing_test) declared.reads(kernels.surfaces.geometric_normal);
+    if (kernels.parameters.facing_test) declared.reads(kernels.surfaces.gbuffer.geometric_normal);
     for (const auto target : pass.targets) declared.writes(target);
     if (pass.depth_test) declared.writes(kernels.surfaces.stencil);
     declared.execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {

@@ -45,9 +45,10 @@ struct ExplainPixel {
 };
 
 void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels) {
-    gl::ProgramSource source{{"methods/photon-mapping/splatting/explain.comp"}};
-    source.defines = kernel_defines(kernels);
+    gl::ProgramSource source{{"methods/photon-mapping/splatting/explain.comp"}, kernel_defines(kernels)};
+    define_reflection(source, kernels);
     const auto& program = p.use(source);
+    set_reflection(program, kernels);
     program.set(ExplainPixel{kernel_rules(p.inputs(), kernels.parameters, kernels.photons.power_unit),
                              picked_texel(p.inputs(), kernels.surfaces.divisor)});
     passes::dispatch_photons(p, program, kernels.photons, slice);
@@ -80,7 +81,7 @@ void sort_and_add_up(const graph::PassContext& p, const Kernels& kernels, const 
 void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, Splat& splat) {
     const auto e = declare(builder);
     auto pass = builder.pass("explain photons of the pixel");
-    if (kernels.parameters.facing_test) pass.reads(kernels.surfaces.geometric_normal);
+    reads_receivers(pass, kernels);
     pass.reads("Photons", kernels.photons.records)
         .reads("Stored", kernels.photons.stored)
         .reads("tiles", kernels.tiles)

@@ -1,21 +1,13 @@
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 #include "renderers/methods/photon-mapping/splatting/stages.h"
 #include "renderers/passes/photons/photon_bins.h"
-#include "shaders/methods/photon-mapping/splatting/gather_bins.comp.h"
+#include "shaders/passes/photons/binned.glsl.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
-constexpr int tile = gathered_tile;
-/// Entries of a list that one dispatch sums: each takes a turn, and a few more end the batches.
-constexpr std::int64_t round_size = 49152;
-
-/// Constants of gather_bins.comp.
-struct GatherBins {
-    KernelRules rules;
-    unsigned tiles_across, bins_across, first_tile, round_first, round_size;
-    IR_FIELDS(rules, tiles_across, bins_across, first_tile, round_first, round_size)
-};
+/// Each takes a turn, and a few more end the batches.
+constexpr std::int64_t entries_at_once = 49152;
 
 KernelRules rules_of(const graph::PassContext& p, const Kernels& kernels) {
     return kernel_rules(p.inputs(), kernels.parameters, kernels.photons.power_unit);
@@ -27,52 +19,68 @@ passes::BinnedPhotons sort_kernels(graph::GraphBuilder& builder, const Kernels& 
     defines.erase("EDGE_PROBES");
     return passes::sort_into_bins(
         builder, {.photons = kernels.photons,
-                  .bins = passes::photon_bins(size, tile),
-                  .counts = "methods/photon-mapping/splatting/count_bins.comp",
-                  .lists = "methods/photon-mapping/splatting/fill_bins.comp",
+                  .bins = passes::photon_bins(size, passes::gathered_tile),
+                  .count_shader = "methods/photon-mapping/splatting/count_bins.comp",
+                  .fill_shader = "methods/photon-mapping/splatting/fill_bins.comp",
                   .defines = defines,
-                  .reads =
+                  .declare_reads =
                       [=](graph::PassBuilder& pass) {
                           pass.reads("Photons", kernels.photons.records)
                               .reads("Stored", kernels.photons.stored)
                               .reads("tiles", kernels.tiles);
                       },
-                  .set = [=](const graph::PassContext& p,
-                             const gl::Program& program) { program.set(rules_of(p, kernels)); }});
+                  .set_constants = [=](const graph::PassContext& p,
+                                       const gl::Program& program) { program.set(rules_of(p, kernels)); }});
 }
 
 void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels, const KernelPass& pass,
-            const passes::PhotonBins& bins, int tiles_across) {
+            const passes::TileGather& tiles) {
     if (slice.first)
         for (const auto target : pass.targets) p.clear(target);
     const bool half = kernels.parameters.has_half_sums();
     gl::ProgramSource source{{"methods/photon-mapping/splatting/gather_bins.comp"}, kernel_defines(kernels)};
-    source.defines.merge(bins.defines());
+    source.defines.merge(tiles.bins.defines());
     source.defines["SUMS"] = half ? "rgba16f" : "rgba32f";
     source.defines["DIRECTIONS"] = half ? "rg16f" : "rg32f";
+    define_reflection(source, kernels);
     const auto& program = p.use(source);
-    // a photon stands once in a list, so that no list is longer than there are photons
-    const auto longest = static_cast<std::int64_t>(p.capacity(kernels.photons.records));
-    for (std::int64_t first = 0; first < longest; first += round_size) {
-        program.set(GatherBins{.rules = rules_of(p, kernels),
-                               .tiles_across = static_cast<unsigned>(tiles_across),
-                               .bins_across = static_cast<unsigned>(bins.across),
-                               .first_tile = static_cast<unsigned>(slice.begin),
-                               .round_first = static_cast<unsigned>(first),
-                               .round_size = static_cast<unsigned>(round_size)});
-        program.dispatch((slice.end - slice.begin) * tile, tile);
-        p.barrier();
-    }
+    program.set(rules_of(p, kernels));
+    set_reflection(program, kernels);
+    passes::gather_tiles(p, slice, program, tiles);
 }
 
 }  // namespace
 
+void define_reflection(gl::ProgramSource& source, const Kernels& kernels) {
+    if (!kernels.parameters.reflects_each_photon()) return;
+    source.defines["REFLECTS"] = "1";
+    source.defines["MATERIALS"] = std::to_string(static_cast<int>(kernels.parameters.transport.materials));
+}
+
+void reads_receivers(graph::PassBuilder& pass, const Kernels& kernels) {
+    const auto& gbuffer = kernels.surfaces.gbuffer;
+    const bool reflects = kernels.parameters.reflects_each_photon();
+    if (reflects || kernels.parameters.facing_test) pass.reads(gbuffer.geometric_normal);
+    if (reflects)
+        pass.reads(gbuffer.albedo, gbuffer.material, gbuffer.normal, kernels.surfaces.scene.materials);
+}
+
+void set_reflection(const gl::Program& program, const Kernels& kernels) {
+    const auto& parameters = kernels.parameters;
+    if (parameters.reflects_each_photon())
+        program.set(passes::DirectionalConstants{parameters.max_stretch, parameters.receivers.directional});
+}
+
 void gather_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass) {
     const auto size = texels_of(builder.inputs().view, kernels.surfaces.divisor);
     const auto binned = sort_kernels(builder, kernels, size);
-    const auto tiles = (size + tile - 1) / tile;
+    const passes::TileGather tiles{.bins = binned.bins,
+                                   .photons = kernels.photons.records,
+                                   .size_px = size,
+                                   .entries_at_once = entries_at_once};
     auto declared = builder.pass(pass.name);
-    if (kernels.parameters.facing_test) declared.reads(kernels.surfaces.geometric_normal);
+    if (pass.has_two_bodies) declared.has_two_bodies();
+    reads_receivers(declared, kernels);
     declared.reads("Photons", kernels.photons.records)
         .reads("Stored", kernels.photons.stored)
         .reads("tiles", kernels.tiles)
@@ -81,8 +89,8 @@ void gather_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const 
         .reads("Lists", binned.entries)
         .writes("sums", pass.targets[0])
         .writes("directions", pass.targets[1])
-        .execute_sliced(std::int64_t{tiles.x} * tiles.y, [=](graph::PassContext& p, graph::Slice slice) {
-            gather(p, slice, kernels, pass, binned.bins, tiles.x);
+        .execute_sliced(tiles.tiles(), [=](graph::PassContext& p, graph::Slice slice) {
+            gather(p, slice, kernels, pass, tiles);
         });
 }
 

@@ -11,10 +11,13 @@ std::vector<OutputDescription> splatting_outputs() {
          .unit = "W/m²",
          .doc =
              "Sum of all kernels over the texel, at the splatting resolution. A: x of the sum of directions "
-             "to the light, each weighted by R + G + B of what it adds."},
+             "to the light, each weighted by R + G + B of what it adds. With the receivers “full” the "
+             "irradiance of the surface as it is shaded, without what its interface reflects; A: red of "
+             "that, W/(m² sr), over the interface's albedo."},
         {.key = "splat.direction",
          .label = "Direction of the light, y and z",
-         .doc = "y and z of the sum of directions whose x stands in the irradiance, world space."},
+         .doc = "y and z of the sum of directions whose x stands in the irradiance, world space. With the "
+                "receivers “full” green and blue of what the interface reflects."},
         {.key = "splat.depth",
          .label = "Depth at the splatting resolution",
          .semantic = Semantic::depth,

@@ -12,7 +12,8 @@ void add_targets(ParameterTable<Parameters>& table) {
         .add(&Parameters::splatting,
              {.key = "splatting",
               .label = "Splatting",
-              .doc = "How kernels are added up. The picture is the same but for rounding.",
+              .doc = "How kernels are added up. The picture is the same but for rounding. With the receivers "
+                     "“full” the device gathers by tiles in any case.",
               .citation = "Smal19 §6.2, §6.3",
               .choices = {{"drawn", "Drawn",
                            "Kernels are drawn as solids around them, and blending adds; on the host, threads "

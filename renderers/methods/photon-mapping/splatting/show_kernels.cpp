@@ -24,7 +24,7 @@ void show_kernels(graph::GraphBuilder& builder, const Kernels& kernels) {
     const auto count =
         builder.counter({.key = "splat.kernel_count", .label = "Kernels shown", .growth_of = shown});
     auto pass = builder.pass("show kernels");
-    if (kernels.parameters.facing_test) pass.reads(kernels.surfaces.geometric_normal);
+    if (kernels.parameters.facing_test) pass.reads(kernels.surfaces.gbuffer.geometric_normal);
     pass.reads("Photons", kernels.photons.records)
         .reads("Stored", kernels.photons.stored)
         .reads("tiles", kernels.tiles)

@@ -14,13 +14,13 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl
 
 }  // namespace
 
-Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
-                    const Parameters& parameters) {
+Splat splat_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                    const passes::GBuffer& gbuffer, const Photons& photons, const Parameters& parameters) {
     const int divisor = divisor_of(parameters.splat_resolution);
     const bool half = parameters.has_half_sums();
     const auto stored = stored_photons(builder, photons);
     const auto tiles = count_tiles(builder, stored, parameters);
-    const auto surfaces = splat_surfaces(builder, gbuffer, divisor);
+    const auto surfaces = splat_surfaces(builder, scene, gbuffer, divisor);
     const auto kernels = declare_kernels(builder, stored, tiles, surfaces, parameters);
 
     Splat splat;
@@ -34,10 +34,10 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
                           .targets = {splat.irradiance, splat.direction},
                           .has_two_bodies = parameters.splatting == Splatting::drawn &&
                                             parameters.inside_test == InsideTest::ellipsoid};
-    if (parameters.splatting == Splatting::tiles)
+    if (sums.has_two_bodies && builder.inputs().processor == Processor::host)
+        splat_on_host(builder, kernels, sums);
+    else if (parameters.splatting == Splatting::tiles || parameters.reflects_each_photon())
         gather_kernels(builder, kernels, sums);
-    else if (sums.has_two_bodies && builder.inputs().processor == Processor::host)
-        splat_on_host(builder, gbuffer, kernels, sums);
     else
         draw_kernels(builder, kernels, sums);
     draw_kernels(builder, kernels,

@@ -23,14 +23,16 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
 
 /// What kernels are tested against, at the splatting resolution.
 struct SplatSurfaces {
-    graph::ImageRef depth;             ///< "splat.depth": along the view axis, m, of each texel's pixel
-    graph::ImageRef stencil;           ///< "splat.stencil": for the depth test
-    graph::ImageRef geometric_normal;  ///< of the G-buffer
+    graph::ImageRef depth;    ///< "splat.depth": along the view axis, m, of each texel's pixel
+    graph::ImageRef stencil;  ///< "splat.stencil": for the depth test
+    passes::GBuffer gbuffer;
+    passes::SceneBuffers scene;
     int divisor = 1;
 };
 
 /// Declares the pass "surfaces to splat on".
-SplatSurfaces splat_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, int divisor);
+SplatSurfaces splat_surfaces(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                             const passes::GBuffer& gbuffer, int divisor);
 
 /// A regular icosahedron with its vertices on the unit sphere; corners run anticlockwise seen from outside.
 struct Icosahedron {
@@ -52,8 +54,14 @@ struct Kernels {
 Kernels declare_kernels(graph::GraphBuilder& builder, const StoredPhotons& photons, graph::ImageRef tiles,
                         const SplatSurfaces& surfaces, const Parameters& parameters);
 
-/// The defines of inside.glsl.
+/// The defines of photon_kernel.glsl and inside.glsl.
 std::map<std::string, std::string> kernel_defines(const Kernels& kernels);
+
+/// What added.glsl needs where each photon is reflected by itself: defines, accesses and constants. With the
+/// accesses come those of inside.glsl to normals.
+void define_reflection(gl::ProgramSource& source, const Kernels& kernels);
+void reads_receivers(graph::PassBuilder& pass, const Kernels& kernels);
+void set_reflection(const gl::Program& program, const Kernels& kernels);
 
 /// Declares a pass that adds a value for every kernel that covers a texel.
 struct KernelPass {
@@ -67,13 +75,12 @@ void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const Ke
 
 /// Declares the same sums by a gather: photons are listed by the tiles that their kernels reach, and texels
 /// sum those of their tile, in the order of the photons. Half floats are rounded once for each 49,152 of
-/// them.  [Smal19 §6.3]
+/// them. With Receiver::full photons are reflected by the surfaces of texels.  [Smal19 §6.3, §7.4]
 void gather_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass);
 
 /// Declares the same pass on the host's threads, for ellipsoids: irradiance and direction are those of the
 /// device but for rounding. Half floats are rounded once, from sums in single precision.
-void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Kernels& kernels,
-                   const KernelPass& pass);
+void splat_on_host(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass);
 
 /// Declares "splat.tiles" and the pass that counts the photons of each tile.
 graph::ImageRef count_tiles(graph::GraphBuilder& builder, const StoredPhotons& photons,

@@ -27,10 +27,12 @@ void draw(const graph::PassContext& p, const SplatSurfaces& s) {
 
 }  // namespace
 
-SplatSurfaces splat_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, int divisor) {
+SplatSurfaces splat_surfaces(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                             const passes::GBuffer& gbuffer, int divisor) {
     SplatSurfaces s;
     s.divisor = divisor;
-    s.geometric_normal = gbuffer.geometric_normal;
+    s.gbuffer = gbuffer;
+    s.scene = scene;
     s.depth = declare(builder, gl::Format::r32f, divisor, builder.text_of_output("splat.depth"));
     s.stencil = declare(builder, gl::Format::depth32f, divisor,
                         {"splat.stencil", "Stencil of the splatting",

@@ -7,10 +7,6 @@
 #include "methods/ldm-indirect/splatting/clipping.glsl"
 #endif
 
-// Pixels along a side.
-// C++: ir::methods::ldm_indirect::gathered_tile
-const uint GATHERED_TILE = 16u;
-
 layout(local_size_x = GATHERED_TILE, local_size_y = GATHERED_TILE / ROWS) in;
 layout(std430) readonly buffer Kernels { PackedKernel kernels[]; };
 uniform sampler2D gbuffer_position;
@@ -18,12 +14,8 @@ uniform sampler2D gbuffer_geometric_normal;
 layout(rgba32f) uniform image2D sums;
 layout(rgba32f) uniform image2D directions;
 
-uniform uint tiles_across, first_tile;
-
 void main() {
-    uint tile = first_tile + gl_WorkGroupID.x;
-    uvec2 at = uvec2(tile % tiles_across, tile / tiles_across) * GATHERED_TILE;
-    uvec2 entries = entries_of(at);
+    uvec2 at = corner_of_tile(), entries = entries_of(at);
     if (entries.x >= entries.y) return;
     ivec2 first = ivec2(at + gl_LocalInvocationID.xy * uvec2(1, ROWS)), size = imageSize(sums);
     vec3 position_ws[ROWS], normal_ws[ROWS], direction[ROWS];

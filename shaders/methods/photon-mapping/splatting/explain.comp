@@ -1,7 +1,6 @@
 // Gathers one texel over all photons: what a splat adds up, found the other way round.
 #include "lib/floats.glsl"
-#include "methods/photon-mapping/splatting/photon_kernel.glsl"
-#include "methods/photon-mapping/splatting/inside.glsl"
+#include "methods/photon-mapping/splatting/added.glsl"
 
 layout(local_size_x = 256) in;
 
@@ -27,23 +26,16 @@ uniform sampler2D irradiance;
 uniform uint first_item, end_item;
 uniform ivec2 picked_texel;  // negative: none
 
-/// As distance to the texel's surface.
-float distance_of(Kernel k) {
-    vec2 middle_px = pixel_at(picked_texel);
-    float depth = texelFetch(depths, picked_texel, 0).x;
-    return distance(k.centre_ws, pixel_ray_origin(middle_px) + depth * pixel_ray_direction(middle_px));
-}
-
-void write(uint place, uint i, Photon photon, Kernel k) {
+void write(uint place, uint i, Photon photon, Kernel k, SeenSurface seen) {
     found[place].centre = floats(k.centre_ws);
     found[place].axis_u = floats(k.axes.x * k.u_ws);
     found[place].axis_v = floats(k.axes.y * k.t_ws);
     found[place].axis_w = floats(k.axes.z * k.n_ws);
-    found[place].contribution = floats(k.irradiance);
+    found[place].contribution = floats(added_by(k, direction_of(photon), seen).irradiance);
     found[place].power = floats(unpacked_power(photon.power) * power_unit);
     found[place].bounce = bounce_of(photon);
     found[place].light = light_of(photon);
-    found[place].distance = distance_of(k);
+    found[place].distance = distance(k.centre_ws, seen.origin + seen.depth * seen.direction);
     found[place].radius = k.radius;
     found[place].photon = i;
     found[place].path = 0u;  // the host's
@@ -60,8 +52,9 @@ void main() {
     Photon photon = photons[i];
     if (!is_splatted(photon)) return;
     Kernel k = kernel_of(photon);
-    if (!covers_texel(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, direction_of(photon), picked_texel)) return;
+    SeenSurface seen = surface_seen_at(picked_texel);
+    if (!covers(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, direction_of(photon), seen)) return;
     atomicAdd(photon_count, 1u);
     uint place = atomicAdd(found_count, 1u);
-    if (place < uint(found.length())) write(place, i, photon, k);
+    if (place < uint(found.length())) write(place, i, photon, k, seen);
 }

@@ -1,27 +1,19 @@
 // Sums the kernels of a bin's photons over its texels. A work group makes kernels of photons side by side, once for all
 // of its texels.  [Smal19 §6.3]
-#include "methods/photon-mapping/splatting/photon_kernel.glsl"
-#include "methods/photon-mapping/splatting/inside.glsl"
+#include "methods/photon-mapping/splatting/added.glsl"
 #include "passes/photons/binned.glsl"
 
-// Texels along a side.
-// C++: ir::methods::photon_mapping::gathered_tile
-const uint GATHERED_TILE = 16u;
 const uint KERNELS_AT_ONCE = 128u;
 
 layout(local_size_x = GATHERED_TILE, local_size_y = GATHERED_TILE) in;
 layout(SUMS) uniform image2D sums;
 layout(DIRECTIONS) uniform image2D directions;
 
-uniform uint tiles_across, first_tile;
-
 shared Kernel kernels[KERNELS_AT_ONCE];
 shared vec3 to_light_ws[KERNELS_AT_ONCE];
 
 void main() {
-    uint tile = first_tile + gl_WorkGroupID.x;
-    uvec2 corner = uvec2(tile % tiles_across, tile / tiles_across) * GATHERED_TILE;
-    uvec2 entries = entries_of(corner);
+    uvec2 corner = corner_of_tile(), entries = entries_of(corner);
     if (entries.x >= entries.y) return;
     ivec2 texel = ivec2(corner + gl_LocalInvocationID.xy);
     bool is_there = all(lessThan(texel, imageSize(sums)));
@@ -41,9 +33,9 @@ void main() {
         for (uint i = 0u; i < end; ++i) {
             Kernel k = kernels[i];
             if (!covers(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, to_light_ws[i], seen)) continue;
-            vec3 weighted = dot(k.irradiance, vec3(1)) * to_light_ws[i];
-            sum += vec4(k.irradiance, weighted.x);
-            direction += weighted.yz;
+            Added added = added_by(k, to_light_ws[i], seen);
+            sum += vec4(added.irradiance, added.direction.x);
+            direction += added.direction.yz;
         }
     }
     if (!is_there) return;

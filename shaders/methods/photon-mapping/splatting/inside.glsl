@@ -1,15 +1,23 @@
 // Whether a kernel covers a texel: the same arithmetic for the splat, for gathering, and for the gather that explains.
+// FACING: kernels test normals. REFLECTS: texels reflect photons, MATERIALS as Transport::Materials counts.
 #include "methods/photon-mapping/splatting/depths.glsl"
 
-#ifdef FACING
+#if defined(FACING) || defined(REFLECTS)
 uniform sampler2D gbuffer_geometric_normal;
+#endif
+#ifdef REFLECTS
+#include "passes/reflection/receiver.glsl"
+#include "passes/reflection/shading_normal.glsl"
 #endif
 
 /// What a texel shows, along the ray through its pixel.
 struct SeenSurface {
     vec3 origin, direction;
     float depth;
-    vec3 normal;  // where kernels test it
+    vec3 normal;  // geometric, where it is asked for
+#ifdef REFLECTS
+    Receiver receiver;
+#endif
 };
 
 SeenSurface surface_seen_at(ivec2 texel) {
@@ -18,8 +26,12 @@ SeenSurface surface_seen_at(ivec2 texel) {
     seen.origin = pixel_ray_origin(middle_px);
     seen.direction = pixel_ray_direction(middle_px);
     seen.depth = texelFetch(depths, texel, 0).x;
-#ifdef FACING
-    seen.normal = texelFetch(gbuffer_geometric_normal, divisor * texel + pixel_of_texel, 0).xyz;
+#if defined(FACING) || defined(REFLECTS)
+    ivec2 pixel = divisor * texel + pixel_of_texel;
+    seen.normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
+#endif
+#ifdef REFLECTS
+    seen.receiver = receiver_at(pixel, shading_normal(pixel), -normalize(seen.direction));
 #endif
     return seen;
 }

@@ -10,6 +10,7 @@
 #include "renderers/core/threads.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/splatting/host/add_kernels.h"
+#include "renderers/methods/photon-mapping/splatting/host/receivers.h"
 #include "renderers/methods/photon-mapping/splatting/stages.h"
 #include "renderers/passes/photons/photon_list.h"
 
@@ -24,15 +25,18 @@ class HostSplat {
   public:
     explicit HostSplat(int threads) : arena_(arena_size(threads)) {}
 
-    void begin(const graph::PassContext& p, const Kernels& kernels, const passes::GBuffer& gbuffer) {
+    void begin(const graph::PassContext& p, const Kernels& kernels) {
         const auto& inputs = p.inputs();
+        const auto& gbuffer = kernels.surfaces.gbuffer;
         const int divisor = kernels.surfaces.divisor;
         const auto size = texels_of(inputs.view, divisor);
         const auto tiles = p.shape(kernels.tiles);
         maker_.emplace(kernel_rules(inputs, kernels.parameters, kernels.photons.power_unit),
                        p.pixels<const std::uint32_t>(kernels.tiles), tiles.width,
                        kernels.parameters.edge_probes ? &planes_ : nullptr);
-        const bool tests_normals = kernels.parameters.facing_test;
+        receivers_.reset();
+        if (kernels.parameters.reflects_each_photon()) receivers_.emplace(p, kernels);
+        const bool tests_normals = kernels.parameters.facing_test && !receivers_;
         planes_.resize(size.x, size.y, tests_normals);
         const auto set = [&](std::vector<float>(&planes)[3], graph::ImageRef image) {
             const auto pixels = p.pixels<const glm::vec4>(image);
@@ -52,7 +56,12 @@ class HostSplat {
                         round_.made[i] = *kernel;
             });
         });
-        for_rows(rows_at_once, [&](int first, int end) { add_to_rows(planes_, round_, first, end); });
+        for_rows(rows_at_once, [&](int first, int end) {
+            if (receivers_)
+                receivers_->add_to_rows(planes_, round_, first, end);
+            else
+                add_to_rows(planes_, round_, first, end);
+        });
     }
 
     void write(const graph::PassContext& p, graph::ImageRef irradiance, graph::ImageRef direction,
@@ -106,6 +115,7 @@ class HostSplat {
     TexelPlanes planes_;
     KernelRound round_;
     std::optional<KernelMaker> maker_;
+    std::optional<TexelReceivers> receivers_;  ///< where each photon is reflected by itself
 };
 
 }  // namespace
@@ -118,17 +128,20 @@ void TexelPlanes::resize(int w, int h, bool has_normals) {
     for (auto& sum : sums) sum.assign(count, 0.0f);
 }
 
-void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Kernels& kernels,
-                   const KernelPass& pass) {
+void splat_on_host(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass) {
+    const auto& gbuffer = kernels.surfaces.gbuffer;
     const auto splat = std::make_shared<HostSplat>(builder.inputs().threads);
     const bool half = kernels.parameters.has_half_sums();
-    builder.pass(pass.name, graph::Queue::cpu)
-        .has_two_bodies()
-        .reads(kernels.photons.records, kernels.photons.stored, kernels.tiles, gbuffer.position)
-        .reads(gbuffer.geometric_normal)
+    auto declared = builder.pass(pass.name, graph::Queue::cpu);
+    if (kernels.parameters.reflects_each_photon())
+        TexelReceivers::declare_reads(declared, kernels);
+    else
+        declared.reads(gbuffer.position, gbuffer.geometric_normal);
+    declared.has_two_bodies()
+        .reads(kernels.photons.records, kernels.photons.stored, kernels.tiles)
         .writes(pass.targets[0], pass.targets[1])
         .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-            if (slice.first) splat->begin(p, kernels, gbuffer);
+            if (slice.first) splat->begin(p, kernels);
             passes::add_stored<Photon>(p, kernels.photons, slice, KernelRound::kernels,
                                        [&](auto photons) { splat->add(photons); });
             if (slice.last) splat->write(p, pass.targets[0], pass.targets[1], half);

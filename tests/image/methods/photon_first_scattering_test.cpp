@@ -1,0 +1,108 @@
+// Where light arrives first, surfaces scatter as the reference's do: also with shading normals that lean away
+// from the surface, and where a part of the light goes through.
+#include <cmath>
+
+#include "tests/image/methods/every_method.h"
+
+namespace ir::test {
+namespace {
+
+constexpr int sent_width = 48, sent_height = 36;
+
+void add_facing_square(scene::Scene& scene, int material, glm::vec3 centre, float half, float facing,
+                       glm::vec3 shading_normal) {
+    scene::Mesh mesh;
+    mesh.material = material;
+    const float x = facing * half;
+    mesh.positions = {centre + glm::vec3(-x, -half, 0), centre + glm::vec3(x, -half, 0),
+                      centre + glm::vec3(x, half, 0), centre + glm::vec3(-x, half, 0)};
+    mesh.normals.assign(4, shading_normal);
+    mesh.uv0.assign(4, {0, 0});
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    scene::Node node;
+    node.meshes = {static_cast<int>(scene.meshes.size())};
+    scene.meshes.push_back(std::move(mesh));
+    scene.nodes.push_back(node);
+}
+
+/// A lit square behind the eye sends its light to a large wall before it.
+scene::Scene sender_and_wall(float tilt, float transmission) {
+    scene::Scene scene;
+    scene.name = "sender";
+    scene.materials.resize(2);
+    auto& sender = scene.materials[0];
+    sender.base_colour = {0.8f, 0.7f, 0.6f, 1};
+    sender.metallic = 0, sender.roughness = 0.6f;
+    sender.transmission = transmission;
+    scene.materials[1].base_colour = {0.8f, 0.8f, 0.8f, 1};
+    scene.materials[1].metallic = 0, scene.materials[1].roughness = 1;
+    add_facing_square(scene, 0, {0, 0, 0}, 0.5f, 1, {std::sin(tilt), 0, std::cos(tilt)});
+    add_facing_square(scene, 1, {0, 0, 2}, 8, -1, {0, 0, -1});
+    scene::Light spot;
+    spot.type = scene::LightType::spot;
+    spot.position = {0.8f, 0.3f, 1.2f};
+    spot.direction = glm::normalize(-spot.position);
+    spot.inner_angle = 0.2f, spot.outer_angle = 0.25f;
+    spot.intensity = 10;
+    scene.lights = {spot};
+    scene::Camera camera;
+    camera.eye = {0, 0, 0.1f};
+    camera.target = {0, 0, 2};
+    camera.fov_y = 1.8f;
+    scene.cameras = {camera};
+    return scene;
+}
+
+double light_sent(const std::string& id, const scene::Scene& scene, Settings settings) {
+    for (const auto& [key, value] :
+         Settings{{"paths", std::string("indirect")}, {"max_bounces", std::int64_t{1}}})
+        settings[key] = value;
+    auto& machine = test::machine();
+    const auto world = scene::flatten(scene, 0, 0);
+    graph::Graph graph(machine.device(), &machine.context(), &machine.programs());
+    graph::FrameInputs inputs;
+    inputs.scene = &scene;
+    inputs.world = &world;
+    inputs.view = inputs.previous_view =
+        scene::make_view(scene.cameras[0], sent_width, sent_height, world.bounds);
+    inputs.seed = 3;
+    const auto& all = methods::all_methods();
+    const auto method =
+        std::ranges::find_if(all, [&](const auto* each) { return each->description.id == id; });
+    graph.run(**method, completed((*method)->description.parameters, settings), inputs, {});
+    const auto picture = graph.read_image("radiance").value();
+    double sum = 0;
+    for (int y = 0; y < sent_height; ++y)
+        for (int x = 0; x < sent_width; ++x) sum += picture.at(x, y, 1);
+    return sum;
+}
+
+struct FirstSender {
+    const char* name;
+    float tilt, transmission;
+};
+
+class FirstScattering : public testing::TestWithParam<FirstSender> {
+  protected:
+    static void TearDownTestSuite() { machines().clear(); }
+};
+
+TEST_P(FirstScattering, OfPhotonsIsTheReferences) {
+    const auto scene = sender_and_wall(GetParam().tilt, GetParam().transmission);
+    const double photons = light_sent(
+        "photon-mapping", scene,
+        {{"photons", std::int64_t{100'000}}, {"filter_passes", std::int64_t{0}}, {"max_radius", 0.02}});
+    const double reference = light_sent("reference", scene, {{"samples", std::int64_t{512}}});
+    RecordProperty("ratio", std::to_string(photons / reference));
+    EXPECT_NEAR(photons / reference, 1, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Senders, FirstScattering,
+                         testing::Values(FirstSender{"upright", 0, 0}, FirstSender{"tilted_20", 0.349f, 0},
+                                         FirstSender{"tilted_40", 0.698f, 0},
+                                         FirstSender{"tilted_away_40", -0.698f, 0},
+                                         FirstSender{"glass_in_part", 0, 0.4f}),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace ir::test
