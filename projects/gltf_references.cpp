@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <fstream>
 
-#include "projects/json.h"
+#include "projects/json_events.h"
 #include "renderers/core/named_files.h"
 
 namespace ir::projects {
@@ -21,16 +21,10 @@ struct Uri {
 
 /// Keeps the value of every "uri" three levels down, {"buffers": [{"uri": …}]}, without building a tree: the
 /// files may hold large embedded data.
-class UriCollector final : public nlohmann::json_sax<Json> {
+class UriCollector final : public JsonEvents {
   public:
     std::vector<Uri> uris;
 
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
-    bool number_float(number_float_t, const string_t&) override { return true; }
-    bool binary(binary_t&) override { return true; }
     bool string(string_t& text) override {
         if (depth_ == 3 && key_ == "uri" && (list_ == "buffers" || list_ == "images"))
             uris.push_back({text, list_ == "images" ? NamedFile::image : NamedFile::buffer});
@@ -45,7 +39,6 @@ class UriCollector final : public nlohmann::json_sax<Json> {
     bool end_object() override { return depth_-- > 0; }
     bool start_array(std::size_t) override { return ++depth_ > 0; }
     bool end_array() override { return depth_-- > 0; }
-    bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
 
   private:
     int depth_ = 0;
@@ -84,12 +77,9 @@ std::string json_text(const fs::path& file) {
     return stream ? text : std::string{};
 }
 
-/// Keeps two lists of the document, and nothing of its buffers and images.
-bool keeps_animations(int depth, Json::parse_event_t event, Json& parsed) {
-    return depth != 1 || event != Json::parse_event_t::key || parsed == "animations" || parsed == "accessors";
-}
+using AnyJson = nlohmann::json;  // objects of any number of keys are found quickly
 
-double last_key(const Json& document, const Json& animation, const Json& channel) {
+double last_key(const AnyJson& document, const AnyJson& animation, const AnyJson& channel) {
     const auto path = channel.at("target").value("path", "");
     if (path != "translation" && path != "rotation" && path != "scale") return 0;
     const auto& sampler = animation.at("samplers").at(channel.at("sampler").get<std::size_t>());
@@ -103,7 +93,7 @@ double gltf_animation_end(const fs::path& file) {
     if (text.find("\"animations\"") == std::string::npos) return 0;
     double end = 0;
     try {
-        const auto document = Json::parse(text, keeps_animations);
+        const auto document = AnyJson::parse(text);
         if (!document.contains("animations")) return 0;
         for (const auto& animation : document.at("animations"))
             for (const auto& channel : animation.at("channels"))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "projects/json_events.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/value.h"
@@ -42,26 +43,28 @@ void check_depth(std::string_view text, const std::string& file, std::size_t dee
 }
 
 /// Refuses duplicate keys, which a tree would lose, and objects so large that ordered look-up gets slow.
-class KeyGuard {
+class KeyGuard final : public JsonEvents {
   public:
     KeyGuard(const std::string& file, std::size_t most) : file_(file), max_(most) {}
 
-    bool operator()(int, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::object_start) open_.emplace_back();
-        if (event == Json::parse_event_t::object_end && !open_.empty()) open_.pop_back();
-        if (event == Json::parse_event_t::key && !open_.empty()) see(parsed.get_ref<const std::string&>());
+    bool start_object(std::size_t) override {
+        open_.emplace_back();
         return true;
     }
-
-  private:
-    void see(const std::string& key) {
+    bool end_object() override {
+        open_.pop_back();
+        return true;
+    }
+    bool key(string_t& key) override {
         if (!open_.back().insert(key).second)
             throw InputError(file_, "key '" + printable(key) + "'", "stands twice in one object; remove one");
         if (open_.back().size() > max_)
             throw InputError(file_, "key '" + printable(key) + "'",
                              "one object has more than " + std::to_string(max_) + " keys; remove some");
+        return true;
     }
 
+  private:
     const std::string& file_;
     std::size_t max_;
     std::vector<std::unordered_set<std::string>> open_;
@@ -156,7 +159,9 @@ Json parse_json(std::string_view text, const std::string& file, const JsonLimits
                              std::to_string(limits.bytes) + " that are read; it is no such file");
     check_depth(text, file, limits.depth);
     try {
-        return Json::parse(text.begin(), text.end(), KeyGuard(file, limits.keys_per_object));
+        KeyGuard guard(file, limits.keys_per_object);
+        Json::sax_parse(text.begin(), text.end(), &guard);  // what is no JSON, the next line says
+        return Json::parse(text.begin(), text.end());
     } catch (const Json::parse_error& error) {
         throw InputError(file, line_and_column(text, error.byte),
                          "not JSON (" + short_reason(error.what()) + "); mend it or restore a copy");

@@ -157,10 +157,10 @@ std::vector<Message> pack_project(const fs::path& given, const fs::path& file, c
 }
 
 fs::path unpack_project(const fs::path& file, const fs::path& parent, const CancelToken* cancel) {
-    std::optional<fs::path> root;
+    std::optional<fs::path> root, begun;
     std::error_code ignored;
+    auto& files = real_file_system();
     try {
-        auto& files = real_file_system();
         const auto extract = [&](const std::string& name, const CopyContent& copy) {
             const auto path = fs::path(name).lexically_normal();
             const auto top = parent / *path.begin();
@@ -171,21 +171,25 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
                 if (fs::exists(top, ignored))
                     throw Error(top.string() + ": exists already; unpack elsewhere or rename it");
                 root = top;
+                begun = temporary_beside(files, top);
             }
             if (top != *root || path == *path.begin())
                 throw InputError(file.string(), printable(name), "is outside the project's folder");
-            if (is_left_out(path.lexically_relative(*path.begin()).string())) return true;
-            files.create_directories((parent / path).parent_path());
-            write_atomically(files, parent / path, copy);
+            const auto inside = path.lexically_relative(*path.begin());
+            if (is_left_out(inside.string())) return true;
+            files.create_directories((*begun / inside).parent_path());
+            write_atomically(files, *begun / inside, copy);
             return true;
         };
         read_archive(file, extract, cancel);
         if (!root) throw InputError(file.string(), "", "is empty; ask for another copy");
-        if (!fs::is_regular_file(*root / project_file_name, ignored))
+        if (!fs::is_regular_file(*begun / project_file_name, ignored))
             throw InputError(file.string(), "", "holds no project.json; ask for another copy");
-        require_whole(file, *root);
+        require_whole(file, *begun);
+        files.rename(*begun, *root);
+        files.sync_directory(root->parent_path());
     } catch (...) {
-        if (root) fs::remove_all(*root, ignored);
+        if (begun) fs::remove_all(*begun, ignored);
         throw;
     }
     return *root;

@@ -16,8 +16,8 @@ namespace ir::projects {
 std::vector<Message> pack_project(const std::filesystem::path& given, const std::filesystem::path& file,
                                   const Registry& registry, const CancelToken* cancel = nullptr);
 
-/// Unpacks into a new folder NAME.interreflect inside `parent` and returns it; the archive may
-/// be compressed. Throws InputError for a damaged or hostile archive and for a project that names
+/// Unpacks into a new folder NAME.interreflect inside `parent`, whole or not at all, and returns it; the
+/// archive may be compressed. Throws InputError for a damaged or hostile archive and for a project that names
 /// files outside of its folder, unless they are allowed, Error when the folder exists already, and Cancelled;
 /// then nothing is left behind.
 std::filesystem::path unpack_project(const std::filesystem::path& file, const std::filesystem::path& parent,

@@ -18,10 +18,6 @@ using Entry = graph::History::Entry;
 /// Words of a buffer that stand side by side.
 constexpr std::uint64_t words_across = 4096;
 
-/// A file that would have to be compressed by more than this (zip reaches 1032) beyond a first 64 MiB is
-/// taken for damaged.
-constexpr std::uint64_t max_compression = 5000, free_bytes = 64 << 20;
-
 constexpr gl::Format formats[] = {gl::Format::r8,     gl::Format::rgba8,    gl::Format::r16f,
                                   gl::Format::rg16f,  gl::Format::rgba16f,  gl::Format::r32f,
                                   gl::Format::rg32f,  gl::Format::rgba32f,  gl::Format::r32ui,
@@ -73,7 +69,7 @@ int within(std::int64_t number, std::int64_t min, std::int64_t max) {
     return static_cast<int>(number);
 }
 
-Entry from_json(const Json& json) {
+Entry from_json(const nlohmann::json& json) {
     Entry entry;
     entry.key = json.at("key").get<std::string>();
     entry.is_image = json.contains("format");
@@ -175,7 +171,7 @@ graph::History described_entries(const std::string& text, const std::string& fil
     std::uint64_t sum = 0;
     std::set<std::string> keys;
     try {
-        for (const auto& json : Json::parse(text)) {
+        for (const auto& json : nlohmann::json::parse(text)) {
             history.entries.push_back(from_json(json));
             sum += bytes_of(history.entries.back());
             if (!keys.insert(history.entries.back().key).second)
@@ -185,7 +181,7 @@ graph::History described_entries(const std::string& text, const std::string& fil
         throw InputError(file, "",
                          std::string("does not say what it holds (") + problem.what() + "); it is damaged");
     }
-    if (history.entries.empty() || sum > free_bytes + max_compression * file_bytes)
+    if (history.entries.empty() || sum > max_expanded(file_bytes))
         throw InputError(file, "", "cannot hold what it says; it is damaged");
     for (auto& entry : history.entries) entry.bytes.resize(bytes_of(entry));
     return history;

@@ -30,7 +30,7 @@ constexpr const char* origins_attribute = "interreflect.state.origins";
 
 std::vector<StateOrigin> origins_of(const std::string& text) {
     std::vector<StateOrigin> origins;
-    for (const auto& json : Json::parse(text))
+    for (const auto& json : nlohmann::json::parse(text))
         origins.push_back({json.at("build").get<std::string>(), json.at("driver").get<std::string>(),
                            json.at("backend").get<std::string>(), json.at("date").get<std::string>(),
                            json.at("samples").get<std::uint64_t>(), json.value("processor", std::string())});
@@ -191,6 +191,7 @@ void write_state(const fs::path& file, const graph::History& history, const Imag
 
 graph::History read_state(const fs::path& file, ImageAttributes* attributes) {
     require_regular_file(file);
+    require_whole_header(file);
     try {
         Imf::MultiPartInputFile input(file.c_str());
         ImageAttributes found;

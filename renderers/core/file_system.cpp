@@ -154,16 +154,6 @@ class RealFileSystem final : public FileSystem {
     }
 };
 
-/// Unique among processes and threads; one that an earlier process of this number left is in nobody's way.
-fs::path temporary_beside(FileSystem& files, const fs::path& file) {
-    static std::atomic<unsigned> counter = 0;
-    while (true) {
-        const auto number = std::to_string(::getpid()) + "-" + std::to_string(++counter);
-        fs::path temporary = file.string() + "." + number + temporary_extension;
-        if (!files.exists(temporary)) return temporary;
-    }
-}
-
 /// Whether its process has ended.
 bool is_left_over(const fs::path& file) {
     const auto number = file.stem().extension().string();  // ".PID-N"
@@ -185,6 +175,16 @@ Fill fill_with(std::string_view bytes) {
 FileSystem& real_file_system() {
     static RealFileSystem files;
     return files;
+}
+
+fs::path temporary_beside(FileSystem& files, const fs::path& file) {
+    static std::atomic<unsigned> counter = 0;
+    // What an earlier process of this number left is in nobody's way.
+    while (true) {
+        const auto number = std::to_string(::getpid()) + "-" + std::to_string(++counter);
+        fs::path temporary = file.string() + "." + number + temporary_extension;
+        if (!files.exists(temporary)) return temporary;
+    }
 }
 
 void write_atomically(FileSystem& files, const fs::path& file, const Fill& fill) {

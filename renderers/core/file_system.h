@@ -49,6 +49,9 @@ FileSystem& real_file_system();
 /// What files are called while they are written, and stay called when the machine stops meanwhile.
 inline constexpr const char* temporary_extension = ".tmp";
 
+/// A name beside `file` that nothing has: unique among processes and threads.
+std::filesystem::path temporary_beside(FileSystem& files, const std::filesystem::path& file);
+
 /// Writes a temporary beside `file`, renames it over `file` and syncs the folder: whatever happens, `file`
 /// holds the old or the new bytes. Removes the temporary on failure. A link is replaced, not followed, as
 /// projects may come from anybody; write_file.h follows.

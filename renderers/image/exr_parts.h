@@ -11,6 +11,10 @@
 /// For what reads and writes EXR files of its own layout.
 namespace ir {
 
+/// OpenEXR takes memory for the length that an attribute claims before it reads it. Throws InputError where
+/// one is longer than the file.
+void require_whole_header(const std::filesystem::path& file);
+
 /// The texts of a file's header, but for those that are OpenEXR's own.
 ImageAttributes attributes_of(const Imf::Header& header);
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
+#include <map>
 
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
@@ -54,13 +56,6 @@ std::string layer_name(const std::string& part, const std::string& prefix) {
     return prefix.empty() ? part : part + "." + prefix;
 }
 
-LayerChannels& layer_of(std::vector<LayerChannels>& layers, const std::string& name) {
-    for (auto& each : layers)
-        if (each.layer == name) return each;
-    layers.push_back({name, {}, {}});
-    return layers.back();
-}
-
 void sort_by_rank(LayerChannels& layer) {
     const auto sorted = [&layer](const std::vector<std::string>& names) {
         std::vector<std::size_t> order(names.size());
@@ -79,13 +74,16 @@ void sort_by_rank(LayerChannels& layer) {
 std::vector<LayerChannels> layers_in(const Imf::Header& header, const std::string& part,
                                      const std::string& file) {
     std::vector<LayerChannels> layers;
+    std::map<std::string, std::size_t> places;  // a header of 1 MB has 40,000 layers
     for (auto each = header.channels().begin(); each != header.channels().end(); ++each) {
         const std::string full = each.name();
         if (each.channel().xSampling != 1 || each.channel().ySampling != 1)
             throw InputError(file, "channel '" + full + "'",
                              "is subsampled (luminance and chroma); save it as RGB");
         const auto name = split_channel_name(full);
-        auto& layer = layer_of(layers, layer_name(part, name.layer));
+        const auto [place, is_new] = places.try_emplace(layer_name(part, name.layer), layers.size());
+        if (is_new) layers.push_back({place->first, {}, {}});
+        auto& layer = layers[place->second];
         layer.channels.push_back(name.channel);
         layer.full_names.push_back(full);
     }
@@ -151,9 +149,18 @@ void default_layer_first(std::vector<ImageLayer>& layers) {
     std::stable_partition(layers.begin(), layers.end(), [](const auto& layer) { return layer.name.empty(); });
 }
 
+/// Behind the next zero; false where there is none soon.
+bool skip_text(std::istream& stream) {
+    constexpr int longest_name = 256;
+    for (int i = 0; i < longest_name; ++i)
+        if (const int c = stream.get(); c <= 0) return c == 0;
+    return false;
+}
+
 template <class Read>
 void read(const std::filesystem::path& file, Read read_from) {
     require_regular_file(file);
+    require_whole_header(file);
     try {
         Imf::MultiPartInputFile input(file.c_str());
         read_from(input);
@@ -166,6 +173,28 @@ void read(const std::filesystem::path& file, Read read_from) {
 }
 
 }  // namespace
+
+void require_whole_header(const std::filesystem::path& file) {
+    constexpr unsigned char parts_flag = 0x10;  // of the second byte of the version
+    const auto length = static_cast<std::streamoff>(std::filesystem::file_size(file));
+    std::ifstream stream(file, std::ios::binary);
+    unsigned char begin[8] = {}, size[4] = {};
+    stream.read(reinterpret_cast<char*>(begin), sizeof begin);
+    do {
+        while (stream.peek() > 0) {  // a header ends with an empty name
+            // What else is wrong, OpenEXR says.
+            if (!skip_text(stream) || !skip_text(stream) ||
+                !stream.read(reinterpret_cast<char*>(size), sizeof size))
+                return;
+            const auto bytes = size[0] | size[1] << 8 | size[2] << 16 | std::int64_t{size[3]} << 24;
+            if (bytes > length - stream.tellg())
+                throw InputError(file.string(), "byte " + std::to_string(stream.tellg()),
+                                 "an attribute is longer than the file; it is damaged");
+            stream.seekg(bytes, std::ios::cur);
+        }
+        stream.get();
+    } while ((begin[5] & parts_flag) != 0 && stream.peek() > 0);
+}
 
 ImageAttributes attributes_of(const Imf::Header& header) {
     ImageAttributes result;

@@ -103,6 +103,7 @@ int FreeSpace::clearance(glm::ivec3 cell) const {
 void FreeSpace::add_triangle(const glm::vec3 (&corners)[3], glm::vec3 normal, int material) {
     auto face = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const float area = 0.5f * glm::length(face);
+    if (!std::isfinite(area)) return;  // beyond the range of a float; rows could not be counted
     if (area > 0) face /= 2 * area;
     if (glm::dot(face, normal) < 0) face = -face;
     int first = 0;  // of the longest edge
@@ -114,7 +115,8 @@ void FreeSpace::add_triangle(const glm::vec3 (&corners)[3], glm::vec3 normal, in
     const auto a = corners[first], b = corners[(first + 1) % 3], apex = corners[(first + 2) % 3];
     const float spacing = cell_size_ / samples_per_cell;
     const auto parts = [&](float length) {
-        return std::max(1, static_cast<int>(std::ceil(length / spacing)));
+        constexpr float max_parts = 1 << 12;  // more than any grid has
+        return static_cast<int>(std::clamp(std::ceil(length / spacing), 1.0f, max_parts));
     };
     const int rows = parts(longest > 0 ? 2 * area / longest : 0);
     for (int row = 0; row < rows; ++row) {
@@ -126,7 +128,7 @@ void FreeSpace::add_triangle(const glm::vec3 (&corners)[3], glm::vec3 normal, in
         for (int column = 0; column < columns; ++column) {
             const float across = (static_cast<float>(column) + 0.5f) / static_cast<float>(columns);
             const auto place = (glm::mix(left, right, across) - origin_) / cell_size_;
-            auto& cell = cells_[index(glm::clamp(glm::ivec3(place), glm::ivec3(0), size_ - 1))];
+            auto& cell = cells_[index(glm::ivec3(glm::clamp(place, glm::vec3(0), glm::vec3(size_ - 1))))];
             cell.normal += part * face;
             cell.material = material;
             cell.area += std::max(part, 1e-12f);

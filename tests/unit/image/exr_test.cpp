@@ -217,6 +217,34 @@ TEST(Exr, RefusesSizesThatTheFileCannotHold) {
     }
 }
 
+/// OpenEXR would take two gigabytes for what a file of 400 bytes claims.
+TEST(Exr, RefusesAttributesThatAreLongerThanTheFile) {
+    TemporaryFolder folder;
+    write_exr(folder / "small.exr", {layer("", pattern(4, 4, 1)), layer("half", pattern(2, 2, 1))},
+              {{"note", "short"}});
+    std::ifstream small(folder / "small.exr", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(small), {}};
+    EXPECT_NO_THROW(read_exr(folder / "small.exr"));
+    for (const std::string& name :
+         {std::string("note\0string", 12), std::string("compression\0compression", 23)}) {
+        const auto at = bytes.rfind(name + '\0');
+        ASSERT_NE(at, std::string::npos) << name;
+        auto longer = bytes;
+        longer[at + name.size() + 4] = 0x7f;  // the highest byte of its length
+        std::ofstream(folder / "long.exr", std::ios::binary) << longer;
+        for (const auto& read : {+[](const std::filesystem::path& file) { read_exr(file); },
+                                 +[](const std::filesystem::path& file) { read_exr_attributes(file); }}) {
+            try {
+                read(folder / "long.exr");
+                ADD_FAILURE() << name;
+            } catch (const InputError& error) {
+                EXPECT_NE(std::string(error.what()).find("is longer than the file"), std::string::npos)
+                    << error.what();
+            }
+        }
+    }
+}
+
 TEST(Exr, SurvivesDamage) {
     TemporaryFolder folder;
     write_exr(folder / "whole.exr", {layer("", pattern(24, 24, 3)), layer("half", pattern(12, 12, 1))}, {});

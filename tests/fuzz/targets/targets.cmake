@@ -1,0 +1,28 @@
+# Each source is a program of libFuzzer, of what it needs alone: `./dev fuzz` builds and runs them, by clang.
+if(NOT INTERREFLECT_SANITIZE MATCHES "fuzzer")
+  return()
+endif()
+
+add_custom_target(fuzz_targets)
+function(ir_fuzz_target name)
+  cmake_parse_arguments(PARSE_ARGV 1 fuzz "" "" "LINK;SOURCES")
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/fuzz)
+  add_executable(fuzz_${name} ${folder}/targets/${name}.cpp ${folder}/targets/target.cpp ${fuzz_SOURCES})
+  target_link_libraries(fuzz_${name} PRIVATE ir_options ${fuzz_LINK})
+  target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+  add_dependencies(fuzz_targets fuzz_${name})
+endfunction()
+
+add_library(ir_fuzz_projects OBJECT ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/projects/attempts.cpp)
+target_link_libraries(ir_fuzz_projects PUBLIC ir_projects)
+foreach(name project autosave results session light)
+  ir_fuzz_target(${name} LINK ir_fuzz_projects)
+endforeach()
+ir_fuzz_target(packed LINK ir_projects)
+ir_fuzz_target(gltf LINK ir_scene SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/scene/attempts.cpp)
+ir_fuzz_target(texture LINK ir_scene)
+ir_fuzz_target(image LINK ir_image)
+ir_fuzz_target(compare LINK ir_image)
+ir_fuzz_target(include LINK ir_core SOURCES ${CMAKE_SOURCE_DIR}/renderers/gl/preprocessor.cpp)
+ir_fuzz_target(state LINK ir_image ir_glad SOURCES ${CMAKE_SOURCE_DIR}/app/engine/stored_state.cpp
+               ${CMAKE_SOURCE_DIR}/app/engine/state_layout.cpp ${CMAKE_SOURCE_DIR}/renderers/gl/format.cpp)
