@@ -4,7 +4,7 @@
 
 namespace ir::passes {
 
-ParameterTable<ReceiverParameters> receiver_parameters(int since_version) {
+ParameterTable<ReceiverParameters> receiver_parameters(int since_version, const Condition& highlights_when) {
     const auto in_older_projects = [&](Value value) {
         return since_version > 1 ? std::optional(std::move(value)) : std::nullopt;
     };
@@ -22,7 +22,7 @@ ParameterTable<ReceiverParameters> receiver_parameters(int since_version) {
                            "flicker."},
                           {"widened", "Widened",
                            "The same with highlights as wide as the directions of the light are apart."}},
-              .active_when = has_microfacets,
+              .active_when = highlights_when,
               .since_version = since_version,
               .value_in_older_projects = in_older_projects(std::string("diffuse"))})
         .add(&ReceiverParameters::directional,

@@ -15,11 +15,12 @@ struct ReceiverParameters {
     Receiver receiver = Receiver::widened;
     bool directional = true;  ///< the cosine to the shading normal by the mean direction of the photons
 };
-/// Methods that reflected diffusely before their version `since_version` go on to do so in older projects.
-ParameterTable<ReceiverParameters> receiver_parameters(int since_version = 1);
-
 /// Of parameters of what no Lambert surface has.
 inline const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
+
+/// Methods that reflected diffusely before their version `since_version` go on to do so in older projects.
+ParameterTable<ReceiverParameters> receiver_parameters(int since_version = 1,
+                                                       const Condition& highlights_when = has_microfacets);
 
 /// What photons bring to each pixel. A direction counts as much as R + G + B of what comes from there.
 struct ArrivedLight {
