@@ -3,7 +3,7 @@
 // of the maps, traced through them, and splatted onto what the camera sees. [Aalund15 §3.4, §4.2]
 #include "renderers/graph/method.h"
 
-#include "renderers/methods/ldm-indirect/stages.h"
+#include "renderers/methods/ldm-indirect/gloss/gloss.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -23,12 +23,12 @@ MethodDescription description() {
     d.summary =
         "Splits photons of all sources into all directions of the layered depth maps, traces them "
         "through the maps, and splats them with the footprints of their differentials. Bounces are diffuse; "
-        "nothing is precomputed. Errors come from the number of directions, from the maps' texels and from "
-        "the footprints' size. To maps glass is opaque.";
-    d.version = 5;
+        "interfaces that are seen look at the scene. Nothing is precomputed. Errors come from the number of "
+        "directions, from the maps' texels and from the footprints' size. To maps glass is opaque.";
+    d.version = 6;
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
     d.missing_light = missing_light();
-    d.outputs = joined({splatting_outputs(), tracing_outputs()});
+    d.outputs = joined({splatting_outputs(), gloss_outputs(), tracing_outputs()});
     d.selectors = tracing_selectors();
     return d;
 }
@@ -39,7 +39,8 @@ void setup(graph::GraphBuilder& builder, const Parameters& given) {
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto photons = trace_photons(builder, scene, gbuffer, parameters);
     const auto splat = splat_photons(builder, gbuffer, photons, parameters);
-    compose(builder, scene, gbuffer, photons, splat, parameters);
+    const auto gloss = reflect_gloss(builder, gbuffer, photons, parameters);
+    compose(builder, scene, gbuffer, photons, splat, parameters, gloss);
     explain(builder, gbuffer, photons, splat, parameters);
 }
 

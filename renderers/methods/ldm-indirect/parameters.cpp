@@ -52,7 +52,8 @@ ParameterTable<Parameters> parameter_table() {
     add_frames(table);
     add_tracing_parameters(table);
     add_splatting_parameters(table);
-    table.include(&Parameters::receivers, passes::receiver_parameters(4));
+    table.include(&Parameters::gloss, gloss_parameters());
+    table.include(&Parameters::receivers, passes::receiver_parameters(4, {"gloss", {std::string("none")}}));
     table.include(&Parameters::light, passes::light_parameters());
     table.include(&Parameters::maps, passes::ldm::self_hit_parameters());
     return table;

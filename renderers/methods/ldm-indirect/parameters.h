@@ -4,6 +4,7 @@
 
 #include "renderers/core/transport.h"
 #include "renderers/graph/frame_inputs.h"
+#include "renderers/methods/ldm-indirect/gloss/gloss_parameters.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/ldm/parameters.h"
 #include "renderers/passes/reflection/reflection.h"
@@ -49,6 +50,7 @@ struct Parameters {
     DirectBy direct = DirectBy::rasterisation;
     EnvironmentBy environment_by = EnvironmentBy::samples;  ///< its direct light
     passes::LightParameters light;
+    GlossParameters gloss;
     passes::ReceiverParameters receivers{.receiver = passes::Receiver::diffuse};
 };
 

@@ -8,6 +8,7 @@
 #include "renderers/graph/builder.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/ldm/builder.h"
 #include "renderers/passes/scene/scene_buffers.h"
 #include "shaders/methods/ldm-indirect/records.glsl.h"
 
@@ -18,6 +19,7 @@ struct Photons {
     graph::BufferRef records;  ///< "indirect.photons": Photon, growable, glyphs; in the order of batches of
                                ///< maps, then of sources, then of maps
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
+    passes::ldm::MapsPointer maps = {};
     /// Sources below this number are texels of the lights' images. Of the others it is not kept where their
     /// paths begin.
     std::uint64_t texels = std::numeric_limits<std::uint64_t>::max();
@@ -55,10 +57,11 @@ struct Splat {
 Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
                     const Parameters& parameters);
 
-/// "radiance", the main result: emission, direct light (by rasterisation with shadow maps, or by photons) and
-/// the splatted light, as the transport's paths say. [Aalund15 §4.2, §5.2]
+/// "radiance", the main result: emission, direct light (by rasterisation with shadow maps, or by photons),
+/// the splatted light, and `gloss` where there is some, as the transport's paths say. [Aalund15 §4.2, §5.2]
 void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
-             const Photons& photons, const Splat& splat, const Parameters& parameters);
+             const Photons& photons, const Splat& splat, const Parameters& parameters,
+             std::optional<graph::ImageRef> gloss = {});
 
 /// What explains the picked pixel: its photons by energy, and their sum by a separate gather against what was
 /// splatted; what each direction of the maps contributes to it; the paths of its photons.

@@ -34,18 +34,28 @@ Regions::Regions(int count) : directions_(leopardi_directions(count)) {
                                 d.longitude_max - d.longitude_min, i, 0});
         ++collars_.back().kept;
     }
+    const auto collars = collar_counts(2 * count).size();
+    if (collars > 0) height_ = (pi - 2 * collars_.front().bottom) / static_cast<double>(collars);
+}
+
+const Regions::Collar& Regions::collar_at(double colatitude) const {
+    // Areas move the borders of collars by a part of their height.
+    const double guess = 1 + (colatitude - collars_.front().bottom) / height_;
+    auto i = std::min(static_cast<std::size_t>(std::max(guess, 0.0)), collars_.size() - 1);
+    while (i > 0 && colatitude < collars_[i].top) --i;
+    while (i + 1 < collars_.size() && colatitude > collars_[i].bottom) ++i;
+    return collars_[i];
 }
 
 std::size_t Regions::find(const glm::dvec3& direction) const {
     for (std::size_t side = 0; side < 2; ++side) {
         const auto d = side == 0 ? direction : -direction;
         const double colatitude = std::acos(std::clamp(d.y, -1.0, 1.0)), longitude = std::atan2(d.z, d.x);
-        for (const auto& collar : collars_) {
-            if (colatitude < collar.top || colatitude > collar.bottom) continue;
-            const double turns = (longitude - collar.begin) / (2 * pi);
-            const auto place = static_cast<std::size_t>((turns - std::floor(turns)) * 2 * pi / collar.step);
-            if (place < collar.kept) return 2 * (collar.first + place) + side;
-        }
+        const auto& collar = collar_at(colatitude);
+        if (colatitude > collar.bottom) continue;
+        const double turns = (longitude - collar.begin) / (2 * pi);
+        const auto place = static_cast<std::size_t>((turns - std::floor(turns)) * 2 * pi / collar.step);
+        if (place < collar.kept) return 2 * (collar.first + place) + side;
     }
     // Rounding left it on a border.
     std::size_t nearest = 0;

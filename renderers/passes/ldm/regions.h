@@ -8,7 +8,8 @@
 
 namespace ir::passes::ldm {
 
-/// The regions of the sphere whose centres are ±v of leopardi_directions(count): where a direction lies.
+/// The regions of the sphere whose centres are ±v of leopardi_directions(count): where a direction lies, in a
+/// time that does not depend on their number.
 class Regions {
   public:
     explicit Regions(int count);
@@ -21,8 +22,12 @@ class Regions {
         double top, bottom, begin, step;  ///< rad; step is that of a region
         std::size_t first, kept;
     };
+    /// Of the upper half of the sphere; the last one where an angle lies below it.
+    const Collar& collar_at(double colatitude) const;
+
     std::vector<Direction> directions_;
     std::vector<Collar> collars_;
+    double height_ = 1;  ///< rad; of a collar, before areas are made equal
 };
 
 /// Mean radiance of the environment over each region, W/(m² sr), where the regions are turned by `rotation`.

@@ -4,7 +4,8 @@
 
 namespace ir::passes {
 
-ParameterTable<ReceiverParameters> receiver_parameters(int since_version, bool offers_full) {
+ParameterTable<ReceiverParameters> receiver_parameters(int since_version, const Condition& highlights_when,
+                                                       bool offers_full) {
     const auto in_older_projects = [&](Value value) {
         return since_version > 1 ? std::optional(std::move(value)) : std::nullopt;
     };
@@ -27,7 +28,7 @@ ParameterTable<ReceiverParameters> receiver_parameters(int since_version, bool o
                      "irradiance and the mean direction.",
               .citation = "Smal19 §8.3",
               .choices = choices,
-              .active_when = has_microfacets,
+              .active_when = highlights_when,
               .since_version = since_version,
               .value_in_older_projects = in_older_projects(std::string("diffuse"))})
         .add(&ReceiverParameters::directional,

@@ -19,12 +19,15 @@ struct ReceiverParameters {
         return receiver == Receiver::full && materials != Transport::Materials::lambert;
     }
 };
-/// Methods that reflected diffusely before their version `since_version` go on to do so in older projects.
-/// Those that reflect each photon offer `full`.
-ParameterTable<ReceiverParameters> receiver_parameters(int since_version = 1, bool offers_full = false);
 
 /// Of parameters of what no Lambert surface has.
 inline const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
+
+/// Methods that reflected diffusely before their version `since_version` go on to do so in older projects.
+/// Those that reflect each photon offer `full`.
+ParameterTable<ReceiverParameters> receiver_parameters(int since_version = 1,
+                                                       const Condition& highlights_when = has_microfacets,
+                                                       bool offers_full = false);
 
 /// What photons bring to each pixel. A direction counts as much as R + G + B of what comes from there.
 /// `full`: E below the interface on the surface as it is shaded; and in place of the sum what the interface

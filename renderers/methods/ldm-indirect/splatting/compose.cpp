@@ -14,6 +14,7 @@ using Paths = Transport::Paths;
 struct Parts {
     std::optional<graph::ImageRef> direct;  ///< none: not asked for, or all by photons
     std::optional<graph::ImageRef> sky;     ///< what a white surface reflects of the environment
+    std::optional<graph::ImageRef> gloss;
     bool splatted, unlit, emission;
     passes::SeenLight seen;
 };
@@ -35,6 +36,7 @@ std::map<std::string, std::string> defines_of(const Parts& parts) {
     if (parts.splatted) defines["SPLATTED"] = "1";
     if (parts.direct) defines["DIRECT_LIGHT"] = "1";
     if (parts.sky) defines["SKY"] = "1";
+    if (parts.gloss) defines["GLOSS"] = "1";
     if (parts.unlit) defines["UNLIT"] = "1";
     if (parts.emission) defines["EMISSION"] = "1";
     if (parts.seen.image) defines["SEEN"] = "1";
@@ -51,23 +53,27 @@ struct Compose {
 }  // namespace
 
 void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
-             const Photons& photons, const Splat& splat, const Parameters& parameters) {
+             const Photons& photons, const Splat& splat, const Parameters& parameters,
+             std::optional<graph::ImageRef> gloss) {
     const auto paths = parameters.transport.paths;
     const bool by_photons = parameters.direct == DirectBy::photons;
     Parts parts{.direct = direct_of(builder, scene, gbuffer, parameters),
                 .sky = photons.sky,
+                .gloss = gloss,
                 .splatted = paths != Paths::direct || by_photons,
                 .unlit = paths != Paths::indirect && by_photons,
                 .emission = paths == Paths::full,
                 .seen = passes::seen_light(builder, gbuffer, parameters.transport)};
     const auto radiance = builder.output("radiance", {.format = gl::Format::rgba32f}),
                indirect = builder.output("indirect.radiance", {.format = gl::Format::rgba32f});
+    auto receivers = parameters.receivers;
+    if (gloss) receivers.receiver = passes::Receiver::diffuse;
     const passes::Reflection reflection{.scene = scene,
                                         .gbuffer = gbuffer,
                                         .light = {splat.irradiance, splat.direction, true},
-                                        .parameters = parameters.receivers,
+                                        .parameters = receivers,
                                         .materials = parameters.transport.materials,
-                                        .is_bare = true};
+                                        .is_bare = !gloss};
     gl::ProgramSource source{{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)};
     reflection.define(source);
     auto pass = builder.pass("compose");
@@ -76,6 +82,7 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
     pass.reads(gbuffer.emission);
     if (parts.direct) pass.reads("direct_image", *parts.direct);
     if (parts.sky) pass.reads("sky_image", *parts.sky);
+    if (gloss) pass.reads("gloss_image", *gloss);
     if (parts.seen.image) pass.reads("seen_image", *parts.seen.image);
     pass.writes("radiance_image", radiance)
         .writes("indirect_image", indirect)

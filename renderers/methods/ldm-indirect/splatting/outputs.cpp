@@ -29,7 +29,7 @@ std::vector<OutputDescription> pictures() {
          .semantic = Semantic::radiance,
          .unit = "W/(m² sr)",
          .doc =
-             "What the pixel's surface reflects of the splatted irradiance: ρ/π of it, and its highlights as "
+             "What the pixel's surface reflects: ρ/π of the splatted irradiance, and its highlights as `gloss` or "
              "`receiver` says."},
         passes::valid_output()};
     auto direct = passes::direct_outputs();

@@ -91,6 +91,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     const auto most = max_photons(primaries, parameters);
     refuse_beyond_counters(primaries, most, parameters);
     auto photons = declare_photons(builder, reserved_photons(most, parameters));
+    photons.maps = maps;
     const bool host_has_maps =
         ldm::has_host_body(maps->options) && builder.inputs().processor == Processor::host;
     const bool on_host = has_indirect(parameters) && host_has_maps;

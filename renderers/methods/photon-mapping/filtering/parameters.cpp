@@ -132,7 +132,7 @@ void add_filtering_parameters(ParameterTable<Parameters>& table) {
     add_temporal(table);
     add_edges(table);
     add_spatial(table);
-    table.include(&Parameters::receivers, passes::receiver_parameters(1, true));
+    table.include(&Parameters::receivers, passes::receiver_parameters(1, passes::has_microfacets, true));
     table.include(&Parameters::light, passes::light_parameters());
 }
 

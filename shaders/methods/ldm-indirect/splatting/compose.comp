@@ -1,5 +1,5 @@
-// What the eye sees: SPLATTED light, DIRECT_LIGHT by rasterisation, that of the SKY by maps, the colour of UNLIT surfaces, EMISSION,
-// and sources that are SEEN and no surfaces.
+// What the eye sees: SPLATTED light, GLOSS, DIRECT_LIGHT by rasterisation, that of the SKY by maps, the colour of UNLIT
+// surfaces, EMISSION, and sources that are SEEN and no surfaces.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 #include "passes/reflection/reflection.glsl"
@@ -7,6 +7,7 @@ layout(local_size_x = 16, local_size_y = 16) in;
 uniform sampler2D gbuffer_emission;
 uniform sampler2D direct_image;
 uniform sampler2D sky_image;
+uniform sampler2D gloss_image;
 uniform sampler2D seen_image;
 layout(rgba32f) uniform writeonly image2D radiance_image;
 layout(rgba32f) uniform writeonly image2D indirect_image;
@@ -34,8 +35,11 @@ void main() {
         vec4 material = texelFetch(gbuffer_material, pixel, 0);
 #ifdef SPLATTED
         indirect = reflected(pixel);
-        radiance += indirect;
 #endif
+#ifdef GLOSS
+        indirect += texelFetch(gloss_image, pixel, 0).rgb;
+#endif
+        radiance += indirect;
 #ifdef DIRECT_LIGHT
         radiance += texelFetch(direct_image, pixel, 0).rgb;
 #endif
