@@ -8,6 +8,7 @@
 #include "renderers/graph/builder.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/ldm/builder.h"
 #include "renderers/passes/scene/scene_buffers.h"
 #include "shaders/methods/ldm-indirect/records.glsl.h"
 
@@ -25,6 +26,13 @@ struct Photons {
     std::optional<graph::BufferRef> stored = {};
     /// "indirect.looks", where footprints are clipped.
     std::optional<graph::BufferRef> looks = {};
+    /// "indirect.primary_photons", which these come from.
+    graph::BufferRef primaries = {};
+    /// Of the directions along which they came.
+    passes::ldm::MapsPointer maps = {};
+    /// "splat.sums", where photons were splatted while they were traced.
+    std::optional<graph::ImageRef> sums = {};
+    std::optional<graph::BufferRef> arrivals = {};  ///< "splat.arrivals", which that needs before
     /// "ldm.sky", where the environment's direct light comes from the maps.
     std::optional<graph::ImageRef> sky = {};
 };
@@ -60,10 +68,24 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
 void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
              const Photons& photons, const Splat& splat, const Parameters& parameters);
 
+/// The photons that light the picked pixel, by energy.
+struct PixelPhotons {
+    graph::BufferRef photons, sum;  ///< "indirect.explain.photons", "indirect.explain.sum"
+};
+
 /// What explains the picked pixel: its photons by energy, and their sum by a separate gather against what was
 /// splatted; what each direction of the maps contributes to it; the paths of its photons.
-void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
-             const Splat& splat, const Parameters& parameters);
+PixelPhotons explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
+                     const Splat& splat, const Parameters& parameters);
+
+/// By how much the irradiance of the picture, and of the picked pixel, changes where a direction is left out.
+void show_effects(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
+                  const Splat& splat, const PixelPhotons& pixel, const Parameters& parameters);
+std::vector<OutputDescription> effect_outputs();
+
+/// How the brightest photon of the picked pixel was traced: the walk through its map, and an exact ray.
+void explain_trace(graph::GraphBuilder& builder, const Photons& photons, const PixelPhotons& pixel);
+std::vector<OutputDescription> trace_outputs();
 
 std::vector<OutputDescription> splatting_outputs();
 
