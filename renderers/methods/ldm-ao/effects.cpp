@@ -2,6 +2,7 @@
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-ao/passes.h"
+#include "renderers/passes/ldm/effect_pixels.h"
 #include "renderers/passes/ldm/map_views.h"
 
 namespace ir::methods::ldm_ao {
@@ -9,17 +10,11 @@ namespace {
 
 namespace ldm = passes::ldm;
 using graph::FieldType;
+using ldm::EffectPixels;
 
-/// Of a picture, so that a view of it takes as long whatever its size.
-constexpr int most_pixels = 16'384, most_queries = 1 << 21;
+/// Of a picture.
+constexpr int most_queries = 1 << 21;
 constexpr std::int64_t first_slice = 4096;
-
-/// Constants of effect_pixels.glsl.
-struct EffectPixels {
-    glm::ivec2 first_pixel, cells;
-    int pixel_step;
-    IR_FIELDS(first_pixel, cells, pixel_step)
-};
 
 /// Constants of effect_queries.comp.
 struct EffectQueries {
@@ -41,29 +36,14 @@ struct EffectMeans {
     IR_FIELDS(pixels)
 };
 
-EffectPixels grid_over(const scene::View& view, int maps) {
-    const int most = std::clamp(most_queries / maps, 1, most_pixels);
-    EffectPixels grid{{0, 0}, {view.width, view.height}, 1};
-    while (grid.cells.x * grid.cells.y > most) {
-        ++grid.pixel_step;
-        grid.cells = (glm::ivec2(view.width, view.height) + grid.pixel_step - 1) / grid.pixel_step;
-    }
-    grid.first_pixel = glm::ivec2(grid.pixel_step / 2);
-    return grid;
-}
-
 EffectPixels pixels_of(const graph::FrameInputs& inputs, const ldm::Maps& maps, bool of_picked_pixel) {
-    if (of_picked_pixel) return {inputs.picked_pixel(), {1, 1}, 1};
-    return grid_over(inputs.view, maps.layout.maps);
-}
-
-std::int64_t count_of(const EffectPixels& pixels) {
-    return std::int64_t{pixels.cells.x} * pixels.cells.y;
+    return of_picked_pixel ? ldm::picked_effect_pixel(inputs)
+                           : ldm::effect_grid(inputs.view, most_queries / maps.layout.maps);
 }
 
 EffectBuffers declare_buffers(graph::GraphBuilder& builder, const ldm::Maps& maps, bool of_picked_pixel) {
     const auto pixels =
-        static_cast<std::uint64_t>(count_of(pixels_of(builder.inputs(), maps, of_picked_pixel)));
+        static_cast<std::uint64_t>(pixels_of(builder.inputs(), maps, of_picked_pixel).count());
     const std::string of = of_picked_pixel ? "ldm.explain.effect" : "ldm.effect";
     EffectBuffers buffers;
     buffers.of_picked_pixel = of_picked_pixel;
@@ -98,7 +78,7 @@ void query(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const M
         builder.pass((picked ? "query directions of a pixel" : "query directions") + maps->batch_name(batch));
     ldm::reads_maps(pass, *maps);
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes(buffers.openness);
-    const auto items = count_of(pixels_of(builder.inputs(), *maps, picked)) * maps->batch_maps(batch);
+    const auto items = pixels_of(builder.inputs(), *maps, picked).count() * maps->batch_maps(batch);
     pass.execute_sliced(
         items,
         [=](graph::PassContext& context, graph::Slice slice) {
@@ -124,7 +104,7 @@ void finish(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const 
             const auto& program = context.use({{"methods/ldm-ao/effect_sums.comp"}});
             const auto pixels = pixels_of(context.inputs(), *maps, picked);
             program.set(EffectSums{pixels, static_cast<unsigned>(maps->layout.maps)});
-            program.dispatch(count_of(pixels));
+            program.dispatch(pixels.count());
         });
     auto pass = builder.pass("effects of directions" + of);
     pass.reads(maps->frame_buffer, gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
@@ -152,19 +132,19 @@ std::string effect_doc(const std::string& of, const std::string& more) {
 }  // namespace
 
 std::vector<OutputDescription> effect_outputs() {
-    return {
-        {.key = "ldm.effects",
-         .label = "Effect of each direction",
-         .kind = OutputKind::sphere_values,
-         .doc = effect_doc("over the picture",
-                           "Large pictures are sampled at a grid of at most " + std::to_string(most_pixels) +
-                               " pixels, fewer with many maps. Hits are those of the maps.")},
-        {.key = "ldm.explain.effects",
-         .label = "Effect of each direction on the pixel",
-         .kind = OutputKind::sphere_values,
-         .doc = effect_doc("at the pixel", "Directions below its surface have none."),
-         .when_empty = no_surface,
-         .explains = true}};
+    return {{.key = "ldm.effects",
+             .label = "Effect of each direction",
+             .kind = OutputKind::sphere_values,
+             .doc = effect_doc("over the picture",
+                               "Large pictures are sampled at a grid of at most " +
+                                   std::to_string(ldm::most_effect_pixels) +
+                                   " pixels, fewer with many maps. Hits are those of the maps.")},
+            {.key = "ldm.explain.effects",
+             .label = "Effect of each direction on the pixel",
+             .kind = OutputKind::sphere_values,
+             .doc = effect_doc("at the pixel", "Directions below its surface have none."),
+             .when_empty = no_surface,
+             .explains = true}};
 }
 
 Effects declare_effects(graph::GraphBuilder& builder, const ldm::Maps& maps) {

@@ -3,7 +3,7 @@
 #include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/ldm/map_views.h"
-#include "shaders/methods/ldm-ao/explain_entries.comp.h"
+#include "renderers/passes/ldm/walk.h"
 #include "shaders/methods/ldm-ao/explain_hits.comp.h"
 
 namespace ir::methods::ldm_ao {
@@ -11,25 +11,6 @@ namespace {
 
 namespace ldm = passes::ldm;
 using graph::FieldType;
-
-/// Entries that are reserved for each map chosen, and lines of the walk.
-constexpr std::uint64_t expected_entries = 64;
-
-const Categories what_was_hit{"hit",
-                              {{-1, "below the surface, not queried", tints::dark},
-                               {0, "miss", tints::sky},
-                               {1, "hit", tints::orange}}};
-
-const Categories what_an_entry_is{"role",
-                                  {{0, "none", tints::grey},
-                                   {1, "the point's own", tints::green},
-                                   {2, "hit along the direction", tints::orange},
-                                   {3, "hit against it", tints::sky},
-                                   {4, "passed over by its slopes", tints::purple}}};
-
-Categories yes_or_no(const std::string& field, const std::string& no, const std::string& yes) {
-    return {field, {{0, no, tints::grey}, {1, yes, tints::green}}};
-}
 
 /// Constants of explained.glsl.
 struct Explained {
@@ -48,8 +29,8 @@ struct ExplainHits {
 /// Constants of explain_entries.comp.
 struct ExplainEntries {
     Explained explained;
-    unsigned frame_index, map;
-    IR_FIELDS(explained, frame_index, map)
+    unsigned map_among_all, map_of_batch;
+    IR_FIELDS(explained, map_among_all, map_of_batch)
 };
 
 Explained explained(const graph::FrameInputs& inputs) {
@@ -83,14 +64,7 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
     auto pass = builder.pass("explain entries" + maps->batch_name(batch));
     ldm::reads_maps(pass, *maps);
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);
-    pass.writes("Entries", explanation.entries.elements)
-        .writes("Walk", explanation.walk.elements)
-        .writes("Texels", explanation.texel.elements)
-        .writes("Nodes", explanation.nodes.elements);
-    pass.counts("EntryCount", explanation.entries.count)
-        .counts("WalkCount", explanation.walk.count)
-        .counts("TexelCount", explanation.texel.count)
-        .counts("NodeCount", explanation.nodes.count);
+    explanation.walk.written_by(pass);
     pass.execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"methods/ldm-ao/explain_entries.comp"}};
         source.defines = ldm::defines_of(context, *maps);
@@ -114,7 +88,7 @@ std::string region_words(const ldm::Maps& maps) {
 }
 
 std::vector<OutputDescription> explanation_outputs() {
-    return {
+    std::vector<OutputDescription> outputs{
         {.key = "ldm.explain.hits",
          .label = "Hits by direction",
          .kind = OutputKind::sphere_values,
@@ -122,7 +96,7 @@ std::vector<OutputDescription> explanation_outputs() {
              "What each of the 2N directions finds from the pixel's point. distance: metres to the hit, or to "
              "the largest distance or the scene's end. contribution: what the direction adds to the pixel's "
              "accessibility of this frame. own_found: whether the point's own entry was in the map.",
-         .categories = {what_was_hit, yes_or_no("own_found", "not found", "found")},
+         .categories = {ldm::what_was_hit(), ldm::yes_or_no("own_found", "not found", "found")},
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.rays",
@@ -132,58 +106,15 @@ std::vector<OutputDescription> explanation_outputs() {
          .doc =
              "One line per map: from the pixel's point along the direction above its surface to what it "
              "hits, or to the largest distance or the scene's end. Lines below the surface have no length.",
-         .categories = {what_was_hit, {"side", {ldm::against_map, ldm::along_map}}},
+         .categories = {ldm::what_was_hit(), {"side", {ldm::against_map, ldm::along_map}}},
          .when_empty = no_surface,
-         .explains = true},
-        {.key = "ldm.explain.entries",
-         .label = "Entries under the pixel",
-         .kind = OutputKind::point_set,
-         .semantic = Semantic::position,
-         .unit = "m",
-         .doc =
-             "All depths at the texel where the map chosen is queried for the pixel's point. depth: metres "
-             "along the map's direction, from the point. layer: 0 is the first along that direction.",
-         .categories = {what_an_entry_is},
-         .when_empty = no_surface,
-         .explains = true},
-        {.key = "ldm.explain.walk",
-         .label = "Walk through the map",
-         .kind = OutputKind::line_set,
-         .unit = "m",
-         .doc =
-             "From the pixel's point along and against the direction of the map chosen to what is found "
-             "there, or to the largest distance or the scene's end; hit says which. above: whether the "
-             "direction is above the surface, and counts. Then from entry to entry of the texel, up to the "
-             "one where a search from the front ends; step counts them.",
-         .categories = {{"role",
-                         {{0, "along the direction", tints::orange},
-                          {1, "against it", tints::sky},
-                          {2, "from entry to entry", tints::purple}}},
-                        what_was_hit,
-                        yes_or_no("above", "below the surface", "above, counts")},
-         .when_empty = no_surface,
-         .explains = true},
-        {.key = "ldm.explain.texel",
-         .label = "Queried texel",
-         .kind = OutputKind::glyphs,
-         .unit = "m",
-         .doc =
-             "The outline of the texel where the map chosen is queried, as high as the point's surface at its "
-             "middle.",
-         .when_empty = no_surface,
-         .explains = true},
-        {.key = "ldm.explain.nodes",
-         .label = "Surfaces of nodes",
-         .kind = OutputKind::glyphs,
-         .unit = "m",
-         .doc =
-             "Of each entry under the pixel the texel's outline, tilted as the node's slopes say that its "
-             "surface lies, but not steeper than 4 texels of depth a texel. slope_u, slope_v: depth gained along "
-             "the texel's sides, in m per m. Nodes without slopes lie flat.",
-         .categories = {what_an_entry_is},
-         .when_empty = no_surface,
-         .explains = true},
-    };
+         .explains = true}};
+    const auto walk = ldm::walk_outputs({.point = "the pixel's point",
+                                         .map = "the map chosen",
+                                         .ends = "the largest distance or the scene's end",
+                                         .when_empty = no_surface});
+    outputs.insert(outputs.end(), walk.begin(), walk.end());
+    return outputs;
 }
 
 Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& maps, ldm::MapRange chosen) {
@@ -201,13 +132,7 @@ Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& m
         .hits = declare("hits", hit_fields, 2 * maps.directions.size(), "hit_count", "Directions explained"),
         .rays = declare("rays", record_fields<QueriedRay>(), maps.directions.size(), "ray_count",
                         "Rays explained"),
-        .entries = declare("entries", record_fields<Entry>(), maps_chosen * expected_entries, "entry_count",
-                           "Entries under the pixel"),
-        .walk = declare("walk", record_fields<WalkLine>(), maps_chosen * expected_entries, "walk_count",
-                        "Lines of the walk"),
-        .texel = declare("texel", record_fields<Texel>(), maps_chosen, "texel_count", "Texels queried"),
-        .nodes = declare("nodes", record_fields<NodeOutline>(), maps_chosen * expected_entries, "node_count",
-                         "Nodes under the pixel")};
+        .walk = ldm::declare_walk_views(builder, maps_chosen)};
 }
 
 void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,

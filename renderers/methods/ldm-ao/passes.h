@@ -12,6 +12,7 @@
 #include "renderers/passes/ldm/builder.h"
 #include "renderers/passes/ldm/points.h"
 #include "renderers/passes/ldm/sky.h"
+#include "renderers/passes/ldm/walk.h"
 
 namespace ir::methods::ldm_ao {
 
@@ -87,12 +88,9 @@ float exact_reach(const passes::ldm::MapFrame& frame, Exact exact, float texels)
 /// What explains the pixel that a person points at. Everything is empty while nobody does, and where the
 /// pixel shows no surface.
 struct Explanation {
-    graph::CountedBuffer hits;     ///< "ldm.explain.hits": the pixel's accessibility, gathered by direction
-    graph::CountedBuffer rays;     ///< "ldm.explain.rays": the same as lines
-    graph::CountedBuffer entries;  ///< "ldm.explain.entries": the sequence at the texel that is queried
-    graph::CountedBuffer walk;     ///< "ldm.explain.walk": what was found from there, and the way there
-    graph::CountedBuffer texel;    ///< "ldm.explain.texel": its outline
-    graph::CountedBuffer nodes;    ///< "ldm.explain.nodes": outlines that lie as its nodes' surfaces do
+    graph::CountedBuffer hits;    ///< "ldm.explain.hits": the pixel's accessibility, gathered by direction
+    graph::CountedBuffer rays;    ///< "ldm.explain.rays": the same as lines
+    passes::ldm::WalkViews walk;  ///< through the maps that are chosen
 };
 
 /// Their descriptions.

@@ -4,6 +4,8 @@
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/ldm-indirect/gloss/gloss.h"
+#include "renderers/methods/ldm-indirect/stages.h"
+#include "renderers/methods/ldm-indirect/tracing/one_pass.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -28,20 +30,28 @@ MethodDescription description() {
     d.version = 6;
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
     d.missing_light = missing_light();
-    d.outputs = joined({splatting_outputs(), gloss_outputs(), tracing_outputs()});
+    d.outputs =
+        joined({splatting_outputs(), gloss_outputs(), tracing_outputs(), effect_outputs(), trace_outputs()});
     d.selectors = tracing_selectors();
     return d;
 }
 
 void setup(graph::GraphBuilder& builder, const Parameters& given) {
-    const auto parameters = of_frame(given, builder.inputs());
+    auto parameters = of_frame(given, builder.inputs());
+    if (const auto reason = needs_storing(parameters);
+        !reason.empty() && parameters.splatting == Splatting::one_pass) {
+        builder.note("splatting=one-pass stores no photons: image-atomics are used for " + reason);
+        parameters.splatting = Splatting::image_atomics;
+    }
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto photons = trace_photons(builder, scene, gbuffer, parameters);
     const auto splat = splat_photons(builder, gbuffer, photons, parameters);
     const auto gloss = reflect_gloss(builder, gbuffer, photons, parameters);
     compose(builder, scene, gbuffer, photons, splat, parameters, gloss);
-    explain(builder, gbuffer, photons, splat, parameters);
+    const auto pixel = explain(builder, gbuffer, photons, splat, parameters);
+    show_effects(builder, gbuffer, photons, splat, pixel, parameters);
+    explain_trace(builder, photons, pixel);
 }
 
 }  // namespace

@@ -29,6 +29,24 @@ void add_frames(ParameterTable<Parameters>& table) {
 
 }  // namespace
 
+std::optional<passes::Tracer> ray_tracer(const Parameters& parameters) {
+    switch (parameters.tracer) {
+        case Tracer::directions:
+            break;
+        case Tracer::cube:
+            return passes::Tracer::cube;
+        case Tracer::compute:
+            return passes::Tracer::compute;
+        case Tracer::embree:
+            return passes::Tracer::embree;
+    }
+    return {};
+}
+
+bool traces_on_host(const Parameters& parameters) {
+    return parameters.tracer != Tracer::compute && parameters.splatting != Splatting::one_pass;
+}
+
 std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters) {
     return parameters.progressive ? passes::frame_seed(inputs) : inputs.seed;
 }

@@ -1,24 +1,27 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "renderers/core/transport.h"
 #include "renderers/graph/frame_inputs.h"
 #include "renderers/methods/ldm-indirect/gloss/gloss_parameters.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/ldm/parameters.h"
+#include "renderers/passes/raytracing/trace_rays.h"
 #include "renderers/passes/reflection/reflection.h"
 #include "renderers/scene/view.h"
 #include "renderers/scene/world.h"
 
 namespace ir::methods::ldm_indirect {
 
+enum class Tracer { directions, cube, compute, embree };
 enum class Footprint { published, widened };
 enum class Senders { diffuse, whole };
 enum class LandingBy { centre, plane };
 enum class Overhang { lost, returned };
 enum class Clipping { none, maps };
-enum class Splatting { quads, tiles, image_atomics };
+enum class Splatting { quads, tiles, image_atomics, one_pass };
 enum class DirectBy { rasterisation, photons };
 enum class EnvironmentBy { samples, maps };
 
@@ -31,6 +34,8 @@ struct Parameters {
     float radius_decay = 2.0f / 3;  ///< α of progressive footprints
 
     // tracing/parameters.cpp
+    Tracer tracer = Tracer::directions;  ///< what finds where photons land
+    passes::CubeOptions cube;
     int emission = 64;                   ///< pixels along a side of a light's image
     Senders senders = Senders::diffuse;  ///< what first surfaces reflect
     Footprint footprint = Footprint::widened;
@@ -58,6 +63,12 @@ ParameterTable<Parameters> parameter_table();
 
 /// Of this frame: with `progressive` the directions are turned, and footprints have shrunk.
 Parameters of_frame(const Parameters& parameters, const graph::FrameInputs& inputs);
+
+/// What traces rays along the maps' directions; none where the maps answer.
+std::optional<passes::Tracer> ray_tracer(const Parameters& parameters);
+
+/// Whether photons have a body on the host by these parameters, where the maps have one.
+bool traces_on_host(const Parameters& parameters);
 
 /// Of the photons: with `progressive` each frame has its own.
 std::uint64_t photon_seed(const graph::FrameInputs& inputs, const Parameters& parameters);

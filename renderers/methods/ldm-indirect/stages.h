@@ -19,7 +19,7 @@ struct Photons {
     graph::BufferRef records;  ///< "indirect.photons": Photon, growable, glyphs; in the order of batches of
                                ///< maps, then of sources, then of maps
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
-    passes::ldm::MapsPointer maps = {};
+    passes::ldm::MapsPointer maps = {};  ///< of the directions along which they came
     /// Sources below this number are texels of the lights' images. Of the others it is not kept where their
     /// paths begin.
     std::uint64_t texels = std::numeric_limits<std::uint64_t>::max();
@@ -27,6 +27,11 @@ struct Photons {
     std::optional<graph::BufferRef> stored = {};
     /// "indirect.looks", where footprints are clipped.
     std::optional<graph::BufferRef> looks = {};
+    /// "indirect.primary_photons", which these come from.
+    graph::BufferRef primaries = {};
+    /// "splat.sums", where photons were splatted while they were traced.
+    std::optional<graph::ImageRef> sums = {};
+    std::optional<graph::BufferRef> arrivals = {};  ///< "splat.arrivals", which that needs before
     /// "ldm.sky", where the environment's direct light comes from the maps.
     std::optional<graph::ImageRef> sky = {};
 };
@@ -63,10 +68,24 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
              const Photons& photons, const Splat& splat, const Parameters& parameters,
              std::optional<graph::ImageRef> gloss = {});
 
+/// The photons that light the picked pixel, by energy.
+struct PixelPhotons {
+    graph::BufferRef photons, sum;  ///< "indirect.explain.photons", "indirect.explain.sum"
+};
+
 /// What explains the picked pixel: its photons by energy, and their sum by a separate gather against what was
 /// splatted; what each direction of the maps contributes to it; the paths of its photons.
-void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
-             const Splat& splat, const Parameters& parameters);
+PixelPhotons explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
+                     const Splat& splat, const Parameters& parameters);
+
+/// By how much the irradiance of the picture, and of the picked pixel, changes where a direction is left out.
+void show_effects(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
+                  const Splat& splat, const PixelPhotons& pixel, const Parameters& parameters);
+std::vector<OutputDescription> effect_outputs();
+
+/// How the brightest photon of the picked pixel was traced: the walk through its map, and an exact ray.
+void explain_trace(graph::GraphBuilder& builder, const Photons& photons, const PixelPhotons& pixel);
+std::vector<OutputDescription> trace_outputs();
 
 std::vector<OutputDescription> splatting_outputs();
 

@@ -1,6 +1,6 @@
 // V of the directions of a batch of maps, at pixels of the grid: one invocation queries one map for one pixel.
 layout(local_size_x = 64) in;
-#include "methods/ldm-ao/effect_pixels.glsl"
+#include "passes/ldm/effect_pixels.glsl"
 #include "passes/ldm/frames.glsl"
 #include "passes/ldm/storage.glsl"
 #include "passes/ldm/trace.glsl"

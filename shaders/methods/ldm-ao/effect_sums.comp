@@ -1,6 +1,6 @@
 // Σ V cosθ and Σ cosθ over all maps, of pixels of the grid. [Aalund15 eq. 2]
 layout(local_size_x = 64) in;
-#include "methods/ldm-ao/effect_pixels.glsl"
+#include "passes/ldm/effect_pixels.glsl"
 #include "passes/ldm/frames.glsl"
 
 layout(std430) readonly buffer Openness { float openness_of[]; };

@@ -2,7 +2,7 @@
 // a surface the mean change, and the root of its mean square. A work group has one map, and writes the
 // regions of v and -v.
 layout(local_size_x = 64) in;
-#include "methods/ldm-ao/effect_pixels.glsl"
+#include "passes/ldm/effect_pixels.glsl"
 #include "passes/ldm/frames.glsl"
 
 /// Of "ldm.directions": v and -v of each map in turn, REGION_WORDS each.

@@ -5,13 +5,13 @@
 #define LDM_VIEWS
 #include "passes/ldm/trace.glsl"
 #include "passes/ldm/self_hit.glsl"
+#include "passes/ldm/way_out.glsl"
 
 uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_normal;
 uniform sampler2D gbuffer_geometric_normal;
 
 uniform ivec2 pixel;  // negative: none
-uniform vec3 scene_min, scene_max;
 
 struct Surface {
     bool exists;
@@ -31,12 +31,5 @@ float reach_quanta(MapFrame frame) {
 
 /// Metres to the end of what is drawn of a ray that hits nothing: d_max, or where it leaves the scene's bounds.
 float open_length(vec3 position_ws, vec3 direction) {
-    if (params.max_distance > 0.0) return params.max_distance;
-    float length_ws = distance(scene_min, scene_max);
-    for (int i = 0; i < 3; ++i) {
-        if (direction[i] == 0.0) continue;
-        float wall = direction[i] > 0.0 ? scene_max[i] : scene_min[i];
-        length_ws = min(length_ws, max((wall - position_ws[i]) / direction[i], 0.0));
-    }
-    return length_ws;
+    return params.max_distance > 0.0 ? params.max_distance : way_out(position_ws, direction);
 }

@@ -1,12 +1,9 @@
 // The surface that a ray hit, as passes::SurfaceLookup finds it on the host: the same quantities as the
 // G-buffer's, from textures at their finest level (renderers/passes/scene/hit_surfaces.h).
 #include "lib/material.glsl"
-#include "lib/triangle_plane.glsl"
+#include "passes/scene/hit_triangle.glsl"
 #include "passes/scene/texels.glsl"
 
-/// Four vec4 a vertex: position and colour (RGBA8); normal; tangent; both texture coordinates.
-layout(std430) readonly buffer HitVertices { vec4 hit_vertices[]; };
-layout(std430) readonly buffer HitIndices { uint hit_indices[]; };
 layout(std430) readonly buffer HitTriangleMaterials {
     uint hit_triangle_materials[];
 };
@@ -59,8 +56,7 @@ vec3 hit_mapped_normal(Material m, HitCorners c, vec4 uv, vec3 normal_ws) {
 /// `u` and `v`: barycentric weights of the triangle's second and third corner; `direction_ws` of travel.
 HitSurface hit_surface(uint triangle, float u, float v, vec3 direction_ws, bool normal_maps) {
     HitCorners c;
-    c.first = 4u * uvec3(hit_indices[3u * triangle], hit_indices[3u * triangle + 1u],
-                         hit_indices[3u * triangle + 2u]);
+    c.first = hit_corners(triangle);
     c.weights = vec3(1.0 - u - v, u, v);
     vec3 pa = hit_vertices[c.first.x].xyz, pb = hit_vertices[c.first.y].xyz, pc = hit_vertices[c.first.z].xyz;
 

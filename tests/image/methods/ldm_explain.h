@@ -48,7 +48,7 @@ class Elements {
     std::map<std::string, int> words_;
 };
 
-/// Renders ldm-ao with an inspection.
+/// Renders a method of layered depth maps, if nothing else is said ldm-ao, with an inspection.
 class LdmExplain : public test::LdmAoMethodTest {
   protected:
     void load(const std::string& name, const std::string& camera = "") {
@@ -57,6 +57,8 @@ class LdmExplain : public test::LdmAoMethodTest {
         camera_ = world.cameras.front();
         if (const auto* found = scene_.find_camera(camera)) camera_ = *found;
     }
+
+    virtual std::string result() const { return "accessibility"; }
 
     graph::FrameInputs inputs_of(const Inspection& inspection, int frame) const {
         graph::FrameInputs inputs;
@@ -73,7 +75,7 @@ class LdmExplain : public test::LdmAoMethodTest {
                  int frame = 0) {
         if (options.wanted.empty()) options.wanted = {"ldm.*", "gbuffer.*"};
         report = graph().run(method(), settings, inputs_of(inspection, frame), options);
-        return graph().read_image("accessibility").value();
+        return graph().read_image(result()).value();
     }
     /// Explains something else of the last frame, without another one.
     bool explain(const Settings& settings, const Inspection& inspection, const graph::FrameOptions& options) {

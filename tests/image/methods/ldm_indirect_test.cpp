@@ -294,6 +294,42 @@ TEST(LdmIndirectPicture, AllWaysOfSplattingAgree) {
     }
 }
 
+// Nothing is stored then. Lists are the device's, as the host would trace the others.
+TEST(LdmIndirectPicture, PhotonsMayBeSplattedWhileTheyAreTraced) {
+    const auto by = [](const char* way, const Settings& more) {
+        return with(more, {{"splatting", std::string(way)}, {"storage", std::string("linked-lists")}});
+    };
+    const auto largest = [](const Image& image) {
+        return *std::max_element(image.pixels.begin(), image.pixels.end());
+    };
+    const auto leaves = with(indirect_maps(32, 64, 12), {{"splat_size", 4.0}});
+    const auto stored = render(atrium(by("image-atomics", leaves))).image;
+    EXPECT_LT(max_different(render(atrium(by("one-pass", leaves))).image, stored), 2e-5 * largest(stored));
+    EXPECT_GT(mean(stored), 0.01);
+    for (const auto& more :
+         {Settings{{"progressive", true}},
+          Settings{{"clipping", std::string("none")}, {"overhang", std::string("returned")}}}) {
+        const auto box = with(indirect_maps(40, 160, 12), more);
+        const auto expected = render(cornell("ldm-indirect", by("image-atomics", box))).image;
+        auto setting = cornell("ldm-indirect", by("one-pass", box));
+        const auto whole = render(setting);
+        EXPECT_LT(max_different(whole.image, expected), 2e-5 * largest(expected));
+        setting.options.memory_budget = whole.report.peak_memory_bytes * 7 / 10;
+        const auto divided = render(setting);
+        EXPECT_GT(divided.report.counters.at("batches"), 1);
+        EXPECT_LT(max_different(divided.image, expected), 2e-5 * largest(expected));
+        EXPECT_GT(mean(whole.image), 0.03);
+    }
+    // What needs stored photons has them, and is told.
+    const Settings exact{{"tracer", std::string("embree")}};
+    const auto noted =
+        render(cornell("ldm-indirect", by("one-pass", with(indirect_maps(24, 60, 12), exact))));
+    EXPECT_TRUE(std::ranges::any_of(noted.report.messages, [](const auto& message) {
+        return message.text.find("another tracer") != std::string::npos;
+    }));
+    EXPECT_GT(mean(noted.image), 0.03);
+}
+
 TEST(LdmIndirectPicture, ThePickedPixelIsTheSumOfItsPhotons) {
     struct Sum {
         std::uint32_t x, y, photons;

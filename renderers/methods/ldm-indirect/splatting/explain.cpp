@@ -62,9 +62,8 @@ void store(const graph::PassContext& p, const graph::CountedBuffer& buffer, cons
 
 void sort_and_add_up(const graph::PassContext& p, const Explanation& e) {
     const auto sums = p.elements<PixelSum>(e.sum.elements);
-    const auto photons = p.elements<FoundPhoton>(e.photons.elements);
     if (sums.empty()) return;
-    const auto found = photons.first(std::min<std::size_t>(photons.size(), sums[0].photons));
+    const auto found = found_photons(p, {e.photons.elements, e.sum.elements});
     passes::sort_found(found);
     add_up(found, sums[0]);
 }
@@ -79,21 +78,18 @@ bool is_explained(const graph::PassContext& p, const passes::GBuffer& gbuffer) {
 
 void show_light(const graph::PassContext& p, const passes::GBuffer& gbuffer, const Explanation& e,
                 const passes::ldm::Options& maps, std::uint64_t texels) {
-    const auto sums = p.elements<PixelSum>(e.sum.elements);
-    if (sums.empty() || !is_explained(p, gbuffer)) return;
-    const auto photons = p.elements<FoundPhoton>(e.photons.elements);
-    const auto found = photons.first(std::min<std::size_t>(photons.size(), sums[0].photons));
+    if (!is_explained(p, gbuffer)) return;
+    const auto found = found_photons(p, {e.photons.elements, e.sum.elements});
     store(p, e.directions, light_by_direction(found, maps));
     store(p, e.paths, paths_of(found, maps, *p.inputs().world, texels));
 }
 
 }  // namespace
 
-void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
-             const Splat& splat, const Parameters& parameters) {
+PixelPhotons explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
+                     const Splat& splat, const Parameters& parameters) {
     const auto e = declare(builder, parameters.maps.directions);
-    const StoredPhotons stored{
-        {photons.records, splat.stored}, splat.arrivals, parameters, photons.count, photons.looks};
+    const auto stored = splatted_photons(photons, splat, parameters);
     auto pass = builder.pass("explain photons of the pixel");
     reads_footprints(pass, stored);
     reads_looks(pass, stored);
@@ -116,6 +112,7 @@ void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const
         .counts(e.paths.count)
         .execute([=, maps = passes::ldm::Options(parameters.maps), texels = photons.texels](
                      graph::PassContext& p) { show_light(p, gbuffer, e, maps, texels); });
+    return {e.photons.elements, e.sum.elements};
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "renderers/image/luminance.h"
-#include "renderers/passes/ldm/directions.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -19,40 +17,6 @@ std::array<float, 3> components(glm::dvec3 v) {
 
 glm::dvec3 vector(const std::array<float, 3>& v) {
     return {v[0], v[1], v[2]};
-}
-
-/// Of a turned set regions are squares of their area about their centres.
-std::vector<Direction> turned_directions(const passes::ldm::Options& options) {
-    using std::numbers::pi;
-    auto directions = passes::ldm::leopardi_directions(options.directions);
-    if (options.rotation == glm::dmat3(1)) return directions;
-    const double half = 0.5 * std::sqrt(2 * pi / options.directions);
-    for (auto& direction : directions) {
-        const auto centre = glm::normalize(options.rotation * direction.centre);
-        const double colatitude = std::acos(centre.y), longitude = std::atan2(centre.z, centre.x),
-                     width = std::min(half / std::max(std::sin(colatitude), 1e-3), pi);
-        direction = {centre, std::max(colatitude - half, 0.0), std::min(colatitude + half, pi),
-                     longitude - width, longitude + width};
-    }
-    return directions;
-}
-
-/// Of one map and side, without light. Light that came along the map's direction comes from its opposite.
-DirectionLight dark(const Direction& direction, int map, int side) {
-    using std::numbers::pi;
-    const bool above = side < 0;
-    const auto bounds = [](double low, double high) {
-        return std::array{static_cast<float>(low), static_cast<float>(high)};
-    };
-    DirectionLight result{};
-    result.centre = components(-double(side) * direction.centre);
-    result.colatitude = above ? bounds(direction.colatitude_min, direction.colatitude_max)
-                              : bounds(pi - direction.colatitude_max, pi - direction.colatitude_min);
-    const double turn = above ? 0 : pi;
-    result.longitude = bounds(direction.longitude_min + turn, direction.longitude_max + turn);
-    result.map = static_cast<std::uint32_t>(map);
-    result.side = side;
-    return result;
 }
 
 /// Where the photon was split. The point lies on its last leg, so far from its end that both legs are as long
@@ -77,6 +41,28 @@ PathLine line(const FoundPhoton& photon, std::uint32_t leg, glm::dvec3 start, gl
 
 }  // namespace
 
+std::vector<Direction> turned_directions(const passes::ldm::Options& options) {
+    using std::numbers::pi;
+    auto directions = passes::ldm::leopardi_directions(options.directions);
+    if (options.rotation == glm::dmat3(1)) return directions;
+    const double half = 0.5 * std::sqrt(2 * pi / options.directions);
+    for (auto& direction : directions) {
+        const auto centre = glm::normalize(options.rotation * direction.centre);
+        const double colatitude = std::acos(centre.y), longitude = std::atan2(centre.z, centre.x),
+                     width = std::min(half / std::max(std::sin(colatitude), 1e-3), pi);
+        direction = {centre, std::max(colatitude - half, 0.0), std::min(colatitude + half, pi),
+                     longitude - width, longitude + width};
+    }
+    return directions;
+}
+
+std::span<FoundPhoton> found_photons(const graph::PassContext& context, const PixelPhotons& pixel) {
+    const auto sums = context.elements<const PixelSum>(pixel.sum);
+    const auto photons = context.elements<FoundPhoton>(pixel.photons);
+    if (sums.empty()) return {};
+    return photons.first(std::min<std::size_t>(photons.size(), sums[0].photons));
+}
+
 void add_up(std::span<const FoundPhoton> photons, PixelSum& sum) {
     glm::dvec3 all(0), direct(0);
     for (const auto& photon : photons) {
@@ -95,7 +81,7 @@ std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> phot
     std::vector<DirectionLight> result;
     for (int map = 0; map < maps; ++map)
         for (const int side : {1, -1})
-            result.push_back(dark(directions[static_cast<std::size_t>(map)], map, side));
+            set_region(result.emplace_back(), directions[static_cast<std::size_t>(map)], map, side);
     std::vector<glm::dvec3> sums(result.size(), glm::dvec3(0));
     for (const auto& photon : photons) {
         const auto place = 2 * std::size_t{photon.map} + (photon.side > 0 ? 0 : 1);

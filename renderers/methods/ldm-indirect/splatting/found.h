@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
 #include "renderers/core/fields.h"
-#include "renderers/methods/ldm-indirect/parameters.h"
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/stages.h"
+#include "renderers/passes/ldm/directions.h"
 #include "renderers/scene/world.h"
 #include "shaders/methods/ldm-indirect/splatting/explain.comp.h"
 
@@ -19,7 +22,29 @@ struct PixelSum {
     IR_FIELDS(pixel_x, pixel_y, photons, gathered, direct, pixel, difference)
 };
 
-/// One of the 2N directions; `centre` points to where its light comes from.
+/// Directions of the maps. Of a turned set regions are squares of their area about their centres.
+std::vector<passes::ldm::Direction> turned_directions(const passes::ldm::Options& options);
+
+/// Sets what the record of one of the 2N directions says of its region. `centre` points to where its light
+/// comes from: of light that came along the map's direction, side 1, from its opposite.
+template <class Record>
+void set_region(Record& record, const passes::ldm::Direction& direction, int map, int side) {
+    using std::numbers::pi;
+    const bool above = side < 0;
+    const auto bounds = [](double low, double high) {
+        return std::array{static_cast<float>(low), static_cast<float>(high)};
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        record.centre[static_cast<std::size_t>(axis)] = static_cast<float>(-side * direction.centre[axis]);
+    record.colatitude = above ? bounds(direction.colatitude_min, direction.colatitude_max)
+                              : bounds(pi - direction.colatitude_max, pi - direction.colatitude_min);
+    const double turn = above ? 0 : pi;
+    record.longitude = bounds(direction.longitude_min + turn, direction.longitude_max + turn);
+    record.map = static_cast<std::uint32_t>(map);
+    record.side = side;
+}
+
+/// One of the 2N directions.
 struct DirectionLight {
     std::array<float, 3> centre;
     std::array<float, 2> colatitude, longitude;
@@ -38,6 +63,9 @@ struct PathLine {
     std::uint32_t photon;
     IR_FIELDS(start, end, contribution, leg, map, side, photon)
 };
+
+/// What explain() found of the picked pixel; empty where it shows no surface.
+std::span<FoundPhoton> found_photons(const graph::PassContext& context, const PixelPhotons& pixel);
 
 /// Sets gathered, direct and difference.
 void add_up(std::span<const FoundPhoton> photons, PixelSum& sum);

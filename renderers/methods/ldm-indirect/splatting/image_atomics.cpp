@@ -11,16 +11,6 @@ constexpr std::int64_t lanes = splat_lanes;
 constexpr std::int64_t groups_at_once = 32768;
 constexpr std::int64_t pixels_at_once = 60000 * lanes;  ///< llvmpipe ends loops after 65,535 turns
 
-graph::ImageRef declare_sums(graph::GraphBuilder& builder) {
-    graph::ImageDesc desc;
-    desc.text = {.key = "splat.sums",
-                 .label = "Sums of atomic additions",
-                 .doc = "Bits of floats. Layers: R, G, B, W/m², photons, and the sum of directions."};
-    desc.format = gl::Format::r32ui;
-    desc.layers = 7;
-    return builder.image(desc);
-}
-
 /// Constants of atomic_splat.comp.
 struct SplatAtomically {
     Outlines outlines;
@@ -34,12 +24,7 @@ void splat_atomically(const graph::PassContext& p, graph::Slice slice, const Spl
     if (slice.first) p.clear(sums);
     gl::ProgramSource source{{folder + "atomic_splat.comp"}};
     define_clipped(source, task.photons);
-    const bool has_floats = p.api().NV_shader_atomic_float != 0;
-    if (has_floats) {
-        source.preamble = "#extension GL_NV_shader_atomic_float : require\n";
-        source.defines["FLOAT_ATOMICS"] = "1";
-    }
-    if (has_floats) p.bind("sums", sums, gl::Format::r32f);
+    add_by_atomics(p, source, sums);
     const auto& program = p.use(source);
     set_units(p, program, task.photons);
     const auto& view = p.inputs().view;
@@ -60,6 +45,31 @@ void splat_atomically(const graph::PassContext& p, graph::Slice slice, const Spl
 
 }  // namespace
 
+graph::ImageRef declare_sums(graph::GraphBuilder& builder) {
+    graph::ImageDesc desc;
+    desc.text = {.key = "splat.sums",
+                 .label = "Sums of atomic additions",
+                 .doc = "Bits of floats. Layers: R, G, B, W/m², photons, and the sum of directions."};
+    desc.format = gl::Format::r32ui;
+    desc.layers = 7;
+    return builder.image(desc);
+}
+
+void add_by_atomics(const graph::PassContext& p, gl::ProgramSource& source, graph::ImageRef sums) {
+    if (p.api().NV_shader_atomic_float == 0) return;
+    source.preamble = "#extension GL_NV_shader_atomic_float : require\n";
+    source.defines["FLOAT_ATOMICS"] = "1";
+    p.bind("sums", sums, gl::Format::r32f);
+}
+
+void show_sums(graph::GraphBuilder& builder, const SplatTask& task, graph::ImageRef sums) {
+    builder.pass("atomic sums")
+        .reads("sums", sums)
+        .writes("irradiance", task.irradiance)
+        .writes("directions", task.direction)
+        .compute({{folder + "atomic_sums.comp"}}, task.irradiance);
+}
+
 void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto sums = declare_sums(builder);
     auto pass = builder.pass("splat photons atomically");
@@ -69,11 +79,7 @@ void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task) {
         .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             splat_atomically(p, slice, task, sums);
         });
-    builder.pass("atomic sums")
-        .reads("sums", sums)
-        .writes("irradiance", task.irradiance)
-        .writes("directions", task.direction)
-        .compute({{folder + "atomic_sums.comp"}}, task.irradiance);
+    show_sums(builder, task, sums);
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -15,10 +15,14 @@ void add_ways(ParameterTable<Parameters>& table) {
                            "them, and blending adds."},
                           {"tiles", "Tiles",
                            "Compute shaders list the photons of each tile of 16 × 16 pixels in order, and "
-                           "pixels add up their tile's. On llvmpipe 1.4 to 4 times as fast as quads."},
+                           "pixels add up their tile's. The host has a body for these alone."},
                           {"image-atomics", "Image atomics",
                            "A compute shader adds stored photons to pixels by atomic additions, whose order, "
-                           "and rounding, differ from run to run. Not within the pass that traces."}},
+                           "and rounding, differ from run to run."},
+                          {"one-pass", "While tracing",
+                           "The compute shader that traces photons through the maps adds them by atomic "
+                           "additions, and stores none; as published slower. On the device alone. What looks "
+                           "at photons has them traced again."}},
               .effect = Effect::cost,
               .on_change = OnChange::reallocate})
         .add(&Parameters::direct,

@@ -38,7 +38,8 @@ void average_frames(graph::GraphBuilder& builder, const SplatTask& task, graph::
         });
 }
 
-void splat_on_device(graph::GraphBuilder& builder, const SplatTask& task) {
+void splat_on_device(graph::GraphBuilder& builder, const SplatTask& task,
+                     const std::optional<graph::ImageRef>& sums) {
     measure_footprints(builder, task.photons);
     switch (task.photons.parameters.splatting) {
         case Splatting::quads:
@@ -49,6 +50,9 @@ void splat_on_device(graph::GraphBuilder& builder, const SplatTask& task) {
             break;
         case Splatting::image_atomics:
             splat_image_atomics(builder, task);
+            break;
+        case Splatting::one_pass:
+            show_sums(builder, task, sums.value());
             break;
     }
 }
@@ -79,7 +83,7 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
     if (on_host)
         splat_on_host(builder, gbuffer, task);
     else
-        splat_on_device(builder, task);
+        splat_on_device(builder, task, photons.sums);
     if (parameters.progressive) average_frames(builder, task, irradiance, direction);
     return {irradiance, direction, task.irradiance, task.photons.stored, task.photons.arrivals};
 }

@@ -9,27 +9,6 @@ namespace {
 
 using Paths = Transport::Paths;
 
-graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters& parameters) {
-    auto arrivals = arrivals_of(parameters, *builder.inputs().world);
-    graph::BufferDesc desc;
-    desc.text = {.key = "splat.arrivals",
-                 .label = "Where light comes from",
-                 .doc =
-                     "Directions of the maps, then the lights: their places (w 1), or where they shine to "
-                     "(w 0)."};
-    desc.fields = {{"arrival", graph::FieldType::f32, 4}};
-    desc.elements = arrivals.size();
-    const auto& world = builder.inputs().world_fingerprint;
-    desc.fingerprint = world.empty() || parameters.progressive
-                           ? ""
-                           : world + " from " + std::to_string(parameters.maps.directions) + " directions";
-    const auto buffer = builder.buffer(std::move(desc));
-    builder.pass("upload arrivals").writes(buffer).execute([=](graph::PassContext& p) {
-        p.upload(buffer, std::as_bytes(std::span(arrivals)));
-    });
-    return buffer;
-}
-
 /// Constants of clipping.glsl.
 struct Units {
     float units_per_metre;
@@ -56,6 +35,27 @@ std::vector<glm::vec4> arrivals_of(const Parameters& parameters, const scene::Wo
     return all;
 }
 
+graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters& parameters) {
+    auto arrivals = arrivals_of(parameters, *builder.inputs().world);
+    graph::BufferDesc desc;
+    desc.text = {.key = "splat.arrivals",
+                 .label = "Where light comes from",
+                 .doc =
+                     "Directions of the maps, then the lights: their places (w 1), or where they shine to "
+                     "(w 0)."};
+    desc.fields = {{"arrival", graph::FieldType::f32, 4}};
+    desc.elements = arrivals.size();
+    const auto& world = builder.inputs().world_fingerprint;
+    desc.fingerprint = world.empty() || parameters.progressive
+                           ? ""
+                           : world + " from " + std::to_string(parameters.maps.directions) + " directions";
+    const auto buffer = builder.buffer(std::move(desc));
+    builder.pass("upload arrivals").writes(buffer).execute([=](graph::PassContext& p) {
+        p.upload(buffer, std::as_bytes(std::span(arrivals)));
+    });
+    return buffer;
+}
+
 MendedCounters declare_mended(graph::GraphBuilder& builder) {
     return {builder.counter({.key = "splat.short",
                              .label = "Footprints widened",
@@ -76,7 +76,7 @@ MendedCounters declare_mended(graph::GraphBuilder& builder) {
 
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
                              const Parameters& parameters) {
-    const auto arrivals = upload_arrivals(builder, parameters);
+    const auto arrivals = photons.arrivals ? *photons.arrivals : upload_arrivals(builder, parameters);
     if (photons.stored)
         return {{photons.records, *photons.stored}, arrivals, parameters, photons.count, photons.looks};
     const StoredPhotons result{passes::photon_list(builder, photons.records), arrivals, parameters,
@@ -87,6 +87,10 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
         .counts("Count", photons.count)
         .execute([=](graph::PassContext& p) { passes::count_stored(p, result); });
     return result;
+}
+
+StoredPhotons splatted_photons(const Photons& photons, const Splat& splat, const Parameters& parameters) {
+    return {{photons.records, splat.stored}, splat.arrivals, parameters, photons.count, photons.looks};
 }
 
 void measure_footprints(graph::GraphBuilder& builder, const StoredPhotons& photons) {

@@ -23,9 +23,15 @@ struct MendedCounters {
 };
 MendedCounters declare_mended(graph::GraphBuilder& builder);
 
-/// Declares the passes "upload arrivals" and "stored photons".
+/// Declares "splat.arrivals" and the pass "upload arrivals".
+graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters& parameters);
+
+/// Declares the passes "upload arrivals", unless the photons have it, and "stored photons".
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
                              const Parameters& parameters);
+
+/// Those that were splatted.
+StoredPhotons splatted_photons(const Photons& photons, const Splat& splat, const Parameters& parameters);
 
 /// Declares the pass "measure footprints", which counts those that are mended.
 void measure_footprints(graph::GraphBuilder& builder, const StoredPhotons& photons);
@@ -78,5 +84,9 @@ void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task);
 void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const SplatTask& task);
 /// A compute shader adds each photon to its pixels by atomic additions, in no order.
 void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task);
+/// "splat.sums", to which atomic_add.glsl adds; what its program needs, before use(); the picture made of it.
+graph::ImageRef declare_sums(graph::GraphBuilder& builder);
+void add_by_atomics(const graph::PassContext& context, gl::ProgramSource& source, graph::ImageRef sums);
+void show_sums(graph::GraphBuilder& builder, const SplatTask& task, graph::ImageRef sums);
 
 }  // namespace ir::methods::ldm_indirect

@@ -59,7 +59,7 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
     if (primaries.extended.count() > 0 || primaries.bounces > 1) {
         const auto surfaces = sending_surfaces(builder, maps, parameters);
         emit_from_extended(builder, primaries, surfaces, parameters);
-        go_on(builder, primaries, surfaces, parameters);
+        go_on(builder, primaries, surfaces, *maps, parameters);
     }
     return primaries;
 }

@@ -2,12 +2,11 @@
 
 #include <cmath>
 
-#include "renderers/core/constants.h"
 #include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/tracing/first_hits.h"
 #include "renderers/methods/ldm-indirect/tracing/host/children.h"
 #include "renderers/methods/ldm-indirect/tracing/sending_surfaces.h"
-#include "renderers/passes/raytracing/ray_offset.h"
 #include "renderers/passes/sampling/point_sequence.h"
 #include "renderers/passes/scattering/microfacets.h"
 #include "renderers/passes/scene/progressive.h"
@@ -18,10 +17,6 @@ namespace {
 
 /// Pairs of numbers of a ray.
 enum BounceDimension : std::uint32_t { of_pair, of_further_direction };
-
-/// Rays start so far from their surface, in parts of what maps do not see: images of lights know places to
-/// rounding only.
-constexpr float ray_start = 1e-3f;
 
 constexpr std::int64_t first_bounce_slice = 1024;
 
@@ -35,8 +30,9 @@ float carried(const Primary& p) {
 /// bounce that has `all`. DEVIATION [Aalund15 §6]: print has a subset of the directions for each photon,
 /// traced through the maps; this is one direction for two photons, not of the maps', whose hit a ray finds
 /// with normal and reflectance, which nodes do not have.
-Primary gone_on(const SendingSurfaces& surfaces, const passes::Bvh& bvh, std::span<const Primary> pair,
-                const passes::PathSampler& random, std::uint64_t all, std::uint32_t source) {
+Primary gone_on(const SendingSurfaces& surfaces, const FirstHits::Find& first_hit,
+                std::span<const Primary> pair, const passes::PathSampler& random, std::uint64_t all,
+                std::uint32_t source) {
     float sum = 0;
     for (const auto& p : pair) sum += carried(p);
     Primary result = SendingSurfaces::nothing(source);
@@ -51,8 +47,7 @@ Primary gone_on(const SendingSurfaces& surfaces, const passes::Bvh& bvh, std::sp
                                           passes::sample_cosine_ts(random.pair(of_further_direction)));
     result.direction_ws = direction;
     if (glm::dot(direction, from.normal_ws) <= 0) return result;
-    const auto origin = passes::offset_origin(from.position_ws, from.normal_ws);
-    const auto hit = bvh.closest_hit(origin, direction, ray_start * surfaces.narrow(), infinity);
+    const auto hit = first_hit(from.position_ws, from.normal_ws, direction);
     if (!hit.is_hit()) return result;
     result.path_length += hit.distance;
     surfaces.arrive(result, surfaces.lookup().at(hit, direction));
@@ -97,21 +92,22 @@ BounceRow row_of(int bounce, std::span<const Primary> primaries, std::span<const
 }  // namespace
 
 void go_on(graph::GraphBuilder& builder, const Primaries& primaries, graph::ObjectRef surfaces,
-           const Parameters& parameters) {
+           const passes::ldm::Maps& maps, const Parameters& parameters) {
     if (primaries.bounces < 2) return;
-    const auto bvh = passes::bvh(builder);
+    const FirstHits first_hits(builder, maps, parameters);
     const auto& inputs = builder.inputs();
     const auto seed = photon_seed(inputs, parameters);
     for (int bounce = 2; bounce <= primaries.bounces; ++bounce) {
         const auto all = primaries.of_bounce(bounce), begin = primaries.first_of(bounce),
                    before = primaries.first_of(bounce - 1);
-        builder.pass("photons of bounce " + std::to_string(bounce), graph::Queue::cpu)
-            .reads(bvh, surfaces, primaries.records)
+        auto pass = builder.pass("photons of bounce " + std::to_string(bounce), graph::Queue::cpu);
+        first_hits.read_by(pass);
+        pass.reads(surfaces, primaries.records)
             .writes(primaries.records)
             .execute_sliced(
                 static_cast<std::int64_t>(all),
                 [=](graph::PassContext& context, graph::Slice slice) {
-                    const auto traced = context.object<passes::Bvh>(bvh);
+                    const auto first_hit = first_hits.in(context);
                     const auto met = context.object<SendingSurfaces>(surfaces);
                     const auto records = context.elements<Primary>(primaries.records);
                     const auto key = passes::mixed(seed + static_cast<std::uint64_t>(bounce));
@@ -121,7 +117,7 @@ void go_on(graph::GraphBuilder& builder, const Primaries& primaries, graph::Obje
                         const auto pair = std::span<const Primary>(records).subspan(
                             first, std::min<std::uint64_t>(2, begin - first));
                         const passes::PathSampler random(key, static_cast<std::uint32_t>(place));
-                        records[begin + place] = gone_on(*met, *traced, pair, random, all,
+                        records[begin + place] = gone_on(*met, first_hit, pair, random, all,
                                                          static_cast<std::uint32_t>(begin + place));
                     });
                 },

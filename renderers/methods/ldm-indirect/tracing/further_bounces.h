@@ -13,7 +13,7 @@ namespace ir::methods::ldm_indirect {
 /// number of photons halves with each bounce, so all bounces together cost less than twice the first.
 /// [Aalund15 §6]
 void go_on(graph::GraphBuilder& builder, const Primaries& primaries, graph::ObjectRef surfaces,
-           const Parameters& parameters);
+           const passes::ldm::Maps& maps, const Parameters& parameters);
 
 /// A row of "indirect.bounces".
 struct BounceRow {

@@ -1,5 +1,7 @@
 #include "renderers/methods/ldm-indirect/parameters.h"
 
+#include "renderers/passes/raytracing/cube_parameters.h"
+
 namespace ir::methods::ldm_indirect {
 
 void add_tracing_parameters(ParameterTable<Parameters>& table) {
@@ -27,6 +29,23 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
              .active_when = passes::has_microfacets,
              .since_version = 4,
              .value_in_older_projects = std::string("diffuse")})
+        .add(&Parameters::tracer,
+             {.key = "tracer",
+              .label = "Ray tracer",
+              .doc = "What finds where photons land that leave a surface along the maps' directions. Beams "
+                     "are clipped by the maps in any case.",
+              .citation = "Aalund15 §2.2",
+              .choices = {{"directions", "Maps of the directions",
+                           "As published: each map answers for its direction. Further bounces take rays by "
+                           "Embree, as nodes know no reflectance."},
+                          {"cube", "Layered depth cube",
+                           "On the processor: rays march through three layered depth maps along the axes, "
+                           "whose nodes know their triangle. Further bounces do so, too. [Lischinski98]"},
+                          {"compute", "Compute",
+                           "Exact: a bounding volume hierarchy on the device; further bounces by Embree."},
+                          {"embree", "Embree", "Exact, on the processor: the oracle."}},
+              .on_change = OnChange::reallocate,
+              .since_version = 5})
         .add(&Parameters::footprint,
              {.key = "footprint",
               .label = "Footprint",
@@ -49,6 +68,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                           "nothing is known."},
                          {"plane", "Plane",
                           "On the plane through the entry and its neighbours, which has a normal, too."}},
+             .active_when = {"tracer", {std::string("directions")}},
              .since_version = 4,
              .value_in_older_projects = std::string("centre")})
         .add(&Parameters::clipping,
@@ -101,6 +121,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
               .soft = {0.001, 1},
               .effect = Effect::cost,
               .on_change = OnChange::reallocate});
+    table.include(&Parameters::cube, passes::cube_parameters(5));
 }
 
 }  // namespace ir::methods::ldm_indirect

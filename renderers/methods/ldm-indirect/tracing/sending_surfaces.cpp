@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/tracing/first_hits.h"
 #include "renderers/passes/gbuffer/glass.h"
 #include "renderers/passes/reflection/reflection.h"
 #include "renderers/scene/frame.h"
@@ -12,24 +13,13 @@
 #include "shaders/methods/ldm-indirect/tracing/emit.comp.h"
 
 namespace ir::methods::ldm_indirect {
-namespace {
-
-/// Maps do not see what lies within fewer texels. In the built-in Cornell box, whose lamp hangs half a
-/// millimetre below the ceiling, 0.67 of the light that there is came through it in addition.
-constexpr float narrow_texels = 2;
-
-}  // namespace
-
 SendingSurfaces::SendingSurfaces(const graph::FrameInputs& inputs, const passes::ldm::MapsPointer& maps,
                                  const Parameters& parameters)
     : transport_(parameters.transport),
       senders_(parameters.senders),
       maps_(maps),
-      surfaces_(*inputs.scene, *inputs.world, parameters.transport.normal_maps) {
-    for (const auto& frame : maps->frames)
-        narrow_ = std::max({narrow_, narrow_texels * glm::length(glm::vec3(frame.step_u)),
-                            narrow_texels * glm::length(glm::vec3(frame.step_v))});
-}
+      surfaces_(*inputs.scene, *inputs.world, parameters.transport.normal_maps),
+      narrow_(ray_tracer(parameters) ? 0.0f : narrow_gap(*maps)) {}
 
 Primary SendingSurfaces::nothing(std::uint32_t source) {
     Primary primary{};

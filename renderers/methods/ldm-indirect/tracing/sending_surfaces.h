@@ -30,7 +30,7 @@ class SendingSurfaces {
     static void spread(Primary& primary, const Spacing& spacing, float t);
 
     const passes::SurfaceLookup& lookup() const { return surfaces_; }
-    /// m: maps do not see what lies nearer.
+    /// m: what finds where photons land does not see what lies nearer.
     float narrow() const { return narrow_; }
 
   private:

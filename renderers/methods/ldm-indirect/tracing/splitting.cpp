@@ -4,6 +4,7 @@
 
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/splatting/ellipses.h"
+#include "renderers/methods/ldm-indirect/tracing/first_hits.h"
 #include "renderers/methods/ldm-indirect/tracing/landing.h"
 #include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/scan/scan.h"
@@ -18,8 +19,8 @@ using graph::Slice;
 
 /// Maps of one dispatch: as many as devices have uniforms for.
 constexpr std::int64_t group_maps = 16;
-/// Photons whose hits are kept at once, 8 bytes each.
-constexpr std::int64_t part_slots = std::int64_t{1} << 22;
+/// Photons whose hits are kept at once, 8 bytes each; with rays, which take 48 bytes more.
+constexpr std::int64_t part_slots = std::int64_t{1} << 22, part_rays = std::int64_t{1} << 20;
 
 graph::BufferRef scratch(GraphBuilder& builder, const std::string& key, const std::string& label,
                          std::vector<graph::Field> fields, std::int64_t elements) {
@@ -39,11 +40,23 @@ struct Trace {
     IR_FIELDS(landing, frames, batch_maps, group_count, first_primary, chunk, map_group, first_map, map_count)
 };
 
-/// Constants of store.comp.
+/// Constants of rays.comp.
+struct LeaveRays {
+    unsigned first_primary, end_primary, first_frame, batch_maps;
+    float ray_start;
+    IR_FIELDS(first_primary, end_primary, first_frame, batch_maps, ray_start)
+};
+
+/// Constants of trace.comp with RAYS alone.
+struct RayStart {
+    float ray_start;
+    IR_FIELDS(ray_start)
+};
+
+/// Constants of store.comp; without RAYS it has Ellipses, too.
 struct Store {
-    Ellipses ellipses;
     unsigned first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity;
-    IR_FIELDS(ellipses, first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity)
+    IR_FIELDS(first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity)
 };
 
 /// Constants of store_direct.comp.
@@ -58,16 +71,24 @@ std::int64_t groups_of(std::int64_t maps) {
 
 }  // namespace
 
-Splitter::Splitter(GraphBuilder& builder, const passes::GBuffer& gbuffer, passes::ldm::MapsPointer maps,
-                   const Primaries& primaries, const Photons& photons, const Parameters& parameters)
-    : gbuffer_(gbuffer),
+Splitter::Splitter(GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
+                   passes::ldm::MapsPointer maps, const Primaries& primaries, const Photons& photons,
+                   const Parameters& parameters)
+    : scene_(scene),
+      gbuffer_(gbuffer),
       maps_(std::move(maps)),
       primaries_(primaries),
       photons_(photons),
       parameters_(parameters) {
     const std::int64_t batch_maps = maps_->layout.batch_maps;
-    part_photons_ =
-        std::clamp<std::int64_t>(part_slots / batch_maps, 1, static_cast<std::int64_t>(primaries_.count()));
+    const auto tracer = ray_tracer(parameters_);
+    part_photons_ = std::clamp<std::int64_t>((tracer ? part_rays : part_slots) / batch_maps, 1,
+                                             static_cast<std::int64_t>(primaries_.count()));
+    if (tracer)
+        rays_ = Rays{*tracer,
+                     passes::declare_rays(builder, "indirect.split",
+                                          static_cast<std::uint64_t>(part_photons_ * batch_maps)),
+                     passes::hit_surfaces(builder, scene_)};
     hits_ = scratch(builder, "hits", "Hits of photons", {{"distance"}, {"normal", FieldType::u32}},
                     part_photons_ * batch_maps);
     counts_ = scratch(builder, "counts", "Photons to store", {{"count", FieldType::u32}},
@@ -97,6 +118,7 @@ Splitter::Part Splitter::part(int batch, int index) const {
 void Splitter::split(GraphBuilder& builder, int batch) const {
     for (int index = 0; index < parts(); ++index) {
         const auto p = part(batch, index);
+        if (rays_) trace_rays(builder, p);
         trace(builder, p);
         const auto places =
             passes::exclusive_scan(builder, "indirect.part" + std::to_string(p.chunk + 1), counts_,
@@ -105,10 +127,38 @@ void Splitter::split(GraphBuilder& builder, int batch) const {
     }
 }
 
+void Splitter::define(const PassContext& context, gl::ProgramSource& source) const {
+    if (rays_)
+        source.defines["RAYS"] = "1";
+    else
+        source.defines = passes::ldm::defines_of(context, *maps_);
+}
+
+void Splitter::trace_rays(GraphBuilder& builder, const Part& part) const {
+    const auto rays = static_cast<std::int64_t>(rays_->buffers.capacity);
+    builder.pass("rays of photons" + part.name)
+        .reads(maps_->frame_buffer)
+        .reads("Primaries", primaries_.records)
+        .writes("Rays", rays_->buffers.rays)
+        .compute_sliced({{"methods/ldm-indirect/tracing/rays.comp"}}, rays,
+                        LeaveRays{static_cast<unsigned>(part.first), static_cast<unsigned>(part.end),
+                                  static_cast<unsigned>(maps_->first_map(part.batch)),
+                                  static_cast<unsigned>(part.batch_maps), ray_start(*maps_)},
+                        4096);
+    passes::trace_rays(builder, "trace rays" + part.name, scene_, rays_->tracer, rays_->buffers,
+                       parameters_.cube);
+}
+
 void Splitter::trace(GraphBuilder& builder, const Part& part) const {
     auto pass = builder.pass("trace photons" + part.name);
-    if (passes::ldm::has_host_body(maps_->options)) pass.has_two_bodies();
-    passes::ldm::reads_maps(pass, *maps_);
+    if (passes::ldm::has_host_body(maps_->options) && traces_on_host(parameters_)) pass.has_two_bodies();
+    if (rays_)
+        pass.reads(maps_->frame_buffer)
+            .reads("RayHits", rays_->buffers.hits)
+            .reads(rays_->surfaces.vertices)
+            .reads("HitIndices", rays_->surfaces.indices);
+    else
+        passes::ldm::reads_maps(pass, *maps_);
     pass.reads(gbuffer_.position, gbuffer_.geometric_normal)
         .reads("Primaries", primaries_.records)
         .writes("Hits", hits_)
@@ -119,8 +169,9 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
     const auto run = [self = *this, part, landed = landing_constants(builder.inputs(), parameters_)](
                          PassContext& context, Slice slice) {
         gl::ProgramSource source{{"methods/ldm-indirect/tracing/trace.comp"}};
-        source.defines = passes::ldm::defines_of(context, *self.maps_);
+        self.define(context, source);
         const auto& program = context.use(source);
+        if (self.rays_) program.set(RayStart{ray_start(*self.maps_)});
         for (std::int64_t group = 0; group < part.groups; ++group) {
             const auto first = group * group_maps, count = std::min(group_maps, part.batch_maps - first);
             const auto first_frame = self.maps_->first_map(part.batch) + first;
@@ -142,7 +193,10 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
 
 void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef places) const {
     auto pass = builder.pass("store photons" + part.name);
-    passes::ldm::reads_maps(pass, *maps_);
+    if (rays_)
+        pass.reads(maps_->frame_buffer);
+    else
+        passes::ldm::reads_maps(pass, *maps_);
     pass.reads("Primaries", primaries_.records)
         .reads("Hits", hits_)
         .reads("Places", places)
@@ -150,10 +204,10 @@ void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef p
         .writes("Photons", photons_.records);
     const auto run = [self = *this, part](PassContext& context, Slice slice) {
         gl::ProgramSource source{{"methods/ldm-indirect/tracing/store.comp"}};
-        source.defines = passes::ldm::defines_of(context, *self.maps_);
+        self.define(context, source);
         const auto& program = context.use(source);
-        program.set(Store{.ellipses = ellipses(context.inputs(), self.parameters_),
-                          .first_primary = static_cast<unsigned>(part.first),
+        if (!self.rays_) program.set(ellipses(context.inputs(), self.parameters_));
+        program.set(Store{.first_primary = static_cast<unsigned>(part.first),
                           .first_frame = static_cast<unsigned>(self.maps_->first_map(part.batch)),
                           .batch_maps = static_cast<unsigned>(part.batch_maps),
                           .map_groups = static_cast<unsigned>(part.groups),

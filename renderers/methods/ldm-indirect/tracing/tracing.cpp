@@ -10,6 +10,7 @@
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 #include "renderers/methods/ldm-indirect/tracing/further_bounces.h"
 #include "renderers/methods/ldm-indirect/tracing/host/split_on_host.h"
+#include "renderers/methods/ldm-indirect/tracing/one_pass.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
 #include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/ldm/coarse_scene.h"
@@ -94,7 +95,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     photons.maps = maps;
     const bool host_has_maps =
         ldm::has_host_body(maps->options) && builder.inputs().processor == Processor::host;
-    const bool on_host = has_indirect(parameters) && host_has_maps;
+    const bool on_host = has_indirect(parameters) && host_has_maps && traces_on_host(parameters);
     if (!on_host) begin_photons(builder, photons);
     std::optional<graph::BufferRef> fates;
     if (has_direct_photons(parameters))
@@ -105,11 +106,12 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     const auto layers = ldm::declare_layers(builder, *maps);
     const auto points = ldm::declare_points(builder, *maps, chosen);
     photons.looks = declare_looks(builder, parameters);
+    if (parameters.splatting == Splatting::one_pass) begin_one_pass(builder, photons, parameters);
     std::optional<Splitter> splitter;
     if (on_host)
         split_on_host(builder, gbuffer, maps, primaries, photons, fates, parameters);
     else if (has_indirect(parameters))
-        splitter.emplace(builder, gbuffer, maps, primaries, photons, parameters);
+        splitter.emplace(builder, scene, gbuffer, maps, primaries, photons, parameters);
     std::optional<ldm::Sky> sky;
     if (queries_sky(builder.inputs(), parameters)) sky = ldm::declare_sky(builder, maps, {});
     if (sky && host_has_maps)
@@ -121,6 +123,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
         ldm::build_maps(builder, of_maps, maps, batch);
         if (splitter) splitter->split(builder, batch);
         if (splitter && photons.looks) look_from_pixels(builder, gbuffer, maps, batch, *photons.looks);
+        if (photons.sums) trace_and_splat(builder, gbuffer, maps, batch, primaries, photons, parameters);
         if (sky && !host_has_maps)
             ldm::trace_sky(builder, gbuffer, maps, batch, *sky, "methods/ldm-indirect/sky.comp");
         ldm::show_layers(builder, maps, batch, chosen, layers);
@@ -132,6 +135,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
         photons.sky = sky->light;
     }
     photons.texels = primaries.from_images;
+    photons.primaries = primaries.records;
     sum_bounces(builder, primaries);
     sum_energy(builder, primaries, has_indirect(parameters), fates);
     show_primaries(builder, primaries);

@@ -1,14 +1,12 @@
 // Adds a footprint to the picture without a rasteriser, from any compute shader. Include after #extension
 // GL_NV_shader_atomic_float where FLOAT_ATOMICS is set; others compare and swap. The order of the sums, and with it
 // their rounding, is that in which invocations happen to run.
+#include "methods/ldm-indirect/seen.glsl"
 #include "methods/ldm-indirect/splatting/kernel.glsl"
 #include "methods/ldm-indirect/splatting/outline.glsl"
 #ifdef CLIPPED
 #include "methods/ldm-indirect/splatting/clipping.glsl"
 #endif
-
-uniform sampler2D gbuffer_position;
-uniform sampler2D gbuffer_geometric_normal;
 
 /// Layers: R, G, B (W/m²), photons, sum of directions.
 #ifdef FLOAT_ATOMICS

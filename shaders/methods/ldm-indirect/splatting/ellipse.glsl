@@ -1,12 +1,13 @@
 // The ellipse that a photon's differential spans on its receiver. [Aalund15 eqs. 4, 7]
 // renderers/methods/ldm-indirect/splatting/ellipses.h has the constants.
 #include "lib/spaces.glsl"
+#include "methods/ldm-indirect/sizes.glsl"
 
 uniform vec3 eye_ws, view_axis_ws;
 uniform float near_plane;
 uniform bool perspective;
 uniform float pixel_size;  // m, of a pixel at 1 m along the view axis; of a parallel view everywhere
-uniform float splat_size, topological_bias, min_axis_pixels, longest_axis;
+uniform float min_axis_pixels;
 
 struct Ellipse {
     vec3 p_ws, q_ws;  // semi-axes, m, across each other and n

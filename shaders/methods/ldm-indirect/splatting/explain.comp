@@ -1,5 +1,6 @@
 // Gathers one pixel over all photons: what splatting adds up, found the other way round and by M as printed.
 #include "lib/floats.glsl"
+#include "methods/ldm-indirect/seen.glsl"
 #include "methods/ldm-indirect/splatting/kernel.glsl"
 #ifdef CLIPPED
 #include "methods/ldm-indirect/splatting/clipping.glsl"
@@ -28,8 +29,6 @@ layout(std430) buffer PixelSum {
 layout(std430) buffer PhotonCount { uint photon_count; };
 layout(std430) buffer SumCount { uint sum_count; };
 
-uniform sampler2D gbuffer_position;
-uniform sampler2D gbuffer_geometric_normal;
 uniform sampler2D irradiance_image;
 
 uniform uint first_item, end_item;

@@ -5,7 +5,9 @@
 #include "methods/ldm-indirect/records.glsl"
 #include "methods/ldm-indirect/splatting/ellipse.glsl"
 
+#ifndef NOTHING_STORED
 layout(std430) readonly buffer Stored { uint stored; };
+#endif
 /// Directions of the maps (w 0), then places (w 1) or directions of travel (w 0) of the lights.
 layout(std430) readonly buffer Arrivals { vec4 arrivals[]; };
 

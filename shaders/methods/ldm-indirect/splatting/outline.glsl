@@ -1,7 +1,7 @@
 // Where in the picture a footprint's ellipsoid is seen.
 #include "methods/ldm-indirect/splatting/footprint.glsl"
+#include "methods/ldm-indirect/view.glsl"
 
-uniform mat4 clip_from_world;
 uniform vec2 size_px;
 
 /// A rectangle around the outline, in pixels from the upper left corner. No axes: it is not in view.

@@ -1,12 +1,11 @@
 // Where photons arrive in the camera's view. [Aalund15 §4.2, step 4b] Include primary.glsl and lib/spaces.glsl first.
 
 #include "methods/ldm-indirect/beam.glsl"
+#include "methods/ldm-indirect/seen.glsl"
+#include "methods/ldm-indirect/sizes.glsl"
+#include "methods/ldm-indirect/view.glsl"
 
-uniform sampler2D gbuffer_position;
-uniform sampler2D gbuffer_geometric_normal;
-
-uniform mat4 clip_from_world;
-uniform float splat_size, topological_bias, longest_axis, nearest_w;
+uniform float nearest_w;
 uniform float shortest_axis;  // m at 1 m along the view axis; of a parallel view everywhere
 
 /// Bounds the longer semi-axis of a footprint across the ray, m: at_start + distance * by_distance.

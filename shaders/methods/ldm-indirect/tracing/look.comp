@@ -5,10 +5,9 @@ layout(local_size_x = 2, local_size_y = 8) in;
 #include "passes/ldm/storage.glsl"
 #include "passes/ldm/trace.glsl"
 #include "passes/ldm/self_hit.glsl"
+#include "methods/ldm-indirect/seen.glsl"
 #include "methods/ldm-indirect/looks.glsl"
 
-uniform sampler2D gbuffer_position;
-uniform sampler2D gbuffer_geometric_normal;
 layout(std430) writeonly buffer Looks { uint looks[]; };
 
 /// Of the dispatch's maps.

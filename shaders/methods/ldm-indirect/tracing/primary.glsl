@@ -36,6 +36,8 @@ const uint PRIMARY_NOTHING = 0u,  // the pixel sees no surface, no light shines 
 
 vec3 arrived_flux(Primary p) { return p.emitted * p.reached; }
 vec3 reflected_flux(Primary p) { return arrived_flux(p) * p.reflectance; }
+/// Black and unlit surfaces send nothing on.
+bool sends_on(Primary p) { return p.fate == PRIMARY_SPLITS && reflected_flux(p) != vec3(0); }
 
 /// What becomes of a photon behind x1, and of one that is stored at x1 itself.
 // C++: enum ir::methods::ldm_indirect::Cause

@@ -4,14 +4,17 @@
 // (393,216 photons, 176,258 stored, on llvmpipe).
 layout(local_size_x = 64) in;
 #include "passes/ldm/frames.glsl"
+#include "lib/spaces.glsl"
+#include "methods/ldm-indirect/records.glsl"
+#ifndef RAYS
 #include "passes/ldm/storage.glsl"
 #include "passes/ldm/trace.glsl"
 #include "passes/ldm/entry_plane.glsl"
-#include "lib/spaces.glsl"
-#include "methods/ldm-indirect/records.glsl"
 #include "methods/ldm-indirect/tracing/overhang.glsl"
+#endif
 #include "methods/ldm-indirect/tracing/differentials.glsl"
 #include "methods/ldm-indirect/tracing/primary.glsl"
+#include "methods/ldm-indirect/tracing/child.glsl"
 
 layout(std430) readonly buffer Primaries { Primary primaries[]; };
 layout(std430) readonly buffer Hits { uvec2 hits[]; };
@@ -21,28 +24,6 @@ layout(std430) writeonly buffer Photons { Photon photons[]; };
 
 uniform uint first_item, end_item;  // groups of maps of the chunk's primary photons
 uniform uint first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity;
-
-Photon photon(Primary p, uint map, float t, uint packed_normal) {
-    vec3 v = ldm_frames[map].direction.xyz, normal = unpacked_direction(packed_normal);
-    float cosine = dot(p.shading_ws, v);
-    vec3 direction = cosine > 0.0 ? v : -v;
-    Axes axes = Axes(transferred(p.axis_u, rotated(p.turn_u, p.direction_ws, direction), t, direction, normal),
-                     transferred(p.axis_v, rotated(p.turn_v, p.direction_ws, direction), t, direction, normal));
-    if (params.footprint == FOOTPRINT_WIDENED)
-        axes = widened(axes, direction, normal, t, sqrt(2.0 / float(params.directions)));
-    Photon result;
-    result.centre_ws = p.position_ws + t * direction;
-    result.source = p.source;
-    result.axis_u = axes.u;
-    result.axis_v = axes.v;
-    result.leg = map | (cosine > 0.0 ? LEG_ALONG : 0u) | p.light << LEG_LIGHT_SHIFT;
-    result.path_length = p.path_length + t;
-    result.distance = t;
-    result.unused0 = result.unused1 = result.unused2 = 0.0;
-    result.flux = reflected_flux(p) * (abs(cosine) / p.cosine_sum);
-    result.normal = packed_normal;
-    return result;
-}
 
 void main() {
     uint item = first_item + gl_GlobalInvocationID.x;
@@ -55,9 +36,11 @@ void main() {
         float t = uintBitsToFloat(hit.x);
         if (t < 0.0) continue;
         if (place < capacity) {
-            Photon p = photon(primaries[first_primary + local], first_frame + map, t, hit.y);
+            Photon p = photon_of(primaries[first_primary + local], first_frame + map, t, hit.y);
+#ifndef RAYS
             if (params.overhang == OVERHANG_RETURNED && params.clipping == CLIPPING_NONE)
                 p.leg |= part_beyond(p, ldm_frames[first_frame + map], map, params.resolution) << LEG_BEYOND_SHIFT;
+#endif
             photons[place] = p;
         }
         ++place;

@@ -7,14 +7,18 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/looks.h"
+#include "renderers/methods/ldm-indirect/tracing/first_hits.h"
 #include "renderers/methods/ldm-indirect/tracing/host/children.h"
 #include "renderers/methods/ldm-indirect/tracing/host/landings.h"
 #include "renderers/methods/ldm-indirect/tracing/host/overhang.h"
 #include "renderers/passes/ldm/host/first_hit.h"
 #include "renderers/passes/ldm/host/trace_on_host.h"
+#include "renderers/passes/surface/triangle_plane.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -112,16 +116,24 @@ class HostSplit {
         float units_per_metre = 0;
     };
 
+    struct Task {
+        const ldm::HostScene& scene;
+        const scene::World& world;
+        const LandingView& view;
+        Looks looks;
+        FirstHits::Find first_hit;  ///< in place of the maps; empty: they answer
+        std::span<const Primary> primaries;
+    };
+
     /// Maps begin … end - 1.
-    void trace(const graph::PassContext& context, const ldm::HostScene& scene, const LandingView& view,
-               const Looks& looks, std::span<const Primary> primaries, graph::Slice slice) {
+    void trace(const graph::PassContext& context, const Task& task, graph::Slice slice) {
         std::atomic<std::int64_t> next{slice.begin};
         arena_.execute([&] {
             tbb::parallel_for(
                 std::size_t{0}, workers_.size(),
                 [&](std::size_t i) {
                     for (auto map = next++; map < slice.end && !context.cancel().is_cancelled(); map = next++)
-                        trace_map(scene, view, looks, primaries, workers_[i], static_cast<std::size_t>(map));
+                        trace_map(task, workers_[i], static_cast<std::size_t>(map));
                 },
                 tbb::simple_partitioner());
         });
@@ -173,19 +185,28 @@ class HostSplit {
                 1 / p.cosine_sum, {axis, turn, parameters_.clipping != Clipping::none}};
     }
 
-    void trace_map(const ldm::HostScene& scene, const LandingView& view, const Looks& looks,
-                   std::span<const Primary> primaries, Worker& worker, std::size_t map) {
+    static double ms_since(Clock::time_point start) {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+
+    void trace_map(const Task& task, Worker& worker, std::size_t map) {
+        if (task.first_hit) {
+            const auto start = Clock::now();
+            trace_rays(task, map);
+            worker.query_ms += ms_since(start);
+            if (task.looks.looks.empty()) return;
+        }
         const int resolution = maps_->layout.resolution, rows = ldm::StreamedMap::band_rows(resolution);
         auto& hits = hits_[map];
         for (int row = 0; row < resolution; row += rows) {
             const auto start = Clock::now();
-            ldm::build_map(scene.meshlets, scene.masks, maps_->frames[map], row,
+            ldm::build_map(task.scene.meshlets, task.scene.masks, maps_->frames[map], row,
                            std::min(rows, resolution - row), worker.map, worker.scratch);
+            worker.build_ms += ms_since(start);
             const auto built = Clock::now();
-            trace_band(view, primaries, worker, map);
-            if (!looks.looks.empty()) look(looks, worker.map, map);
-            worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
-            worker.query_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
+            if (!task.first_hit) trace_band(task, worker, map);
+            if (!task.looks.looks.empty()) look(task.looks, worker.map, map);
+            worker.query_ms += ms_since(built);
         }
         if (rows < resolution)  // bands know them in parts
             std::sort(hits.begin(), hits.end(),
@@ -242,38 +263,77 @@ class HostSplit {
         }
     }
 
-    void trace_band(const LandingView& view, std::span<const Primary> primaries, Worker& worker,
-                    std::size_t map) {
-        auto& hits = hits_[map];
-        const ldm::PointTracer tracer(worker.map, rule_);
-        const auto& frame = worker.map.frame;
-        const glm::vec3 v(frame.direction);
-        const bool is_first = worker.map.first_row == 0;
+    /// Of all photons that leave along a map's direction, or against it: `land` has those that leave above
+    /// their triangle, and nothing where another band of the map answers. Says of the others that they lie
+    /// below it.
+    template <class Land>
+    void split_along(std::size_t map, bool counts_below, const Land& land) {
+        const glm::vec3 v(maps_->frames[map].direction);
         for (std::size_t i = 0; i < sources_.size(); ++i) {
             const auto& s = sources_[i];
             const float cosine = glm::dot(s.shading_ws, v);
             const bool forward = cosine > 0;
             const auto direction = forward ? v : -v;
-            Landing at{Cause::below, 0, {}};
-            if (glm::dot(s.normal_ws, direction) > 0) {
-                const auto hit = tracer.trace(s.position_ws, s.normal_ws, forward);
-                if (!hit.is_here) continue;
-                at.cause = Cause::left;
-                if (hit.is_found) at = view.land(arrival(tracer, frame, s, forward, hit));
-            } else if (!is_first) {
-                continue;
-            }
-            shares_.add(i, at.cause, std::abs(cosine) * s.per_cosine);
-            if (at.cause < Cause::stored) continue;
-            Hit stored{static_cast<std::uint32_t>(i), at.distance, packed_direction(at.normal_ws), 0};
-            if (parameters_.overhang == Overhang::returned && parameters_.clipping == Clipping::none) {
-                MendedFootprints mended;  // counted where they are splatted
-                const Child child{static_cast<std::uint32_t>(map), stored.distance, stored.normal, 0};
-                const auto photon = photon_of(primaries[s.primary], child, v, half_turn_);
-                stored.beyond = part_beyond(tracer, frame, photon, ellipses_->make(photon, mended));
-            }
-            hits.push_back(stored);
+            std::optional<Landing> at;
+            if (glm::dot(s.normal_ws, direction) > 0)
+                at = land(s, forward, direction);
+            else if (counts_below)
+                at = Landing{Cause::below, 0, {}};
+            if (!at) continue;
+            shares_.add(i, at->cause, std::abs(cosine) * s.per_cosine);
+            if (at->cause >= Cause::stored)
+                hits_[map].push_back(
+                    {static_cast<std::uint32_t>(i), at->distance, packed_direction(at->normal_ws), 0});
         }
+    }
+
+    void trace_band(const Task& task, const Worker& worker, std::size_t map) {
+        const ldm::PointTracer tracer(worker.map, rule_);
+        const auto& frame = worker.map.frame;
+        const auto first = hits_[map].size();
+        split_along(map, worker.map.first_row == 0,
+                    [&](const Source& s, bool forward, const glm::vec3&) -> std::optional<Landing> {
+                        const auto hit = tracer.trace(s.position_ws, s.normal_ws, forward);
+                        if (!hit.is_here) return {};
+                        if (!hit.is_found) return Landing{Cause::left, 0, {}};
+                        return task.view.land(arrival(tracer, frame, s, forward, hit));
+                    });
+        if (parameters_.overhang == Overhang::lost || parameters_.clipping != Clipping::none) return;
+        for (auto& hit : std::span(hits_[map]).subspan(first)) {
+            MendedFootprints mended;  // counted where they are splatted
+            const Child child{static_cast<std::uint32_t>(map), hit.distance, hit.normal, 0};
+            const auto photon = photon_of(task.primaries[sources_[hit.source].primary], child,
+                                          glm::vec3(frame.direction), half_turn_);
+            hit.beyond = part_beyond(tracer, frame, photon, ellipses_->make(photon, mended));
+        }
+    }
+
+    /// Where rays find the hits, in place of a map's bands.
+    void trace_rays(const Task& task, std::size_t map) {
+        split_along(map, true,
+                    [&](const Source& s, bool, const glm::vec3& direction) -> std::optional<Landing> {
+                        const auto hit = task.first_hit(s.position_ws, s.normal_ws, direction);
+                        if (!hit.is_hit()) return Landing{Cause::left, 0, {}};
+                        return task.view.land(arrival_of_ray(task.world, s, direction, hit));
+                    });
+    }
+
+    static Arrival arrival_of_ray(const scene::World& world, const Source& s, const glm::vec3& direction,
+                                  const passes::Hit& hit) {
+        const auto corner = [&](std::size_t k) {
+            return world.positions[world.indices[3 * std::size_t{hit.triangle} + k]];
+        };
+        const auto normal = passes::triangle_normal(corner(0), corner(1), corner(2));
+        Arrival a;
+        a.origin = s.position_ws;
+        a.direction = direction;
+        a.distance = hit.distance;
+        a.error = 0;
+        a.step_u = a.step_v = glm::vec3(0);
+        a.spread = s.spread;
+        a.has_surface = normal != glm::vec3(0);
+        a.map_normal = !a.has_surface ? -direction : glm::dot(normal, direction) < 0 ? normal : -normal;
+        return a;
     }
 
     void store_range(std::span<const Primary> primaries, std::span<Photon> photons, std::size_t first,
@@ -322,6 +382,8 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                    const Parameters& parameters) {
     const auto meshlets = ldm::declare_meshlets(builder, maps->options.detail);
     const auto counters = ldm::declare_host_counters(builder);
+    std::optional<FirstHits> first_hits;
+    if (ray_tracer(parameters)) first_hits.emplace(builder, *maps, parameters);
     const auto split = std::make_shared<HostSplit>(maps, parameters, ldm::host_threads(builder.inputs()));
     const auto stored = builder.buffer({.text = {.key = "indirect.stored",
                                                  .label = "Photons to read",
@@ -339,6 +401,7 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         .counts(counters.texels)
         .counts(counters.bytes);
     if (direct_fates) pass.reads(*direct_fates);
+    if (first_hits) first_hits->read_by(pass);
     if (photons.looks) pass.writes(*photons.looks);
     const auto run = [=, looks = photons.looks, records = photons.records, count_of = photons.count](
                          graph::PassContext& context, graph::Slice slice) {
@@ -355,7 +418,11 @@ void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
             split->take_pixels({view.width, view.height, context.pixels<const glm::vec4>(gbuffer.position),
                                 context.pixels<const std::uint64_t>(gbuffer.normal),
                                 context.pixels<const glm::vec4>(gbuffer.geometric_normal)});
-        split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, to, all, slice);
+        const auto scene = context.object<ldm::HostScene>(meshlets);
+        split->trace(context,
+                     {*scene, *context.inputs().world, landing, to,
+                      first_hits ? first_hits->in(context) : FirstHits::Find{}, all},
+                     slice);
         if (!slice.last) return;
         split->write_shares(context.elements<Shares>(primaries.shares));
         const auto before =

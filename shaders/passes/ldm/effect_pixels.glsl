@@ -15,10 +15,14 @@ struct EffectSurface {
     vec3 position, normal, geometric_normal;
 };
 
+ivec2 pixel_of(uint number) {
+    ivec2 cell = ivec2(number % uint(cells.x), number / uint(cells.x));
+    return min(first_pixel + pixel_step * cell, textureSize(gbuffer_geometric_normal, 0) - 1);
+}
+
 EffectSurface surface_of(uint number) {
     if (first_pixel.x < 0) return EffectSurface(false, vec3(0.0), vec3(0.0), vec3(0.0));
-    ivec2 cell = ivec2(number % uint(cells.x), number / uint(cells.x));
-    ivec2 pixel = min(first_pixel + pixel_step * cell, textureSize(gbuffer_geometric_normal, 0) - 1);
+    ivec2 pixel = pixel_of(number);
     vec3 geometric_normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
     return EffectSurface(geometric_normal != vec3(0.0), texelFetch(gbuffer_position, pixel, 0).xyz,
                          normalize(texelFetch(gbuffer_normal, pixel, 0).xyz), geometric_normal);

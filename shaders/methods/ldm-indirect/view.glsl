@@ -1,0 +1,3 @@
+// The camera's view.
+
+uniform mat4 clip_from_world;
