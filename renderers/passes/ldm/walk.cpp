@@ -43,7 +43,7 @@ void WalkViews::written_by(graph::PassBuilder& pass) const {
 std::vector<OutputDescription> walk_outputs(const WalkText& text) {
     return {
         {.key = "ldm.explain.entries",
-         .label = "Entries under the pixel",
+         .label = "Entries of the texel",
          .kind = OutputKind::point_set,
          .semantic = Semantic::position,
          .unit = "m",
@@ -83,7 +83,7 @@ std::vector<OutputDescription> walk_outputs(const WalkText& text) {
          .kind = OutputKind::glyphs,
          .unit = "m",
          .doc =
-             "Of each entry under the pixel the texel's outline, tilted as the node's slopes say that its "
+             "Of each entry of the texel its outline, tilted as the node's slopes say that its "
              "surface lies, but not steeper than 4 texels of depth a texel. slope_u, slope_v: depth gained along "
              "the texel's sides, in m per m. Nodes without slopes lie flat.",
          .categories = {what_an_entry_is},
@@ -100,12 +100,12 @@ WalkViews declare_walk_views(graph::GraphBuilder& builder, std::uint64_t maps) {
                                    {.key = "ldm.explain." + counter, .label = label});
     };
     return {.entries = declare("entries", record_fields<Entry>(), maps * expected_entries, "entry_count",
-                               "Entries under the pixel"),
+                               "Entries of the texel"),
             .walk = declare("walk", record_fields<WalkLine>(), maps * expected_entries, "walk_count",
                             "Lines of the walk"),
             .texel = declare("texel", record_fields<Texel>(), maps, "texel_count", "Texels queried"),
             .nodes = declare("nodes", record_fields<NodeOutline>(), maps * expected_entries, "node_count",
-                             "Nodes under the pixel")};
+                             "Nodes of the texel")};
 }
 
 }  // namespace ir::passes::ldm
