@@ -155,6 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
         Room{.name = "staircase2",
              .scene = "rooms/staircase2/staircase2.glb",
              .maps = {0.87, 0.95},
+             .discs = {0.95, 1.05},
              .samples = 512},
         Room{.name = "staircase2_without_glass",
              .scene = "rooms/staircase2/staircase2.glb",
