@@ -12,8 +12,7 @@ namespace ir::methods::deep_screen_space {
 /// What "splats.nearest" says of a ray: the sender that it met. Thread-safe.
 class Winners {
   public:
-    /// For a pass of the cpu queue that reads surfels, with their light where `sent` is called, and
-    /// positions.
+    /// For a pass of the cpu queue that reads surfels with their light, and positions.
     Winners(const graph::PassContext& context, const VisibleSplats& visible);
 
     struct Sender {
