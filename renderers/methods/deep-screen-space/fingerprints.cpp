@@ -38,9 +38,25 @@ std::string splat_fingerprint(const graph::FrameInputs& inputs, const std::strin
     std::ostringstream text;
     text << surfels << " splats " << static_cast<int>(inputs.processor) << ' ' << inputs.seed;
     add(text, parameter_table().settings(parameters),
-        {"light_offset", "sender_samples", "glossy_senders", "highlight_rays", "reserve", "falloff",
-         "environment_light", "disc_light", "ambient", "estimator", "blur", "blur_radius",
-         "blur_plane_tolerance", "blur_normal_power", "material_tolerance", "balance", "kernel_by_distance",
+        {"light_offset",
+         "sender_samples",
+         "glossy_senders",
+         "highlight_rays",
+         "reserve",
+         "falloff",
+         "environment_light",
+         "disc_light",
+         "ambient",
+         "estimator",
+         "blur",
+         "blur_radius",
+         "blur_plane_tolerance",
+         "blur_normal_power",
+         "material_tolerance",
+         "balance",
+         "kernel_by_distance",
+         "sample_filter",
+         "sample_filter_strength",
          "history"});
     return text.str();
 }

@@ -3,6 +3,7 @@
 // along one direction and keeps the nearest surfel. [Nalbach15; Nalbach14]
 #include <algorithm>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 
 #include "renderers/graph/method.h"
@@ -58,8 +59,8 @@ MethodDescription description() {
         "about it, and with visibility keeps, for each sample of a pixel, the nearest along its direction. "
         "Ambient occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the "
         "picture does not show count. Errors come from the surfels' size, from the number of directions, and "
-        "from far surfels that stand for many. To surfels glass is opaque.";
-    d.version = 6;
+        "from far surfels that stand for many. Light passes glass straight on.";
+    d.version = 7;
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
     d.missing_light = {passes::without_light_samples(),
@@ -89,15 +90,21 @@ graph::ImageRef gather(graph::GraphBuilder& builder, const passes::SceneBuffers&
     bounce::Batches batches(builder, parameters.directions.samples);
     const auto visible =
         declare_visible(builder, scene, gbuffer, shadow, hierarchy, surfels, parameters, batches);
+    const bool by_variance = filters_by_variance(parameters);
+    auto weights = parameters.reconstruction;
+    if (by_variance) weights.blur.blur = false;
     const auto reconstruction =
-        bounce::declare_reconstruction(builder, scene, gbuffer, visible.directions, visible.samples,
-                                       parameters.reconstruction, batches, std::move(text));
+        bounce::declare_reconstruction(builder, scene, gbuffer, visible.directions, visible.samples, weights,
+                                       batches, by_variance ? bounce::text_of_unfiltered(text) : text);
+    std::optional<bounce::VarianceFilter> filter;
+    if (by_variance) filter = bounce::declare_variance_filter(builder, reconstruction, parameters.filter);
     const int samples = batches.samples();
     const auto of_splats = declare_explanation(builder, visible, samples);
     const auto of_rays = bounce::declare_ray_explanation(builder, reconstruction);
     for (const auto& batch : batches.all()) {
         splat_visible(builder, visible, batch);
         bounce::reconstruct(builder, reconstruction, batch);
+        if (filter) bounce::add_moments(builder, *filter, batch);
         explain_splats(builder, of_splats, visible, batch);
         bounce::explain_rays(builder, of_rays, batch);
         batches.keep(builder, batch);
@@ -110,7 +117,8 @@ graph::ImageRef gather(graph::GraphBuilder& builder, const passes::SceneBuffers&
     of_all.directions = all.directions;
     of_all.samples = all.samples;
     bounce::show_weights(builder, of_all);
-    return reconstruction.result;
+    if (!filter) return reconstruction.result;
+    return bounce::filter_samples(builder, *filter, parameters.reprojection, std::move(text));
 }
 
 std::string in_metres(float length) {
@@ -143,12 +151,14 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         [&](graph::ResourceText text) {
             return gather(builder, scene, gbuffer, direct.shadow, parameters, std::move(text));
         },
-        parameters.reprojection, builder.text_of_output(ao ? "accessibility" : "indirect.radiance"));
+        filters_by_variance(parameters) ? passes::ReprojectionParameters{} : parameters.reprojection,
+        builder.text_of_output(ao ? "accessibility" : "indirect.radiance"));
     if (ao)
         passes::lit(builder, gbuffer, direct, picture, parameters.ambient);
     else {
         passes::compose_light(builder, gbuffer, direct, picture, parameters.transport);
-        passes::note_opaque_glass(builder, gbuffer, "surfels");
+        if (!has_open_glass(builder.inputs(), parameters))
+            passes::note_opaque_glass(builder, gbuffer, "surfels");
     }
     note_reach(builder, parameters);
 }

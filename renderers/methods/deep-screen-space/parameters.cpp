@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderers/core/constants.h"
+#include "renderers/methods/deep-screen-space/splatting/host/host_glass.h"
 #include "renderers/passes/direct/lit.h"
 
 namespace ir::methods::deep_screen_space {
@@ -27,10 +28,20 @@ ParameterTable<Parameters> parameter_table() {
     add_splatting_parameters(table);
     table.include(&Parameters::reconstruction, passes::bounce::reconstruction_parameters(
                                                    {"visibility", {true}}, passes::bounce::Effects::light));
+    table.include(&Parameters::filter, passes::bounce::sample_filter_parameters({"visibility", {true}}));
     table.include(&Parameters::reprojection, passes::reprojection_parameters());
     table.add(&Parameters::ambient, passes::ambient_parameter());
     table.include(&Parameters::light, passes::light_parameters());
     return table;
+}
+
+bool has_open_glass(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    const auto& transport = parameters.transport;
+    return parameters.glass == Glass::hashed && parameters.visibility &&
+           transport.paths != Transport::Paths::ao && transport.materials != Transport::Materials::lambert &&
+           std::ranges::any_of(inputs.world->ranges, [&](const scene::MaterialRange& range) {
+               return open_glass(inputs.scene->materials[static_cast<std::size_t>(range.material)]) > 0;
+           });
 }
 
 float highlight_share(const Parameters& parameters) {

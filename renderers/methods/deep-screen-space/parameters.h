@@ -6,7 +6,7 @@
 #include "renderers/graph/frame_inputs.h"
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/reconstruction.h"
-#include "renderers/passes/bounce/reprojection.h"
+#include "renderers/passes/bounce/sample_filter.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/scene/world.h"
 
@@ -21,6 +21,7 @@ enum class Backs { lit, black, open };
 enum class Discs { all, above, seen };
 enum class DiscLight { centre, averaged };
 enum class Level0 { discs, triangles };
+enum class Glass { opaque, hashed };
 enum class LastShell { ends, open };
 enum class Shells { full_discs, shells };
 enum class Influence { constant, estimated };
@@ -34,6 +35,7 @@ struct Parameters {
     Transport transport = default_occlusion;
     passes::bounce::DirectionParameters directions;
     passes::bounce::ReconstructionParameters reconstruction{.balance = 0.1f};
+    passes::bounce::SampleFilterParameters filter;
     passes::ReprojectionParameters reprojection;
     float ambient = 0.5f;
     passes::LightParameters light;
@@ -63,6 +65,7 @@ struct Parameters {
     Discs discs = Discs::seen;
     DiscLight disc_light = DiscLight::averaged;
     Level0 level0 = Level0::triangles;
+    Glass glass = Glass::hashed;
     bool splat_culling = true;
     Influence influence = Influence::estimated;
     float trade_off = 0.0025f;  ///< ε
@@ -72,6 +75,11 @@ ParameterTable<Parameters> parameter_table();
 
 void add_surfel_parameters(ParameterTable<Parameters>& table);
 void add_splatting_parameters(ParameterTable<Parameters>& table);
+
+/// Whether samples are filtered by their variance.
+inline bool filters_by_variance(const Parameters& parameters) {
+    return parameters.visibility && parameters.filter.filter == passes::bounce::SampleFilter::variance;
+}
 
 /// How far the shells reach. d · 2^(levels − 1) is the transport's maximum distance, where it has one.
 struct Reach {
@@ -84,6 +92,9 @@ Reach reach_of(const Parameters& parameters, const scene::World& world);
 inline bool sends_highlights(const Parameters& parameters) {
     return parameters.glossy_senders && parameters.transport.materials != Transport::Materials::lambert;
 }
+
+/// Whether rays pass glass, and there is some: light with visibility, of materials that are glass at all.
+bool has_open_glass(const graph::FrameInputs& inputs, const Parameters& parameters);
 
 /// Part of the solid angle 1 / density of a ray over which highlights are averaged with visibility: that
 /// which as many rays share as should meet one, of those that the reconstruction of a pixel gathers. 0: they

@@ -65,7 +65,8 @@ std::vector<OutputDescription> reprojection_outputs() {
 
 graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
                           const std::function<graph::ImageRef(graph::ResourceText)>& produce,
-                          const ReprojectionParameters& parameters, graph::ResourceText text) {
+                          const ReprojectionParameters& parameters, graph::ResourceText text,
+                          FourthChannel fourth) {
     if (!parameters.reprojection) return produce(std::move(text));
     Images images;
     images.now = produce(of_this_frame(text));
@@ -84,14 +85,15 @@ graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
         .writes("average", images.average)
         .writes("surfaces", images.surfaces)
         .writes("frames", images.frames);
-    bounce::compute_by_tiles(
-        pass, builder, {{"passes/bounce/reproject.comp"}}, [=](const graph::PassContext& context) {
-            const auto& inputs = context.inputs();
-            return Reproject{.has_history = context.has_previous(),
-                             .history = parameters.history,
-                             .depth_row = -glm::vec4(glm::transpose(inputs.view.view_from_world)[2]),
-                             .rays = pixel_rays(inputs.previous_view)};
-        });
+    gl::ProgramSource source{{"passes/bounce/reproject.comp"}};
+    source.defines["VARIANCE"] = fourth == FourthChannel::variance ? "1" : "0";
+    bounce::compute_by_tiles(pass, builder, source, [=](const graph::PassContext& context) {
+        const auto& inputs = context.inputs();
+        return Reproject{.has_history = context.has_previous(),
+                         .history = parameters.history,
+                         .depth_row = -glm::vec4(glm::transpose(inputs.view.view_from_world)[2]),
+                         .rays = pixel_rays(inputs.previous_view)};
+    });
     return images.average;
 }
 

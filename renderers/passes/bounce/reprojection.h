@@ -14,6 +14,9 @@ struct ReprojectionParameters {
 };
 ParameterTable<ReprojectionParameters> reprojection_parameters();
 
+/// What the fourth channel of an average is: of independent frames a variance falls as their number grows.
+enum class FourthChannel { value, variance };
+
 /// Declares the picture that `text` describes. `produce` declares a frame's picture by itself, as the text
 /// that it is given says, of one or four float channels and the size of the view; without `reprojection` that
 /// is all.
@@ -24,7 +27,8 @@ ParameterTable<ReprojectionParameters> reprojection_parameters();
 /// point was then, and face the same way; where none does the average starts again.
 graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
                           const std::function<graph::ImageRef(graph::ResourceText)>& produce,
-                          const ReprojectionParameters& parameters, graph::ResourceText text);
+                          const ReprojectionParameters& parameters, graph::ResourceText text,
+                          FourthChannel fourth = FourthChannel::value);
 
 /// "reprojection.frames".
 std::vector<OutputDescription> reprojection_outputs();

@@ -12,10 +12,12 @@ struct HitSurfaces {
     graph::BufferRef indices, triangle_materials, materials;  ///< the scene's
 
     void read_by(graph::PassBuilder& pass) const {
-        pass.reads(vertices, texels)
-            .reads("HitIndices", indices)
-            .reads("HitTriangleMaterials", triangle_materials)
-            .reads("HitMaterials", materials);
+        pass.reads(vertices, texels).reads("HitIndices", indices);
+        read_materials_by(pass);
+    }
+    /// Only what hit_materials.glsl needs.
+    void read_materials_by(graph::PassBuilder& pass) const {
+        pass.reads("HitTriangleMaterials", triangle_materials).reads("HitMaterials", materials);
     }
 };
 

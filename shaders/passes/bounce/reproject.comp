@@ -1,4 +1,5 @@
-// The average of a pixel over frames, followed along its motion. [Scherzer12]
+// The average of a pixel over frames, followed along its motion. VARIANCE: A is that of the frames' values, which are
+// independent. [Scherzer12]
 #include "lib/floats.glsl"
 #include "lib/pixel_rays.glsl"  // of the previous view
 #include "lib/spaces.glsl"
@@ -85,7 +86,11 @@ void main() {
         if (before.frames > 0.0) {
             // n frames' mean keeps (n - 1) / n of that before, an exponential average never more than `history`.
             float kept = min(before.frames / (before.frames + 1.0), history);
-            value = is_finite(value) ? value + kept * (before.value - value) : before.value;
+            vec4 mean = value + kept * (before.value - value);
+#if VARIANCE
+            mean.a = (1.0 - kept) * (1.0 - kept) * value.a + kept * kept * before.value.a;
+#endif
+            value = is_finite(value) ? mean : before.value;
             count = min(before.frames + 1.0, MAX_FRAMES);
         }
     }

@@ -1,13 +1,8 @@
 // The surface that a ray hit, as passes::SurfaceLookup finds it on the host: the same quantities as the
 // G-buffer's, from textures at their finest level (renderers/passes/scene/hit_surfaces.h).
-#include "lib/material.glsl"
+#include "passes/scene/hit_materials.glsl"
 #include "passes/scene/hit_triangle.glsl"
 #include "passes/scene/texels.glsl"
-
-layout(std430) readonly buffer HitTriangleMaterials {
-    uint hit_triangle_materials[];
-};
-layout(std430) readonly buffer HitMaterials { Material hit_materials[]; };
 
 struct HitSurface {
     vec3 position_ws;

@@ -14,40 +14,53 @@ namespace {
 
 constexpr int size = 24, block = 8, seeds = 8;
 
-enum class Floor { metal, smooth_metal, diffuse };
+enum class Floor { metal, smooth_metal, diffuse, diffuse_behind_glass };
 enum class Source { spot, rectangle, environment };
 
+bool is_metal(Floor floor) {
+    return floor == Floor::metal || floor == Floor::smooth_metal;
+}
+
 /// Floor (y = 0, 0 ≤ x ≤ 2) of rough metal, which reflects no light diffusely, or of a diffuse colour, and a
-/// white wall (x = 0, 0 ≤ y ≤ 2), |z| ≤ 1 both.
+/// white wall (x = 0, 0 ≤ y ≤ 2), |z| ≤ 1 both; between them may be a pane (x = 0.5).
 std::string floor_and_wall(Floor floor) {
+    const bool has_pane = floor == Floor::diffuse_behind_glass;
     const std::string name = floor == Floor::metal          ? "metal-and-wall"
                              : floor == Floor::smooth_metal ? "smooth-metal-and-wall"
+                             : has_pane                     ? "pane-and-wall"
                                                             : "floor-and-wall";
-    const std::string metallic = floor == Floor::diffuse ? "0" : "1",
+    const std::string metallic = is_metal(floor) ? "1" : "0",
                       roughness = floor == Floor::smooth_metal ? "0.15" : "0.7";
-    const std::vector<float> corners{0, 0, 1, 2, 0, 1,  2, 0, -1, 0, 0, -1,
-                                     0, 0, 1, 0, 0, -1, 0, 2, -1, 0, 2, 1};
+    const std::vector<float> corners{0, 0, 1,  2, 0, 1, 2,    0, -1, 0,    0, -1, 0,    0, 1,  0,    0, -1,
+                                     0, 2, -1, 0, 2, 1, 0.5f, 0, 1,  0.5f, 0, -1, 0.5f, 2, -1, 0.5f, 2, 1};
     const std::vector<std::uint16_t> indices{0, 1, 2, 0, 2, 3};
     const std::string folder = testing::TempDir();
     std::ofstream data(folder + name + ".bin", std::ios::binary);
     data.write(reinterpret_cast<const char*>(corners.data()), std::streamsize(4 * corners.size()));
     data.write(reinterpret_cast<const char*>(indices.data()), std::streamsize(2 * indices.size()));
     std::ofstream(folder + name + ".gltf") << R"({"asset": {"version": "2.0"},
-"buffers": [{"uri": ")" << name << R"(.bin", "byteLength": 108}],
-"bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 12}],
+"buffers": [{"uri": ")" << name << R"(.bin", "byteLength": 156}],
+"bufferViews": [{"buffer": 0, "byteLength": 144}, {"buffer": 0, "byteOffset": 144, "byteLength": 12}],
 "accessors": [
   {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, -1], "max": [2, 0, 1]},
   {"bufferView": 0, "byteOffset": 48, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, -1],
    "max": [0, 2, 1]},
-  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
+  {"bufferView": 0, "byteOffset": 96, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0.5, 0, -1],
+   "max": [0.5, 2, 1]}],
 "materials": [
   {"pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.6, 0.3, 1], "metallicFactor": )"
                                            << metallic << R"(, "roughnessFactor": )" << roughness << R"(}},
-  {"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.8, 0.8, 1], "metallicFactor": 0, "roughnessFactor": 1}}],
+  {"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.8, 0.8, 1], "metallicFactor": 0, "roughnessFactor": 1}},
+  {"pbrMetallicRoughness": {"baseColorFactor": [0.7, 0.7, 0.7, 1], "metallicFactor": 0, "roughnessFactor": 0},
+   "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}],
+"extensionsUsed": ["KHR_materials_transmission"],
 "meshes": [
   {"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "material": 0}]},
-  {"primitives": [{"attributes": {"POSITION": 1}, "indices": 2, "material": 1}]}],
-"nodes": [{"mesh": 0}, {"mesh": 1}], "scenes": [{"nodes": [0, 1]}], "scene": 0})";
+  {"primitives": [{"attributes": {"POSITION": 1}, "indices": 2, "material": 1}]},
+  {"primitives": [{"attributes": {"POSITION": 3}, "indices": 2, "material": 2}]}],
+"nodes": [{"mesh": 0}, {"mesh": 1}, {"mesh": 2}], "scenes": [{"nodes": [0, 1)"
+                                           << (has_pane ? ", 2" : "") << R"(]}], "scene": 0})";
     return folder + name + ".gltf";
 }
 
@@ -62,7 +75,7 @@ Image wall(Floor floor, const std::string& method, Settings settings, std::uint6
     e.settings["environment_light"] = source == Source::environment;
     e.settings["max_distance"] = 0.0;
     scene::Camera camera;
-    camera.eye = {2, 1, 0};
+    camera.eye = {floor == Floor::diffuse_behind_glass ? 0.4f : 2, 1, 0};
     camera.target = {0, 1, 0};
     camera.orthographic = true;
     camera.height = 2;
@@ -151,6 +164,40 @@ TEST(DssLight, AHighlightArrivesAsTheReferenceSays) {
         const auto mutant = means(wall(Floor::metal, "deep-screen-space",
                                        with(surfels(), with(form, {{"glossy_senders", false}}))));
         EXPECT_LT(mutant.back(), 0.01 * truth.back());
+    }
+}
+
+/// Sources with an extent have highlights as well, on discs and on triangles.
+TEST(DssLight, HighlightsOfLampsAndTheSkyArriveAsTheReferenceSays) {
+    for (const auto source : {Source::rectangle, Source::environment}) {
+        const auto truth = truth_of(Floor::metal, source);
+        ASSERT_GT(truth.back(), 0.01);
+        for (const std::string level0 : {"discs", "triangles"}) {
+            SCOPED_TRACE((source == Source::rectangle ? "rectangle, " : "sky, ") + level0);
+            const auto found = spread(Floor::metal, with(surfels(), {{"level0", level0}}), source);
+            for (std::size_t i = 0; i < truth.size(); ++i) {
+                EXPECT_NEAR(found.mean[i], truth[i], own * truth[i] + t * found.error[i]) << i;
+                EXPECT_LT(t * found.error[i], 0.3 * truth[i]) << i << ": too uncertain to tell";
+            }
+        }
+    }
+}
+
+/// As much of the floor's light passes a pane as the reference lets through.
+TEST(DssLight, GlassLetsRaysThroughAsOftenAsLight) {
+    const auto truth = truth_of(Floor::diffuse_behind_glass);
+    ASSERT_GT(truth.back(), 0.01);
+    for (const std::string level0 : {"discs", "triangles"}) {
+        SCOPED_TRACE(level0);
+        const auto settings = with(surfels(), {{"level0", level0}, {"discs", std::string("seen")}});
+        const auto found = spread(Floor::diffuse_behind_glass, settings);
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            EXPECT_NEAR(found.mean[i], truth[i], own * truth[i] + t * found.error[i]) << i;
+            EXPECT_LT(t * found.error[i], 0.25 * truth[i]) << i << ": too uncertain to tell";
+        }
+        const auto opaque = means(wall(Floor::diffuse_behind_glass, "deep-screen-space",
+                                       with(settings, {{"glass", std::string("opaque")}})));
+        EXPECT_LT(opaque.back(), 0.4 * truth.back()) << "of the floor before the pane";
     }
 }
 

@@ -255,6 +255,7 @@ bool changes_outputs(std::vector<Studio>& studios, const ParameterDescription& p
 TEST_P(EveryMethod, EveryImageParameterChangesAnOutput) {
     auto all = studios(method(), small);  // in which most show already
     for (auto& larger : studios(method(), {48, 32})) all.push_back(std::move(larger));
+    all.emplace_back(method(), Shot{.scene = "builtin:caustics", .size = small});  // which has glass
     for (const auto& p : description().parameters) {
         if (p.effect != Effect::image || tried_values(p).size() < 2) continue;
         EXPECT_TRUE(changes_outputs(all, p)) << p.key;

@@ -185,12 +185,16 @@ TEST_F(GlassBefore, IsNotWhiteAndSaysWhatIsLeftOut) {
 }
 
 TEST_F(GlassBefore, MethodsSayWhereItStopsTheirIndirectLight) {
-    const auto count = [&](const char* id, const char* paths, Pane pane) {
-        const auto settings = with(quick_settings(method(id).description), {{"paths", std::string(paths)}});
+    const auto count = [&](const char* id, const char* paths, Pane pane, const Settings& more = {}) {
+        const auto settings =
+            with(with(quick_settings(method(id).description), more), {{"paths", std::string(paths)}});
         return notes(render(method(id), settings, pane), "glass is opaque to");
     };
-    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin), 1);
-    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::none), 0);
+    const Settings opaque{{"glass", std::string("opaque")}};
+    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin, opaque), 1);
+    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::none, opaque), 0);
+    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin), 0) << "rays go through it";
+    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin, {{"visibility", false}}), 1);
     EXPECT_EQ(count("ldm-indirect", "indirect", Pane::thin), 1);
     EXPECT_EQ(count("ldm-indirect", "direct", Pane::thin), 0);
     EXPECT_EQ(count("photon-mapping", "indirect", Pane::thin), 0) << "photons go through it";

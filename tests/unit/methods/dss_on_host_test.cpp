@@ -152,22 +152,24 @@ TEST_F(DssOnHost, MeetsTheSameDiscsByAllChoices) {
     }
 }
 
-/// The corner with other materials, in the light of a spot, a sun and a point light, and of a square that
-/// glows where `glows`.
+/// The corner with other materials, the plate of glass, in the light of a spot, a sun and a point light, and
+/// of a square that glows where `glows`.
 Shot lit_corner_shot(int width, int height, bool glows) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 3);
     small.square({0, 1, -1.5f}, {0, 0, 1}, 2, SmallWorld::masked);
-    small.square({0.6f, 1.1f, 0.3f}, {0, -1, 0}, 0.6f);
+    small.square({0.6f, 1.1f, 0.3f}, {0, -1, 0}, 0.6f, static_cast<SmallWorld::Material>(3));
     if (glows) small.square({-1, 1.5f, 0}, {1, 0, 0}, 0.4f, static_cast<SmallWorld::Material>(2));
     auto scene = small.scene();
-    scene.materials.resize(3);
+    scene.materials.resize(4);
     auto& floor = scene.materials[SmallWorld::opaque];
     floor.base_colour = {0.8f, 0.5f, 0.2f, 1};
     floor.metallic = 0.3f, floor.roughness = 0.4f;
     auto& wall = scene.materials[SmallWorld::masked];
     wall.metallic = 1, wall.roughness = 0.6f, wall.alpha_mode = scene::AlphaMode::opaque;
     scene.materials[2].emission = glm::vec3(5);
+    auto& plate = scene.materials[3];
+    plate.metallic = 0, plate.roughness = 0.3f, plate.transmission = 0.6f;
     scene.lights.resize(3);
     scene.lights[0].type = scene::LightType::spot;
     scene.lights[0].position = {1.5f, 2.5f, 1.5f};
@@ -198,6 +200,11 @@ TEST_F(DssOnHost, WinnersSendTheSameLight) {
         {"diffuse", [](auto& p) { p.transport.materials = Transport::Materials::lambert; }},
         {"discs alone", [](auto& p) { p.level0 = dss::Level0::discs; }},
         {"black backs", [](auto& p) { p.backs = dss::Backs::black; }},
+        {"glass before seen discs",
+         [](auto& p) {
+             p.glass = dss::Glass::hashed;
+             p.discs = dss::Discs::seen;
+         }},
         {"averaged", [](auto& p) { p.disc_light = dss::DiscLight::averaged; }},
         {"averaged, full discs",
          [](auto& p) {

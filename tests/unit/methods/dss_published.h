@@ -19,6 +19,7 @@ inline methods::deep_screen_space::Parameters published() {
     parameters.shells = dss::Shells::full_discs;
     parameters.trade_off = 0.05f;
     parameters.disc_light = dss::DiscLight::centre;
+    parameters.glass = dss::Glass::opaque;
     parameters.reconstruction.balance = 0;
     return parameters;
 }

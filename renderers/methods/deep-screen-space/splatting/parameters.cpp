@@ -121,7 +121,25 @@ void add_visible(ParameterTable<Parameters>& table) {
                            "hangs over edges where it is seen best."}},
               .active_when = only_with_visibility,
               .since_version = 3,
-              .value_in_older_projects = std::string("discs")});
+              .value_in_older_projects = std::string("discs")})
+        .add(
+            &Parameters::glass,
+            {.key = "glass",
+             .label = "Glass",
+             .doc =
+                 "What rays of light do at glass, with visibility. Ambient occlusion takes it for opaque, as "
+                 "the reference does.",
+             .citation = "Nalbach15 §6",
+             .choices =
+                 {{"opaque", "Opaque", "It stops them, and sends only what its opaque part reflects."},
+                  {"hashed", "Hashed acceptance",
+                   "They go straight on behind it as often as the glass lets light through, by a hash of "
+                   "the ray and of the material's side. Light that glass reflects or bends, its colour, and "
+                   "what a volume absorbs are left out. Materials whose transmission has a texture stay "
+                   "opaque."}},
+             .active_when = only_indirect,
+             .since_version = 7,
+             .value_in_older_projects = std::string("opaque")});
 }
 
 void add_additive(ParameterTable<Parameters>& table) {

@@ -1,4 +1,3 @@
-#include "renderers/methods/deep-screen-space/splatting/level0_light.h"
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/methods/deep-screen-space/surfels/senders.h"
 #include "renderers/passes/bounce/tiles.h"
@@ -30,7 +29,8 @@ gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders
     source.defines["BLACK_BACKS"] = parameters.backs == Backs::black ? "1" : "0";
     source.defines["GLOSSY_SENDERS"] = senders.glossy ? "1" : "0";
     source.defines["EXACT"] = senders.exact ? "1" : "0";
-    source.defines["EXTENDED"] = visible.irradiance.index >= 0 ? "1" : "0";
+    source.defines["EXTENDED"] = visible.source_light.index >= 0 ? "1" : "0";
+    source.defines["GLASS"] = visible.splats.open_glass ? "1" : "0";
     source.defines["MATERIALS"] = std::to_string(static_cast<int>(parameters.transport.materials));
     return source;
 }
@@ -44,7 +44,7 @@ void resolve_light(graph::GraphBuilder& builder, const VisibleSplats& visible, c
         return;
     }
     Senders senders{sends_highlights(parameters), parameters.level0 == Level0::triangles};
-    if (visible.irradiance.index >= 0) light_level0(builder, visible, batch);
+    if (visible.source_light.index >= 0) sample_winners_sources(builder, visible, batch);
     if (senders.are_looked_up()) senders.inputs = sender_inputs(builder, visible.scene, visible.shadow);
     auto pass = builder.pass("light of the winners" + batch);
     pass.has_two_bodies();
@@ -56,8 +56,11 @@ void resolve_light(graph::GraphBuilder& builder, const VisibleSplats& visible, c
         .reads("directions", visible.directions.directions)
         .writes("incoming", visible.samples.incoming);
     if (senders.exact) pass.reads("distances", visible.samples.distance);
-    if (visible.irradiance.index >= 0) pass.reads("irradiance", visible.irradiance);
-    if (senders.are_looked_up()) senders.inputs.read_by(pass);
+    if (visible.source_light.index >= 0) pass.reads("source_light", visible.source_light);
+    if (senders.are_looked_up())
+        senders.inputs.read_by(pass);
+    else if (visible.splats.open_glass)
+        read_glass(pass, visible);
     passes::bounce::compute_by_tiles(
         pass, builder, source_of(visible, senders),
         Resolve{sender_constants(builder.inputs(), parameters), visible_level(visible.splats),

@@ -190,6 +190,7 @@ Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, 
     splats.reach = reach_of(parameters, *builder.inputs().world);
     splats.parameters = parameters;
     splats.samples = batches.together();
+    splats.open_glass = has_open_glass(builder.inputs(), parameters);
     if (parameters.visibility && batches.all().size() == 1)
         splats.fingerprint = splat_fingerprint(builder.inputs(), surfels.fingerprint, parameters);
     splats.rectangles = builder.buffer(

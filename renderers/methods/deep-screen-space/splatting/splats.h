@@ -23,6 +23,7 @@ struct Splats {
     int samples = 1;               ///< of a batch: layers are (sample, level) pairs; sample-major
     int first_sample = 0;          ///< of the batch, among all
     std::string fingerprint = {};  ///< of what is drawn, where it depends on no light
+    bool open_glass = false;       ///< there is glass, and it lets rays through
 
     /// Without visibility surfels that send no light do nothing; highlights are not stored.
     bool dark_is_idle() const {

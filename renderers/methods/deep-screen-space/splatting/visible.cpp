@@ -1,7 +1,7 @@
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 
 #include "renderers/methods/deep-screen-space/splatting/steps.h"
-#include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
+#include "renderers/methods/deep-screen-space/surfels/source_light.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 #include "renderers/passes/bounce/tiles.h"
 
@@ -53,16 +53,23 @@ gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats
     source.defines["EXACT"] = splats.parameters.level0 == Level0::triangles ? "1" : "0";
     source.defines["DISCS"] = std::to_string(static_cast<int>(splats.parameters.discs));
     source.defines["OPEN_BACKS"] = splats.parameters.backs == Backs::open ? "1" : "0";
+    source.defines["GLASS"] = splats.open_glass ? "1" : "0";
     return source;
 }
 
 void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible) {
     if (visible.exact.index >= 0) pass.reads("exact_rays", visible.exact);
+    if (visible.splats.open_glass) visible.triangles.read_materials_by(pass);
     if (visible.splats.parameters.discs != Discs::seen) return;
     pass.reads("BvhNodes", visible.bvh.nodes)
         .reads("BvhTriangles", visible.bvh.triangles)
         .reads("BvhMasks", visible.bvh.masks)
         .reads(visible.scene.opacity, visible.scene.opacity_words);
+}
+
+void read_glass(graph::PassBuilder& pass, const VisibleSplats& visible) {
+    pass.reads(visible.triangles.vertices).reads("HitIndices", visible.triangles.indices);
+    visible.triangles.read_materials_by(pass);
 }
 
 namespace {
@@ -117,13 +124,15 @@ void declare_stacks(graph::GraphBuilder& builder, passes::bounce::Batches& batch
     visible.hit_level = of_samples(builder.text_of_output("splats.hit_level"), gl::Format::r16f, of_winning);
     visible.samples.distance = passes::bounce::declare_distance(builder, batches, of_winning);
     const bool light = is_of_light(parameters);
-    if (exact && light && !on_host && has_sources(builder.inputs(), parameters))
-        visible.irradiance = builder.image({.text = {.key = "splats.level0_irradiance",
-                                                     .label = "Irradiance where rays meet triangles",
-                                                     .doc = "By sources with an extent, one sample each.",
-                                                     .unit = "W/m²"},
-                                            .format = gl::Format::rgba32f,
-                                            .layers = batches.together()});
+    if (light && !on_host && winners_are_sampled(builder.inputs(), parameters))
+        visible.source_light =
+            builder.image({.text = {.key = "splats.source_light",
+                                    .label = "Light of sources with an extent",
+                                    .doc = "That winners send, by one sample each, beyond what discs store.",
+                                    .semantic = Semantic::radiance,
+                                    .unit = "W/(m² sr)"},
+                           .format = gl::Format::rgba32f,
+                           .layers = batches.together()});
     using passes::bounce::Effects;
     visible.samples.incoming = passes::bounce::declare_incoming(
         builder, batches, light ? Effects::light : Effects::ambient_occlusion);
@@ -140,6 +149,7 @@ VisibleSplats declare_visible(graph::GraphBuilder& builder, const passes::SceneB
     visible.scene = scene;
     visible.shadow = shadow;
     if (needs_triangles(parameters)) visible.bvh = passes::device_bvh(builder);
+    if (visible.splats.open_glass) visible.triangles = passes::hit_surfaces(builder, scene);
     visible.gbuffer = gbuffer;
     visible.directions = passes::bounce::declare_directions(builder, batches,
                                                             {.parameters = parameters.directions,
@@ -202,8 +212,11 @@ void trace_level0(graph::GraphBuilder& builder, const VisibleSplats& visible, co
         .reads("BvhMasks", visible.bvh.masks)
         .reads(visible.scene.opacity, visible.scene.opacity_words)
         .writes("exact_image", visible.exact);
+    if (visible.splats.open_glass) read_glass(pass, visible);
+    gl::ProgramSource source{{folder + "exact.comp"}};
+    source.defines["GLASS"] = visible.splats.open_glass ? "1" : "0";
     passes::bounce::compute_by_tiles(
-        pass, builder, {{folder + "exact.comp"}},
+        pass, builder, source,
         ExactRays{influence_constants(visible.splats), ideal(builder.inputs().view, parameters),
                   parameters.transport.max_distance});
 }

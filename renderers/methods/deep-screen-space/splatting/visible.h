@@ -3,6 +3,7 @@
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "renderers/passes/bounce/samples.h"
 #include "renderers/passes/raytracing/device_bvh.h"
+#include "renderers/passes/scene/hit_surfaces.h"
 #include "shaders/methods/deep-screen-space/splatting/exact.glsl.h"
 
 namespace ir::methods::deep_screen_space {
@@ -12,7 +13,8 @@ struct VisibleSplats {
     Splats splats;
     passes::SceneBuffers scene;
     passes::ShadowMaps shadow;
-    passes::DeviceBvh bvh;  ///< only where rays meet triangles
+    passes::DeviceBvh bvh;          ///< only where rays meet triangles
+    passes::HitSurfaces triangles;  ///< only where glass lets rays through
     passes::GBuffer gbuffer;
     passes::bounce::Directions directions;
     graph::ImageRef depth;  ///< "splats.depth" depth32f stack, z, a layer per sample and level (sample-major)
@@ -21,10 +23,10 @@ struct VisibleSplats {
                             ///< where level 0 is exact
     graph::ImageRef nearest;  ///< "splats.nearest" r32ui stack likewise: 1 + surfel, or EXACT_HIT | triangle;
                               ///< 0: nothing was met
-    graph::ImageRef hit_level;   ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
-    graph::ImageRef irradiance;  ///< "splats.level0_irradiance" rgba32f likewise: of sources with an extent
-                                 ///< where rays of level 0 met triangles; only where there are such, on the
-                                 ///< device
+    graph::ImageRef hit_level;     ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
+    graph::ImageRef source_light;  ///< "splats.source_light" rgba32f likewise: what winners send of sources
+                                   ///< with an extent beyond what discs store; only where there are such, on
+                                   ///< the device
     passes::bounce::Samples samples;  ///< the result
 };
 
@@ -59,6 +61,9 @@ inline bool needs_triangles(const Parameters& parameters) {
 gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats);
 void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible);
 
+/// Accesses of glass.glsl and of the normals of triangles.
+void read_glass(graph::PassBuilder& pass, const VisibleSplats& visible);
+
 /// Declares the pass "exact rays of level 0", on the device. `batch`: the end of its name, as in all that
 /// follow.
 void trace_level0(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch);
@@ -71,6 +76,10 @@ void resolve_light(graph::GraphBuilder& builder, const VisibleSplats& visible, c
 
 /// Declares what only people look at: levels unshuffled, radiance of the winners on each level, implied ε.
 void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible);
+
+/// Declares the pass "light samples of winners", which fills `source_light` for the device.
+void sample_winners_sources(graph::GraphBuilder& builder, const VisibleSplats& visible,
+                            const std::string& batch);
 
 /// "bounce.incoming" by the host's threads, as resolve.comp has it: what the winners send.
 void resolve_light_on_host(graph::GraphBuilder& builder, const VisibleSplats& visible,

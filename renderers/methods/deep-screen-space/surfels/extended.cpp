@@ -3,7 +3,7 @@
 
 #include "renderers/core/parallel_for.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
+#include "renderers/methods/deep-screen-space/surfels/source_light.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 #include "renderers/passes/raytracing/open_part.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"

@@ -93,7 +93,8 @@ void add_light(ParameterTable<Parameters>& table) {
              {.key = "sender_samples",
               .label = "Light samples of senders",
               .doc = "Of rectangles, disks, emissive meshes and the environment, for each side of a surfel. "
-                     "Pixels see many surfels, so few are enough. 0: such sources light no surfel.",
+                     "Pixels see many surfels, so few are enough. Highlights take one more for each ray that "
+                     "meets a sender. 0: such sources light no surfel.",
               .hard = {0, 1024},
               .soft = {1, 16},
               .active_when = only_indirect,

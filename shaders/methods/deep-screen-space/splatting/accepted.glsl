@@ -1,9 +1,15 @@
-// Which of the discs that a ray meets count. DISCS: as Discs counts; OPEN_BACKS: surfels are open from behind.
+// Which of the discs that a ray meets count. DISCS: as Discs counts; OPEN_BACKS: surfels are open from behind; GLASS:
+// glass lets rays through.
 #include "methods/deep-screen-space/splatting/exact.glsl"
+#if GLASS
+#include "passes/scene/hit_materials.glsl"
+#endif
+#include "methods/deep-screen-space/splatting/glass.glsl"
 
 #if DISCS == 2
 #include "methods/deep-screen-space/splatting/ray_origin.glsl"
 #include "passes/raytracing/bvh.glsl"
+#include "passes/raytracing/ray_offset.glsl"
 
 /// Part of the disc's radius by which its centre is lifted towards the ray, so that a curved or crumpled surface does
 /// not hide its own.
@@ -18,8 +24,18 @@ bool splat_is_seen(vec3 x_ws, vec3 geometric_normal_ws, vec3 direction_ws, Surfe
     vec3 facing = dot(s.normal_ws, direction_ws) > 0.0 ? -s.normal_ws : s.normal_ws;
     vec3 way = s.centre_ws + SPLAT_LIFT * disc_radius * facing - origin;
     float distance_m = length(way);
+    vec3 to_centre = way / distance_m;
+    float far = 0.999 * distance_m;
     RayHit hit;
-    find_first_hit(Ray(origin, 0.999 * distance_m, way / distance_m, 0.0), hit);
+    find_first_hit(Ray(origin, far, to_centre, 0.0), hit);
+#if GLASS
+    for (int pane = 0; pane < MAX_PANES && is_hit(hit) && is_open_glass(hit.triangle); ++pane) {
+        float step = hit.distance + ray_offset(origin + hit.distance * to_centre);
+        origin += step * to_centre;
+        far -= step;
+        find_first_hit(Ray(origin, far, to_centre, 0.0), hit);
+    }
+#endif
     return !is_hit(hit);
 }
 #endif
@@ -35,6 +51,9 @@ bool splat_is_accepted(Surfel s, SplatHit hit, ivec2 pixel, int sample_index, ve
 #endif
 #if DISCS >= 1
     if (!splat_is_above(x_ws, geometric_normal_ws, s.centre_ws)) return false;
+#endif
+#if GLASS
+    if (passes_glass(s.triangle, dot(s.normal_ws, direction_ws), direction_ws)) return false;
 #endif
 #if DISCS == 2
     if (!splat_is_seen(x_ws, geometric_normal_ws, direction_ws, s, hit.disc_radius)) return false;

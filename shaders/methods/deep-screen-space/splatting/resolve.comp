@@ -1,8 +1,14 @@
 // What the surfels that rays met send towards the pixels. [Nalbach15 §3.2]
 // AVERAGED: discs send the mean of what they stand for. BLACK_BACKS: nothing from behind; GLOSSY_SENDERS: with
-// highlights. EXTENDED: triangles are lit by sources with an extent, too. MATERIALS: as sent.glsl has them.
+// highlights. EXTENDED: senders are lit by sources with an extent, too. GLASS: glass lets rays through. MATERIALS: as
+// sent.glsl has them.
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/exact.glsl"
+#if GLOSSY_SENDERS || EXACT || GLASS
+#include "passes/scene/hit_materials.glsl"
+#include "passes/scene/hit_triangle.glsl"
+#endif
+#include "methods/deep-screen-space/splatting/glass.glsl"
 #include "passes/bounce/tiles.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
@@ -54,9 +60,6 @@ vec3 sent_by_disc(uint index, vec4 ray, ivec3 at) {
 
 #if EXACT
 uniform sampler2DArray distances;
-#if EXTENDED
-uniform sampler2DArray irradiance;
-#endif
 
 /// A surfel of no size where a ray met a triangle.
 Surfel point_of(uint triangle, vec3 position_ws) {
@@ -69,14 +72,10 @@ Surfel point_of(uint triangle, vec3 position_ws) {
                   0u, 0u);
 }
 
-vec3 sent_by_triangle(Surfel s, vec3 direction_ws, ivec3 at) {
+vec3 sent_by_triangle(Surfel s, vec3 direction_ws) {
     vec2 weights = unpackUnorm2x16(s.barycentrics);
-    vec3 extended = vec3(0);
-#if EXTENDED
-    extended = texelFetch(irradiance, at, 0).rgb;
-#endif
     HitSurface side = hit_surface(s.triangle, weights.x, weights.y, direction_ws, normal_maps != 0);
-    return reflected(side, s.centre_ws, s.radius, extended);
+    return reflected(side, s.centre_ws, s.radius, vec3(0));
 }
 #endif
 
@@ -89,7 +88,7 @@ vec3 sent(uint winner, vec4 ray, ivec3 at) {
         vec3 position_ws = texelFetch(gbuffer_position, at.xy, 0).xyz + distance_m * direction_ws;
         Surfel s = point_of(winner & ~EXACT_HIT, position_ws);
         if (BLACK_BACKS != 0 && dot(s.normal_ws, direction_ws) > 0.0) return vec3(0);
-        vec3 radiance = sent_by_triangle(s, direction_ws, at);
+        vec3 radiance = sent_by_triangle(s, direction_ws);
 #if GLOSSY_SENDERS
         radiance += sent_to_one_side(s, direction_ws, ray_slope_variance(s.triangle, distance_m, ray.w));
 #endif
@@ -100,6 +99,22 @@ vec3 sent(uint winner, vec4 ray, ivec3 at) {
     return max(sent_by_disc(winner - 1u, ray, at), 0.0);
 }
 
+#if EXTENDED
+/// What senders send of sources with an extent beyond what discs store.
+uniform sampler2DArray source_light;
+#endif
+
+#if GLASS
+/// Of the rays, those that glass stops send what all of them would meet of its opaque part.
+float stopped_part(uint winner, vec3 direction_ws) {
+    bool is_exact = (winner & EXACT_HIT) != 0u;
+    uint triangle = is_exact ? winner & ~EXACT_HIT : surfels[winner - 1u].triangle;
+    vec3 normal_ws = is_exact ? hit_normal(triangle) : surfels[winner - 1u].normal_ws;
+    Material m = hit_materials[hit_triangle_materials[triangle]];
+    return max(1.0 - passed_by_glass(m, abs(dot(normal_ws, direction_ws))), 1e-6);
+}
+#endif
+
 void main() {
     ivec2 pixel = tile_pixel();
     ivec3 size = imageSize(incoming);
@@ -108,7 +123,16 @@ void main() {
         ivec3 at = ivec3(pixel, i);
         uint winner = texelFetch(nearest, at, 0).x;
         vec3 radiance = vec3(0);
-        if (winner != 0u) radiance = sent(winner, texelFetch(directions, at, 0), at);
+        if (winner != 0u) {
+            vec4 ray = texelFetch(directions, at, 0);
+            radiance = sent(winner, ray, at);
+#if EXTENDED
+            radiance += texelFetch(source_light, at, 0).rgb;
+#endif
+#if GLASS
+            radiance /= stopped_part(winner, ray.xyz);
+#endif
+        }
         imageStore(incoming, at, vec4(radiance, winner != 0u ? 1 : 0));
     }
 }

@@ -51,6 +51,7 @@ class HostSplats {
         places_ = graph::layers<const std::uint32_t>(p, splats.hierarchy.places);
         layout_ = graph::layers<const std::uint32_t>(p, splats.hierarchy.layout);
         if (bvh_.index >= 0) tree_ = p.object<passes::Bvh>(bvh_);
+        if (splats.open_glass) glass_.emplace(*p.inputs().scene, *p.inputs().world);
         width_ = p.inputs().view.width;
         height_ = p.inputs().view.height;
         device_.reset(rtcNewDevice(nullptr));
@@ -108,7 +109,7 @@ class HostSplats {
         const auto& parameters = visible_.splats.parameters;
         const auto start = ranges_->start(positions_[pixel]);
         return {{positions_[pixel], normals_[pixel], parameters.discs, parameters.backs == Backs::open,
-                 tree_.get()},
+                 tree_.get(), glass_ ? &*glass_ : nullptr},
                 start,
                 parameters.level0 == Level0::triangles ? start.exact_reach : 0};
     }
@@ -149,8 +150,11 @@ class HostSplats {
     passes::Hit exact_hit_of(const Origin& from, glm::vec3 direction_ws) const {
         if (from.known == 0) return {};
         const auto& receiver = from.receiver;
-        return tree_->closest_hit(passes::offset_origin(receiver.x_ws, receiver.geometric_normal_ws),
-                                  direction_ws, 0, from.known);
+        const auto origin = passes::offset_origin(receiver.x_ws, receiver.geometric_normal_ws);
+        if (!glass_) return tree_->closest_hit(origin, direction_ws, 0, from.known);
+        return HostGlass::first_hit(*tree_, origin, direction_ws, from.known, [&](std::uint32_t triangle) {
+            return glass_->passes_glass(triangle, glass_->slope(triangle, direction_ws), direction_ws);
+        });
     }
 
     /// Before discs are queried.
@@ -206,6 +210,7 @@ class HostSplats {
     std::span<const glm::vec4> positions_, normals_;
     std::vector<std::span<const std::uint32_t>> places_, layout_;
     std::shared_ptr<passes::Bvh> tree_;
+    std::optional<HostGlass> glass_;
     int width_ = 0, height_ = 0;
     std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice> device_;
     std::vector<std::unique_ptr<DiscLevel>> levels_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "renderers/methods/deep-screen-space/splatting/host/host_glass.h"
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
@@ -78,10 +79,14 @@ struct Receiver {
     Discs discs = Discs::above;
     bool open_backs = false;
     const passes::Bvh* bvh = nullptr;  ///< only where discs must be seen
+    const HostGlass* glass = nullptr;  ///< only where it lets rays through
 
     bool accepts(const Surfel& surfel, glm::vec3 direction_ws, float disc_radius) const {
         if (open_backs && glm::dot(surfel.normal_ws, direction_ws) > 0) return false;
         if (discs != Discs::all && !is_above(surfel.centre_ws)) return false;
+        if (glass &&
+            glass->passes_glass(surfel.triangle, glm::dot(surfel.normal_ws, direction_ws), direction_ws))
+            return false;
         return discs != Discs::seen || sees(surfel, direction_ws, disc_radius);
     }
 
@@ -97,7 +102,12 @@ struct Receiver {
         const auto facing = is_back ? -surfel.normal_ws : surfel.normal_ws;
         const auto way = surfel.centre_ws + splat_lift * disc_radius * facing - origin;
         const float distance = glm::length(way);
-        return !bvh->occluded(origin, way / distance, 0, 0.999f * distance);
+        const auto to_centre = way / distance;
+        const float far = 0.999f * distance;
+        if (!bvh->occluded(origin, to_centre, 0, far)) return true;
+        return glass && !HostGlass::first_hit(*bvh, origin, to_centre, far, [&](std::uint32_t triangle) {
+                             return glass->is_open_glass(triangle);
+                         }).is_hit();
     }
 };
 

@@ -30,24 +30,28 @@ float widened_gain(float own, float widened, float cosine) {
 
 }  // namespace
 
-HostSenders::HostSenders(const graph::PassContext& context, graph::ObjectRef surfaces,
-                         const passes::ShadowMaps& shadow, const Parameters& parameters)
+SenderSurfaces::SenderSurfaces(const graph::PassContext& context, graph::ObjectRef surfaces,
+                               const Parameters& parameters)
     : surfaces_(context.object<passes::SurfaceLookup>(surfaces)),
       scene_(*context.inputs().scene),
       world_(*context.inputs().world),
-      lights_(world_.lights),
-      shadows_(context, shadow),
       materials_(parameters.transport.materials),
       is_glossy_(sends_highlights(parameters)),
       light_offset_(parameters.light_offset),
       highlight_share_(highlight_share(parameters)) {}
 
-HostSenders::Place HostSenders::place(std::uint32_t triangle, glm::vec2 weights, glm::vec3 position_ws,
-                                      float radius, glm::vec3 direction_ws) const {
+SenderSurfaces::Place SenderSurfaces::place(std::uint32_t triangle, glm::vec2 weights, glm::vec3 position_ws,
+                                            float radius, glm::vec3 direction_ws) const {
     return {
         surfaces_->at({.distance = 0, .triangle = triangle, .u = weights.x, .v = weights.y}, direction_ws),
         position_ws, light_offset_ * radius};
 }
+
+HostSenders::HostSenders(const graph::PassContext& context, graph::ObjectRef surfaces,
+                         const passes::ShadowMaps& shadow, const Parameters& parameters)
+    : SenderSurfaces(context, surfaces, parameters),
+      lights_(context.inputs().world->lights),
+      shadows_(context, shadow) {}
 
 /// Of lights without extent that shine there: `reflect(direction to the light)` times what arrives.
 template <class Reflect>
@@ -69,7 +73,7 @@ glm::vec3 HostSenders::sum_of_lights(const Place& place, const Reflect& reflect)
 }
 
 /// Seen from above the interface lets as much of it through as of light along the normal.
-glm::vec3 HostSenders::of_extended(const passes::Surface& s, glm::vec3 irradiance) const {
+glm::vec3 SenderSurfaces::of_extended(const passes::Surface& s, glm::vec3 irradiance) const {
     if (irradiance == glm::vec3(0)) return irradiance;
     return one_over_pi * albedo(s) * below_interface(s, s.shading_normal_ws) * irradiance;
 }
@@ -82,8 +86,7 @@ glm::vec3 HostSenders::diffuse(const Place& place, glm::vec3 extended) const {
     return one_over_pi * colour * sum + of_extended(s, extended);
 }
 
-/// Widens the highlight, and gives the factor that keeps its light.
-float HostSenders::widen(passes::Surface& s, glm::vec3 direction_ws, float variance) const {
+float SenderSurfaces::widen(passes::Surface& s, glm::vec3 direction_ws, float variance) const {
     const float own = s.roughness;
     s.roughness = widened_roughness(own, variance);
     return widened_gain(own, s.roughness, glm::dot(s.shading_normal_ws, -direction_ws));
@@ -91,7 +94,7 @@ float HostSenders::widen(passes::Surface& s, glm::vec3 direction_ws, float varia
 
 glm::vec3 HostSenders::glossy_rest(Place place, glm::vec3 direction_ws, float variance) const {
     auto& s = place.surface;
-    if (!is_glossy_ || s.is_unlit) return glm::vec3(0);
+    if (!are_glossy() || s.is_unlit) return glm::vec3(0);
     const float gain = widen(s, direction_ws, variance);
     const auto stored = one_over_pi * albedo(s);
     return gain * sum_of_lights(place, [&](glm::vec3 l) {
@@ -99,17 +102,17 @@ glm::vec3 HostSenders::glossy_rest(Place place, glm::vec3 direction_ws, float va
            });
 }
 
-glm::vec3 HostSenders::all(Place place, glm::vec3 direction_ws, glm::vec3 extended, float variance) const {
+glm::vec3 HostSenders::all(Place place, glm::vec3 direction_ws, float variance) const {
     auto& s = place.surface;
-    if (!is_glossy_ || s.is_unlit) return diffuse(place, extended);
+    if (!are_glossy() || s.is_unlit) return diffuse(place, glm::vec3(0));
     const float gain = widen(s, direction_ws, variance);
     const auto stored = one_over_pi * albedo(s);
-    return of_extended(s, extended) + sum_of_lights(place, [&](glm::vec3 l) {
-               return gain * whole_brdf(s, l, -direction_ws) + (1 - gain) * stored * below_interface(s, l);
-           });
+    return sum_of_lights(place, [&](glm::vec3 l) {
+        return gain * whole_brdf(s, l, -direction_ws) + (1 - gain) * stored * below_interface(s, l);
+    });
 }
 
-float HostSenders::triangle_curvature(std::uint32_t triangle) const {
+float SenderSurfaces::triangle_curvature(std::uint32_t triangle) const {
     float largest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto a = world_.indices[3 * std::size_t{triangle} + i],
@@ -121,25 +124,25 @@ float HostSenders::triangle_curvature(std::uint32_t triangle) const {
     return largest;
 }
 
-float HostSenders::ray_slope_variance(std::uint32_t triangle, float distance_m, float density) const {
+float SenderSurfaces::ray_slope_variance(std::uint32_t triangle, float distance_m, float density) const {
     if (highlight_share_ == 0) return 0;
     const float radius = std::sqrt(highlight_share_ / (std::numbers::pi_v<float> * density));  // at 1 m
     const float turn = radius * distance_m * triangle_curvature(triangle);
     return radius * radius / 16 + turn * turn / 4;
 }
 
-float HostSenders::ior(const passes::Surface& surface) const {
+float SenderSurfaces::ior(const passes::Surface& surface) const {
     return scene_.materials[static_cast<std::size_t>(surface.material)].ior;
 }
 
 /// diffuse_albedo of diffuse.glsl.
-glm::vec3 HostSenders::albedo(const passes::Surface& s) const {
+glm::vec3 SenderSurfaces::albedo(const passes::Surface& s) const {
     if (s.is_unlit) return glm::vec3(0);
     if (materials_ == Materials::lambert) return s.base_colour;
     return (1 - s.metallic) * (1 - s.transmission * (1 - s.metallic)) * s.base_colour;
 }
 
-glm::vec3 HostSenders::below_interface(const passes::Surface& s, glm::vec3 to_light_ws) const {
+glm::vec3 SenderSurfaces::below_interface(const passes::Surface& s, glm::vec3 to_light_ws) const {
     if (materials_ != Materials::gltf) return glm::vec3(1);
     const auto f0 = glm::mix(glm::vec3(passes::dielectric_f0(ior(s))), s.base_colour, s.metallic);
     const auto h = glm::normalize(to_light_ws + s.shading_normal_ws);
@@ -147,7 +150,7 @@ glm::vec3 HostSenders::below_interface(const passes::Surface& s, glm::vec3 to_li
 }
 
 /// Of the part that is no glass: gltf_brdf or metalness_blend_brdf of lib/brdf.glsl.
-glm::vec3 HostSenders::whole_brdf(const passes::Surface& s, glm::vec3 l, glm::vec3 v) const {
+glm::vec3 SenderSurfaces::whole_brdf(const passes::Surface& s, glm::vec3 l, glm::vec3 v) const {
     const bool is_layered = materials_ == Materials::gltf;
     const auto n = s.shading_normal_ws;
     const auto h = glm::normalize(l + v);

@@ -5,6 +5,7 @@
 #include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/direct/light_estimate.h"
+#include "renderers/passes/scattering/microfacets.h"
 
 namespace ir::methods::deep_screen_space {
 
@@ -16,6 +17,12 @@ inline passes::ExtendedLightOptions source_options(const Parameters& parameters)
 inline bool has_sources(const graph::FrameInputs& inputs, const Parameters& parameters) {
     return parameters.sender_samples > 0 &&
            passes::extended_sources(inputs, source_options(parameters)).any();
+}
+
+/// Whether light of these sources is sampled where rays meet senders, too.
+inline bool winners_are_sampled(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    return (sends_highlights(parameters) || parameters.level0 == Level0::triangles) &&
+           has_sources(inputs, parameters);
 }
 
 /// The object of these sources, a passes::ExtendedEmitters.
@@ -46,6 +53,35 @@ class SourceIrradiance {
 
   private:
     passes::LightEstimate estimate_;
+};
+
+/// Estimates what highlights of surfaces send of these sources: the light that their microfacets alone
+/// reflect, as those of a metal with this reflectance.
+class SourceHighlight {
+  public:
+    SourceHighlight(const passes::Bvh& bvh, const passes::ExtendedEmitters& sources,
+                    const Parameters& parameters)
+        : estimate_(bvh, sources.surfaces, sources.lights,
+                    {.materials = parameters.transport.materials, .between = parameters.transport.materials}),
+          is_layered_(parameters.transport.materials == Transport::Materials::gltf) {}
+
+    /// Towards the unit direction `to_ws`, W/(m² sr), by one sample, unbiased over samplers.
+    glm::vec3 radiance(passes::Surface surface, float ior, const glm::vec3& to_ws,
+                       const passes::PathSampler& sampler) const {
+        const float opaque = 1 - surface.transmission * (1 - surface.metallic);
+        const float part = is_layered_ ? opaque : opaque * surface.metallic;
+        if (part == 0) return glm::vec3(0);
+        if (is_layered_)
+            surface.base_colour =
+                glm::mix(glm::vec3(passes::dielectric_f0(ior)), surface.base_colour, surface.metallic);
+        surface.metallic = 1;
+        surface.transmission = 0;
+        return part * estimate_.sample(surface, to_ws, sampler);
+    }
+
+  private:
+    passes::LightEstimate estimate_;
+    bool is_layered_;
 };
 
 }  // namespace ir::methods::deep_screen_space
