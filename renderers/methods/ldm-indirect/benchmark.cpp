@@ -33,7 +33,8 @@ graph::Benchmark::Variant variant(std::string label, const Setting& setting) {
     return {std::move(label),
             {{"directions", std::int64_t{setting.directions}},
              {"resolution", std::int64_t{setting.resolution}},
-             {"emission", std::int64_t{setting.emission}}}};
+             {"emission", std::int64_t{setting.emission}},
+             {"gloss", std::string("none")}}};
 }
 
 graph::Benchmark in_atrium(const char* name, const char* doc, int width, int height) {

@@ -6,9 +6,6 @@
 
 namespace ir::methods::ldm_indirect {
 
-/// Whether interfaces look at the scene instead of reflecting the splatted light.
-bool has_gloss(const Parameters& parameters);
-
 /// Declares the pass "gloss" (cpu, whatever the processor: nodes know no material, so surfaces, textures and
 /// lights of the host say what is met) and its outputs. Returns "gloss.radiance"; none without gloss.
 /// [Aalund15 §6]

@@ -404,12 +404,13 @@ class Reflections {
     std::uint32_t lost_ = 0;
 };
 
-}  // namespace
-
+/// Whether interfaces look at the scene instead of reflecting the splatted light.
 bool has_gloss(const Parameters& parameters) {
     return parameters.gloss.kind != Gloss::none && parameters.transport.paths != Transport::Paths::direct &&
            parameters.transport.materials != Materials::lambert;
 }
+
+}  // namespace
 
 std::optional<graph::ImageRef> reflect_gloss(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                                              const Photons& photons, const Parameters& parameters) {
