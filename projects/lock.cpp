@@ -15,6 +15,7 @@
 #include "projects/object_reader.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::projects {
 namespace {
@@ -72,12 +73,9 @@ std::string to_text(const LockHolder& holder) {
 
 /// Nothing when there is no such file or when it is damaged.
 std::optional<LockHolder> read_holder(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(4096, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
+    constexpr std::size_t max_bytes = 4096;
     try {
-        const Json json = parse_json(text, file.string());
+        const Json json = parse_json(real_file_system().read(file, max_bytes), file.string());
         ObjectReader reader(json, file.string(), "");
         LockHolder holder;
         holder.host = reader.required_text("host");

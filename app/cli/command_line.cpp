@@ -45,6 +45,24 @@ std::string suggestion(const CLI::App& app, int argc, char** argv) {
     return {};
 }
 
+/// Whether some command has an option of this name that a value follows.
+bool takes_value(const CLI::App& app, const std::string& word) {
+    for (const auto* command : app.get_subcommands({})) {
+        const auto* option = command->get_option_no_throw(word);
+        if ((option && option->get_expected_min() > 0) || takes_value(*command, word)) return true;
+    }
+    return false;
+}
+
+/// CLI11 looks for ever for what an empty word means that is no option's value, where options are in groups.
+void refuse_empty_words(const CLI::App& app, const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!words[i].empty() || (i > 0 && takes_value(app, words[i - 1]))) continue;
+        throw UsageError("word " + std::to_string(i + 1) + " of the command line is empty" +
+                         (i > 0 ? " (after '" + words[i - 1] + "')" : "") + "; is a variable not set?");
+    }
+}
+
 void add_commands(CLI::App& app, Run& run) {
     add_info(app, run);
     add_list(app, run);
@@ -76,6 +94,7 @@ void check_command(std::vector<std::string> words) {
     app.require_subcommand(1);
     Run run;
     add_commands(app, run);
+    refuse_empty_words(app, words);
     std::reverse(words.begin(), words.end());
     app.parse(words);
 }
@@ -89,6 +108,7 @@ int run_command_line(int argc, char** argv) {
     Run run;
     add_commands(app, run);
     try {
+        refuse_empty_words(app, {argv + std::min(argc, 1), argv + argc});
         app.parse(argc, argv);
         if (writes(app)) engine::watch_interruptions();
         const int status = run();

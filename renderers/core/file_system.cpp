@@ -20,6 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// In a folder that somebody else made, what is read may be a pipe: none is waited for.
+constexpr int reading = O_RDONLY | O_NONBLOCK;
+
 /// Closes on every way out.
 class Descriptor {
   public:
@@ -57,7 +60,7 @@ class RealFileSystem final : public FileSystem {
     }
 
     std::string read(const fs::path& file, std::size_t limit) override {
-        const Descriptor descriptor(file, O_RDONLY);
+        const Descriptor descriptor(file, reading);
         struct stat info {};
         if (!descriptor.is_open() || ::fstat(descriptor.get(), &info) != 0)
             throw InputError(file.string(), "", std::string("cannot be opened: ") + std::strerror(errno));
@@ -120,7 +123,7 @@ class RealFileSystem final : public FileSystem {
     }
 
     void pour(const fs::path& file, std::ostream& out) override {
-        const Descriptor descriptor(file, O_RDONLY);
+        const Descriptor descriptor(file, reading);
         if (!descriptor.is_open()) fail(file, "open", errno);
         std::vector<char> block(1u << 20);
         while (out) {

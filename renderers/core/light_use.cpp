@@ -60,8 +60,10 @@ std::string what_it_does(const std::vector<LightPart>& parts) {
     return gives.empty() ? "is seen" : "is seen and " + gives;
 }
 
+using ReadJson = nlohmann::json;  // objects of any number of keys are read quickly
+
 template <class Enum, std::size_t count>
-std::optional<Enum> named(const Json& json, const std::array<const char*, count>& names) {
+std::optional<Enum> named(const ReadJson& json, const std::array<const char*, count>& names) {
     for (std::size_t i = 0; i < count; ++i)
         if (json == names[i]) return static_cast<Enum>(i);
     return std::nullopt;
@@ -200,12 +202,13 @@ std::string to_json(const std::vector<UsedLight>& lights) {
 
 std::vector<UsedLight> used_lights_from_json(const std::string& text) {
     std::vector<UsedLight> result;
-    const auto json = Json::parse(text, nullptr, false);
+    const auto json = ReadJson::parse(text, nullptr, false);
     if (!json.is_array()) return {};
     for (const auto& each : json) {
         const auto kind =
-            named<LightKind>(each.is_object() ? each.value("kind", Json()) : Json(), kind_names);
-        if (!kind || !each.value("source", Json()).is_string() || !each.value("parts", Json()).is_array())
+            named<LightKind>(each.is_object() ? each.value("kind", ReadJson()) : ReadJson(), kind_names);
+        if (!kind || !each.value("source", ReadJson()).is_string() ||
+            !each.value("parts", ReadJson()).is_array())
             return {};
         result.push_back({{*kind, each["source"].get<std::string>()}, {}});
         for (const auto& name : each["parts"])

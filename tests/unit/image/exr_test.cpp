@@ -226,7 +226,7 @@ TEST(Exr, RefusesAttributesThatAreLongerThanTheFile) {
     const std::string bytes{std::istreambuf_iterator<char>(small), {}};
     EXPECT_NO_THROW(read_exr(folder / "small.exr"));
     for (const std::string& name :
-         {std::string("note\0string", 12), std::string("compression\0compression", 23)}) {
+         {std::string("note\0string", 11), std::string("compression\0compression", 23)}) {
         const auto at = bytes.rfind(name + '\0');
         ASSERT_NE(at, std::string::npos) << name;
         auto longer = bytes;

@@ -1,11 +1,13 @@
 #include "projects/store.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "projects/autosave.h"
 #include "projects/hash.h"
 #include "projects/lock.h"
+#include "projects/results.h"
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
 #include "tests/unit/projects/memory_file_system.h"
@@ -255,6 +257,25 @@ TEST(Autosave, ThreadWritesTheNewestRequest) {
     thread.flush();
     EXPECT_NE(thread.take_error(), "");
     EXPECT_EQ(thread.take_error(), "");
+}
+
+/// In a folder of somebody else: who opened one would wait for ever.
+TEST(Store, PipesAreNotWaitedFor) {
+    TemporaryFolder temporary;
+    const auto where = temporary.path() / "a.interreflect";
+    save_project(sample_project(), where, "");
+    fs::create_directories(where / "results");
+    for (const char* name : {".lock", "session.json", autosave_file_name, "results/index.json"})
+        ASSERT_EQ(::mkfifo((where / name).c_str(), 0600), 0) << name;
+    EXPECT_EQ(load_project(where, registry()).project, sample_project());
+    EXPECT_EQ(load_session(where), Json::object());
+    EXPECT_FALSE(find_recovery(where, registry()).has_value());
+    EXPECT_FALSE(Lock::is_free(where));
+    EXPECT_FALSE(Lock::acquire(where).is_held());
+    EXPECT_THROW(ResultIndex::load(where), InputError);
+    fs::remove(where / "project.json");
+    ASSERT_EQ(::mkfifo((where / "project.json").c_str(), 0600), 0);
+    EXPECT_THROW(load_project(where, registry()), InputError);
 }
 
 }  // namespace
