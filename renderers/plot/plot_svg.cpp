@@ -20,19 +20,12 @@ std::string number(double value) {
     return text;
 }
 
-/// Letters, not bytes, of a font that is not known: rather too wide.
-double width_of(const std::string& text) {
-    const auto letters = std::count_if(text.begin(), text.end(),
-                                       [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
-    return 0.58 * font * double(letters);
-}
-
 std::string shortened(const std::string& text, double width) {
-    if (width_of(text) <= width) return text;
+    if (width_of(text, font) <= width) return text;
     std::string result;
     for (const char c : text) {
         const bool is_letter = (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-        if (is_letter && width_of(result) + 2 * font > width) break;
+        if (is_letter && width_of(result, font) + 2 * font > width) break;
         result += c;
     }
     return result + "…";
@@ -115,13 +108,13 @@ class Drawing {
     /// The legend first: entries after one another in as many lines as they need.
     void lay_out() {
         double widest = 0;
-        for (const auto& tick : plot_.y.ticks()) widest = std::max(widest, width_of(tick.text));
+        for (const auto& tick : plot_.y.ticks()) widest = std::max(widest, width_of(tick.text, font));
         left_ = 34 + widest;
         right_ = width_ - right_margin;
         double x = 12, y = is_file_ ? 40 : 14;
         const auto add = [&](const std::string& words, int series) {
             const auto shown = shortened(words, width_ - 60.0);
-            const double needed = mark_room + width_of(shown);
+            const double needed = mark_room + width_of(shown, font);
             if (x > 12 && x + needed > width_ - 12.0) x = 12, y += line_height;
             legend_.push_back({shown, series, x, y});
             x += needed + legend_gap;
@@ -153,7 +146,7 @@ class Drawing {
         constexpr double width = 120, height = 12;
         constexpr int steps = 24;
         const auto low = plot_number(plot_.heat->low), high = plot_number(plot_.heat->high);
-        const double left = 12 + width_of(low) + tick_gap, y = legend_.front().y;
+        const double left = 12 + width_of(low, font) + tick_gap, y = legend_.front().y;
         text(12, y + 4, low, "start", style_.text, "text");
         for (int i = 0; i < steps; ++i)
             out_.empty("rect", {{"x", number(left + i * width / steps)},

@@ -1,11 +1,6 @@
 #include "widgets/plot/plot_chart.h"
 
 #include <QApplication>
-#include <QCategoryAxis>
-#include <QGraphicsLayout>
-#include <QGraphicsScene>
-#include <QGraphicsSceneResizeEvent>
-#include <QLineSeries>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -14,44 +9,17 @@
 namespace ir::widgets {
 namespace {
 
-/// Of the height below the legend: what Qt Charts gives to the axis below at most. It cuts the title off
-/// then.
-constexpr double axis_share = 0.4;
 constexpr int rings_entry = -1, rest_entry = -2;  ///< of the legend, in place of a series
-
-/// Stands above axes and lines; the chart paints.
-class Painted : public QGraphicsItem {
-  public:
-    explicit Painted(PlotChart& chart) : QGraphicsItem(&chart), chart_(chart) { setZValue(1000); }
-    QRectF boundingRect() const override { return QRectF(QPointF(), chart_.size()); }
-    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-        painter->setRenderHint(QPainter::Antialiasing);
-        chart_.paint_marks(*painter);
-    }
-    void grow() { prepareGeometryChange(); }
-
-  private:
-    PlotChart& chart_;
-};
+constexpr double gap = 6;                         ///< between axes, ticks and titles
+constexpr double right_margin = 22;               ///< half of a tick's text stands there
+/// Of the axes, below which the legend gets no further line.
+constexpr double min_plot_height = 56;
 
 }  // namespace
 
-PlotChart::PlotChart(const PlotStyle& style, QGraphicsItem* parent)
-    : QChart(parent),
-      style_(style),
-      placed_(place_plot({}, 0, 0)),
-      font_(QApplication::font()),
-      title_font_(font_),
-      painted_(new Painted(*this)) {
+PlotChart::PlotChart(const PlotStyle& style)
+    : style_(style), placed_(place_plot({}, 0, 0)), font_(QApplication::font()), title_font_(font_) {
     title_font_.setBold(true);
-    setAnimationOptions(NoAnimation);
-    setBackgroundBrush(colour_of(style.background));
-    setBackgroundPen(Qt::NoPen);
-    setBackgroundRoundness(0);
-    legend()->hide();
-    x_axis_ = make_axis(Qt::AlignBottom);
-    y_axis_ = make_axis(Qt::AlignLeft);
-    connect(this, &QChart::plotAreaChanged, this, [this] { painted_->update(); });
 }
 
 const PlotChart::Mark* PlotChart::mark(const QString& id) const {
@@ -61,15 +29,16 @@ const PlotChart::Mark* PlotChart::mark(const QString& id) const {
     return id.isEmpty() || found == marks().end() ? nullptr : &*found;
 }
 
+double PlotChart::x_at(double place) const {
+    return area_.left() + (place - placed_.x.low()) / (placed_.x.high() - placed_.x.low()) * area_.width();
+}
+
 double PlotChart::y_at(double place) const {
-    const QRectF area = plotArea();
-    return area.bottom() - (place - placed_.y.low()) / (placed_.y.high() - placed_.y.low()) * area.height();
+    return area_.bottom() - (place - placed_.y.low()) / (placed_.y.high() - placed_.y.low()) * area_.height();
 }
 
 QPointF PlotChart::position(const Mark& mark) const {
-    const QRectF area = plotArea();
-    return {area.left() + (mark.x - placed_.x.low()) / (placed_.x.high() - placed_.x.low()) * area.width(),
-            y_at(mark.y)};
+    return {x_at(mark.x), y_at(mark.y)};
 }
 
 void PlotChart::set_data(const PlotData& data) {
@@ -79,39 +48,34 @@ void PlotChart::set_data(const PlotData& data) {
     if (!mark(hovered_)) hovered_.clear();
 }
 
-void PlotChart::set_selected(const QString& id) {
-    selected_ = id;
-    painted_->update();
-}
-
-void PlotChart::set_hovered(const QString& id) {
-    if (hovered_ == id) return;
-    hovered_ = id;
-    painted_->update();
-}
-
-void PlotChart::resizeEvent(QGraphicsSceneResizeEvent* event) {
-    QChart::resizeEvent(event);
-    static_cast<Painted*>(painted_)->grow();
+void PlotChart::set_size(const QSizeF& size) {
+    size_ = size;
     rebuild();
 }
 
-void PlotChart::rebuild() {
-    placed_ = place_plot(data_, size().width() - 80, size().height() - 90);
-    lay_out_legend();
-    removeAllSeries();
-    show_axis(*x_axis_, placed_.x, data_.x);
-    show_axis(*y_axis_, placed_.y, data_.y);
-    make_lines();
-    painted_->update();
+bool PlotChart::set_hovered(const QString& id) {
+    return std::exchange(hovered_, id) != id;
 }
 
-/// Entries after one another, below the title, in as many lines as they need and the axes leave.
-void PlotChart::lay_out_legend() {
+void PlotChart::rebuild() {
+    placed_ = place_plot(data_, size_.width() - 80, size_.height() - 90);
     const QFontMetricsF metrics(font_);
-    const double line = metrics.height() + 4, width = std::max(120.0, size().width() - 24);
+    double widest = 0;
+    for (const auto& tick : placed_.y.ticks())
+        widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(tick.text)));
+    const double top = lay_out_legend(), left = metrics.height() + widest + 3 * gap;
+    const double bottom = size_.height() - 2 * metrics.height() - 2 * gap;
+    area_ = QRectF(QPointF(left, top + gap), QPointF(std::max(left + 1, size_.width() - right_margin),
+                                                     std::max(top + gap + 1, bottom)));
+}
+
+/// Entries after one another, below the title, in as many lines as they need and the axes leave;
+/// returns where they end.
+double PlotChart::lay_out_legend() {
+    const QFontMetricsF metrics(font_);
+    const double line = metrics.height() + 4, width = std::max(120.0, size_.width() - 24);
     const double top = data_.title.empty() ? 8 : 10 + QFontMetricsF(title_font_).height() + 4;
-    const double lowest = size().height() - (2 * line + 6) / axis_share - 24;
+    const double lowest = size_.height() - 2 * line - 2 * gap - min_plot_height;
     legend_.clear();
     double x = 12, y = top;
     int rest = 0;
@@ -140,76 +104,104 @@ void PlotChart::lay_out_legend() {
         }
         legend_.push_back({text(), rest_entry, {x, y + line / 2}});
     }
-    const double bottom = legend_.empty() ? top : y + line;
-    setMargins(QMargins(6, int(std::ceil(bottom)) + 4, 16, 2));
+    return legend_.empty() ? top : y + line;
 }
 
-QCategoryAxis* PlotChart::make_axis(Qt::Alignment side) {
-    auto* made = new QCategoryAxis;
-    made->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    made->setLinePen(QPen(colour_of(style_.dim), 1));
-    made->setGridLinePen(QPen(colour_of(style_.grid), 1));
-    made->setLabelsFont(font_);
-    made->setLabelsBrush(colour_of(style_.text));
-    made->setTitleFont(font_);
-    made->setTitleBrush(colour_of(style_.text));
-    addAxis(made, side);
-    return made;
+QRectF PlotChart::x_title() const {
+    const QFontMetricsF metrics(font_);
+    return {area_.left(), size_.height() - metrics.height() - gap / 2, area_.width(), metrics.height()};
 }
 
-void PlotChart::show_axis(QCategoryAxis& shown, const PlotScale& scale, const PlotAxis& axis) {
-    for (const auto& label : shown.categoriesLabels()) shown.remove(label);
-    shown.setStartValue(scale.low() - (scale.high() - scale.low()));
-    for (const auto& tick : scale.ticks()) shown.append(QString::fromStdString(tick.text), tick.place);
-    shown.setRange(scale.low(), scale.high());
-    shown.setTruncateLabels(!axis.names.empty());
-    shown.setTitleText(QString::fromStdString(axis.title));
+QRectF PlotChart::y_title() const {
+    return {gap / 2, area_.top(), QFontMetricsF(font_).height(), area_.height()};
 }
 
-void PlotChart::add_line(const std::vector<QPointF>& points, const QPen& pen) {
-    auto* line = new QLineSeries;
-    line->append(QList<QPointF>(points.begin(), points.end()));
-    line->setPen(pen);
-    addSeries(line);
-    line->attachAxis(x_axis_);
-    line->attachAxis(y_axis_);
+void PlotChart::paint_axes(QPainter& painter) const {
+    const QFontMetricsF metrics(font_);
+    painter.setFont(font_);
+    const auto line = [&](const QPointF& from, const QPointF& to, const PlotColour& colour) {
+        painter.setPen(QPen(colour_of(colour), 1));
+        painter.drawLine(from, to);
+    };
+    for (const auto& tick : placed_.y.ticks()) {
+        const double y = y_at(tick.place);
+        line({area_.left(), y}, {area_.right(), y}, style_.grid);
+        painter.setPen(colour_of(style_.text));
+        painter.drawText(QRectF(0, y - metrics.height() / 2, area_.left() - gap, metrics.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(tick.text));
+    }
+    const auto& ticks = placed_.x.ticks();
+    const double room = data_.x.names.empty() ? 0 : area_.width() / std::max<double>(1, double(ticks.size()));
+    for (const auto& tick : ticks) {
+        const double x = x_at(tick.place);
+        line({x, area_.top()}, {x, area_.bottom()}, style_.grid);
+        auto text = QString::fromStdString(tick.text);
+        if (room > 0) text = metrics.elidedText(text, Qt::ElideRight, room);
+        const double width = metrics.horizontalAdvance(text) + 2;
+        painter.setPen(colour_of(style_.text));
+        painter.drawText(QRectF(x - width / 2, area_.bottom() + gap / 2, width, metrics.height()),
+                         Qt::AlignCenter, text);
+    }
+    line(area_.bottomLeft(), area_.bottomRight(), style_.dim);
+    line(area_.topLeft(), area_.bottomLeft(), style_.dim);
+    painter.setPen(colour_of(style_.text));
+    painter.drawText(
+        x_title(), Qt::AlignCenter,
+        metrics.elidedText(QString::fromStdString(data_.x.title), Qt::ElideRight, area_.width()));
+    const auto upright = y_title();
+    painter.save();
+    painter.translate(upright.center());
+    painter.rotate(-90);
+    painter.drawText(
+        QRectF(-upright.height() / 2, -upright.width() / 2, upright.height(), upright.width()),
+        Qt::AlignCenter,
+        metrics.elidedText(QString::fromStdString(data_.y.title), Qt::ElideRight, upright.height()));
+    painter.restore();
 }
 
-void PlotChart::make_lines() {
-    if (is_heat()) return;
-    std::vector<QPointF> line, front;
+void PlotChart::paint_lines(QPainter& painter) const {
+    painter.setBrush(Qt::NoBrush);
+    const auto draw = [&](const Points& points, const QPen& pen) {
+        painter.setPen(pen);
+        painter.drawPolyline(points.data(), int(points.size()));
+    };
+    Points line, front;
     for (std::size_t i = 0; i < marks().size(); ++i) {
         const auto& mark = marks()[i];
-        line.push_back({mark.x, mark.y});
-        if (mark.ring) front.push_back({mark.x, mark.y});
+        line.push_back(position(mark));
+        if (mark.ring) front.push_back(position(mark));
         if (i + 1 < marks().size() && !marks()[i + 1].begins) continue;
         QColor colour = colour_of(style_.series(mark.series));
         colour.setAlphaF(0.75f);
-        add_line(std::exchange(line, {}), QPen(colour, 1.5));
+        draw(std::exchange(line, {}), QPen(colour, 1.5));
     }
     std::sort(front.begin(), front.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
     QPen pen(colour_of(style_.front), 1.2);
     pen.setDashPattern({2, 3});
-    if (data_.join_rings && front.size() > 1) add_line(front, pen);
-    if (placed_.shows_level && !marks().empty()) {
-        QPen dashes(colour_of(style_.level), 1.2);
-        dashes.setDashPattern({7, 4});
-        const double y = placed_.y.place(data_.level->y);
-        add_line({{placed_.x.low(), y}, {placed_.x.high(), y}}, dashes);
-    }
+    if (data_.join_rings && front.size() > 1) draw(front, pen);
+    if (!placed_.shows_level) return;
+    QPen dashes(colour_of(style_.level), 1.2);
+    dashes.setDashPattern({7, 4});
+    const double y = y_at(placed_.y.place(data_.level->y));
+    draw({{area_.left(), y}, {area_.right(), y}}, dashes);
 }
 
-void PlotChart::paint_marks(QPainter& painter) const {
+void PlotChart::paint(QPainter& painter) const {
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    painter.fillRect(QRectF(QPointF(), size_), colour_of(style_.background));
+    if (size_.isEmpty()) return;
+    paint_axes(painter);
     paint_header(painter);
     if (marks().empty()) return;
     painter.save();
-    painter.setClipRect(plotArea().adjusted(-9, -9, 9, 9));
+    painter.setClipRect(area_.adjusted(-9, -9, 9, 9));
     if (is_heat()) {
         paint_tiles(painter);
-        return painter.restore();
+    } else {
+        paint_lines(painter);
+        paint_level(painter);
+        paint_points(painter);
     }
-    paint_level(painter);
-    paint_points(painter);
     painter.restore();
 }
 
@@ -218,8 +210,8 @@ void PlotChart::paint_header(QPainter& painter) const {
     painter.setFont(title_font_);
     const QFontMetricsF bold(title_font_);
     painter.drawText(
-        QRectF(12, 8, size().width() - 24, bold.height() + 2), Qt::AlignLeft | Qt::AlignTop,
-        bold.elidedText(QString::fromStdString(data_.title), Qt::ElideRight, size().width() - 24));
+        QRectF(12, 8, size_.width() - 24, bold.height() + 2), Qt::AlignLeft | Qt::AlignTop,
+        bold.elidedText(QString::fromStdString(data_.title), Qt::ElideRight, size_.width() - 24));
     painter.setFont(font_);
     if (is_heat()) return paint_heat_legend(painter);
     const QFontMetricsF metrics(font_);
@@ -250,15 +242,14 @@ void PlotChart::paint_header(QPainter& painter) const {
 
 void PlotChart::paint_level(QPainter& painter) const {
     if (!placed_.shows_level) return;
-    const QRectF area = plotArea();
     const QFontMetricsF metrics(font_);
     const QString text =
-        metrics.elidedText(QString::fromStdString(data_.level->label), Qt::ElideRight, area.width() - 16);
+        metrics.elidedText(QString::fromStdString(data_.level->label), Qt::ElideRight, area_.width() - 16);
     const double width = metrics.horizontalAdvance(text), y = y_at(placed_.y.place(data_.level->y));
-    const bool above = y - metrics.height() - 2 > area.top();
+    const bool above = y - metrics.height() - 2 > area_.top();
     painter.setFont(font_);
     painter.setPen(colour_of(style_.dim));
-    painter.drawText(QPointF(area.right() - width - 6, above ? y - 5 : y + metrics.ascent() + 4), text);
+    painter.drawText(QPointF(area_.right() - width - 6, above ? y - 5 : y + metrics.ascent() + 4), text);
 }
 
 QRectF PlotChart::tile(const Mark& mark) const {
@@ -337,19 +328,14 @@ void PlotChart::paint_points(QPainter& painter) const {
 }
 
 QImage plot_picture(const PlotData& data, const QSize& size, double scale, const PlotStyle& style) {
-    QGraphicsScene scene;
-    auto* chart = new PlotChart(style);
-    scene.addItem(chart);
-    chart->resize(size);
-    chart->set_data(data);
-    chart->layout()->activate();
-    const QRectF area(0, 0, size.width(), size.height());
-    scene.setSceneRect(area);
+    PlotChart chart(style);
+    chart.set_size(size);
+    chart.set_data(data);
     QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
     image.fill(colour_of(style.background));
     QPainter painter(&image);
-    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-    scene.render(&painter, QRectF(QPointF(), QSizeF(image.size())), area);
+    painter.scale(scale, scale);
+    chart.paint(painter);
     return image;
 }
 

@@ -1,9 +1,15 @@
 #include "widgets/plot/plot_marks.h"
 
 #include <QPainter>
+
 #include <QPolygonF>
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
+
+const PlotStyle& window_style() {
+    return theme() == Theme::dark ? PlotStyle::screen() : PlotStyle::paper();
+}
 
 void draw_mark(QPainter& painter, const QPointF& centre, int series, double radius, const PlotStyle& style,
                bool hollow) {

@@ -16,7 +16,7 @@ QIcon mark_icon(int series) {
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    draw_mark(painter, {size / 2.0, size / 2.0}, series, 4.5, PlotStyle::screen());
+    draw_mark(painter, {size / 2.0, size / 2.0}, series, 4.5, window_style());
     return pixmap;
 }
 

@@ -2,10 +2,13 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -21,15 +24,15 @@ bool is_before(const Mark& a, const Mark& b) {
 
 }  // namespace
 
-PlotView::PlotView(QWidget* parent)
-    : QChartView(new PlotChart(PlotStyle::screen()), parent), chart_(static_cast<PlotChart*>(chart())) {
-    setFrameShape(NoFrame);
-    setRenderHint(QPainter::Antialiasing);
+PlotView::PlotView(QWidget* parent) : QWidget(parent), chart_(window_style()) {
+    follow_theme(this, [this] {
+        chart_.set_colours(window_style());
+        update();
+    });
+    setAttribute(Qt::WA_OpaquePaintEvent);  // the chart fills its ground
     setMouseTracking(true);
-    viewport()->setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(220, 180);  // title, a line of the legend, both axes
-    setBackgroundBrush(colour_of(chart_->colours().background));
     setAccessibleName(tr("Plot"));
     setAccessibleDescription(
         tr("Left and right walk along a series, up and down go to another one, Enter "
@@ -37,35 +40,37 @@ PlotView::PlotView(QWidget* parent)
 }
 
 void PlotView::set_data(const PlotData& data) {
-    chart_->set_data(data);
+    chart_.set_data(data);
+    update();
 }
 
 void PlotView::select(const QString& id) {
-    chart_->set_selected(chart_->mark(id) ? id : QString());
+    chart_.set_selected(chart_.mark(id) ? id : QString());
+    update();
 }
 
 void PlotView::choose(const QString& id) {
     if (id == selected() || id.isEmpty()) return;
-    chart_->set_selected(id);
+    chart_.set_selected(id);
+    update();
     emit selected_changed(id);
 }
 
 QPointF PlotView::position_of(const QString& id) const {
-    const auto* mark = chart_->mark(id);
-    return mark ? QPointF(mapFromScene(chart_->mapToScene(chart_->position(*mark)))) : QPointF(-1, -1);
+    const auto* mark = chart_.mark(id);
+    return mark ? chart_.position(*mark) : QPointF(-1, -1);
 }
 
-QString PlotView::point_at(const QPointF& viewport) const {
-    const QPointF at = chart_->mapFromScene(mapToScene(viewport.toPoint()));
-    if (chart_->is_heat()) {
-        for (const auto& mark : chart_->marks())
-            if (chart_->is_in_tile(mark, at)) return QString::fromStdString(mark.id);
+QString PlotView::point_at(const QPointF& place) const {
+    if (chart_.is_heat()) {
+        for (const auto& mark : chart_.marks())
+            if (chart_.is_in_tile(mark, place)) return QString::fromStdString(mark.id);
         return {};
     }
     double nearest = reach;
     QString found;
-    for (const auto& mark : chart_->marks()) {
-        const QPointF apart = chart_->position(mark) - at;
+    for (const auto& mark : chart_.marks()) {
+        const QPointF apart = chart_.position(mark) - place;
         const double distance = std::hypot(apart.x(), apart.y());
         if (distance > nearest || (distance == nearest && !found.isEmpty())) continue;
         nearest = distance;
@@ -88,7 +93,7 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 
 void PlotView::mouseMoveEvent(QMouseEvent* event) {
     const auto id = point_at(event->position());
-    chart_->set_hovered(id);
+    if (chart_.set_hovered(id)) update();
     setCursor(id.isEmpty() ? Qt::ArrowCursor : Qt::PointingHandCursor);
     const auto* point = data().find(id.toStdString());
     if (point)
@@ -98,15 +103,15 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PlotView::leaveEvent(QEvent* event) {
-    chart_->set_hovered({});
-    QChartView::leaveEvent(event);
+    if (chart_.set_hovered({})) update();
+    QWidget::leaveEvent(event);
 }
 
 /// The next point of the selected one's series, or the first of all.
 QString PlotView::neighbour(int steps) const {
-    const auto* now = chart_->mark(selected());
+    const auto* now = chart_.mark(selected());
     std::vector<const Mark*> row;
-    for (const auto& mark : chart_->marks())
+    for (const auto& mark : chart_.marks())
         if (!now || mark.series == now->series) row.push_back(&mark);
     if (row.empty()) return {};
     std::stable_sort(row.begin(), row.end(), [](const Mark* a, const Mark* b) { return is_before(*a, *b); });
@@ -119,13 +124,13 @@ QString PlotView::neighbour(int steps) const {
 
 /// The nearest point along x of the next series that has points.
 QString PlotView::in_other_series(int steps) const {
-    const auto* now = chart_->mark(selected());
+    const auto* now = chart_.mark(selected());
     if (!now) return neighbour(1);
     const int count = int(data().series.size());
     for (int i = 1; i < count; ++i) {
         const int series = ((now->series + steps * i) % count + count) % count;
         const Mark* nearest = nullptr;
-        for (const auto& mark : chart_->marks())
+        for (const auto& mark : chart_.marks())
             if (mark.series == series &&
                 (!nearest || std::abs(mark.x - now->x) < std::abs(nearest->x - now->x)))
                 nearest = &mark;
@@ -159,20 +164,27 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
 }
 
 void PlotView::focusInEvent(QFocusEvent* event) {
-    QChartView::focusInEvent(event);
-    viewport()->update();
+    QWidget::focusInEvent(event);
+    update();
 }
 
 void PlotView::focusOutEvent(QFocusEvent* event) {
-    QChartView::focusOutEvent(event);
-    viewport()->update();
+    QWidget::focusOutEvent(event);
+    update();
 }
 
-void PlotView::drawForeground(QPainter* painter, const QRectF&) {
+void PlotView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    chart_.set_size(size());
+}
+
+void PlotView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    chart_.paint(painter);
     if (!hasFocus()) return;
-    painter->setPen(QPen(palette().color(QPalette::Highlight), 2));
-    painter->setBrush(Qt::NoBrush);
-    painter->drawRect(mapToScene(viewport()->rect().adjusted(1, 1, -1, -1)).boundingRect());
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
 }  // namespace ir::widgets

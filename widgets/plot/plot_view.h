@@ -1,27 +1,27 @@
 #pragma once
 
-#include <QChartView>
+#include <QWidget>
 
 #include "widgets/plot/plot_chart.h"
 
 namespace ir::widgets {
 
 /// A plot on the screen: tells which point lies under the cursor, is clicked, or walked to by keys.
-class PlotView : public QChartView {
+class PlotView : public QWidget {
     Q_OBJECT
   public:
     explicit PlotView(QWidget* parent = nullptr);
     /// What was selected stays so, where it still is. Emits nothing.
     void set_data(const PlotData& data);
-    const PlotData& data() const { return chart_->data(); }
-    PlotChart& plot() { return *chart_; }
+    const PlotData& data() const { return chart_.data(); }
+    const PlotChart& plot() const { return chart_; }
     /// Emits nothing.
     void select(const QString& id);
-    QString selected() const { return chart_->selected(); }
-    /// Where a point is drawn, in the viewport's coordinates.
+    QString selected() const { return chart_.selected(); }
+    /// Where a point is drawn.
     QPointF position_of(const QString& id) const;
     /// The point whose mark is under the place, or nearly; empty: none.
-    QString point_at(const QPointF& viewport) const;
+    QString point_at(const QPointF& place) const;
 
   signals:
     void selected_changed(const QString& id);
@@ -36,14 +36,15 @@ class PlotView : public QChartView {
     void keyPressEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
-    void drawForeground(QPainter* painter, const QRectF& rectangle) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void choose(const QString& id);
     QString neighbour(int steps) const;
     QString in_other_series(int steps) const;
 
-    PlotChart* chart_;
+    PlotChart chart_;
     QString pressed_;
 };
 

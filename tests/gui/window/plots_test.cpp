@@ -167,7 +167,7 @@ TEST_F(PlotsWindowTest, AClickLoadsTheSettingInOneStepOfUndo) {
     run_to_end();
     const double before = level_of_first();
     auto& view = panel().view();
-    QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, view.position_of(id_of(2.0)).toPoint());
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.position_of(id_of(2.0)).toPoint());
     EXPECT_DOUBLE_EQ(level_of_first(), 2.0);
     EXPECT_EQ(window.session().experiment()->id, first);
     EXPECT_EQ(window.session().open_project().undo_stack().undo_label(), "Load level = 2.0 from plot");

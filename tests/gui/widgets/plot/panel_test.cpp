@@ -52,7 +52,7 @@ class PlotPanelTest : public testing::Test {
 
 TEST_F(PlotPanelTest, PlotAndTableHaveOneSelection) {
     auto& table = panel.table();
-    QTest::mouseClick(panel.view().viewport(), Qt::LeftButton, {}, panel.view().position_of("g1").toPoint());
+    QTest::mouseClick(&panel.view(), Qt::LeftButton, {}, panel.view().position_of("g1").toPoint());
     EXPECT_EQ(table.currentIndex().data(PlotTableModel::id_role).toString(), "g1");
     EXPECT_TRUE(find<QLabel>("point")->text().contains("point g1"));
     table.setFocus();

@@ -171,7 +171,7 @@ TEST_F(ProfilePanelTest, AClickInTheProfileChoosesThePixel) {
     set({.along = both, .line = {2, 3, 20, 12}});
     QSignalSpy chosen(&panel, &ProfilePanel::pixel_chosen);
     auto& view = panel.profile();
-    QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, view.position_of("0:18").toPoint());
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.position_of("0:18").toPoint());
     ASSERT_EQ(chosen.count(), 1);
     EXPECT_EQ(chosen[0][0].toPoint(), QPoint(20, 12));
     view.setFocus();
