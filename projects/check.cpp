@@ -6,7 +6,9 @@
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
+#include "projects/sweep.h"
 #include "projects/text.h"
+#include "renderers/core/error.h"
 #include "renderers/core/named_files.h"
 
 namespace ir::projects {
@@ -93,9 +95,23 @@ class Checker {
     }
 
     /// What is at `place`, a JSON pointer, cannot work.
+    void refuse(const std::string& place, const std::string& problem) {
+        say(Severity::error,
+            printable((folder_ / project_file_name).string(), 400) + ": " + place + ": " + problem);
+    }
     void refuse(const std::string& place, const std::string& who, const std::string& problem) {
-        say(Severity::error, printable((folder_ / project_file_name).string(), 400) + ": " + place + ": " +
-                                 who + ": " + problem);
+        refuse(place, who + ": " + problem);
+    }
+
+    /// Of a sweep whose experiment is there and can run.
+    void check_axes(const Sweep& sweep, const std::string& at) {
+        const auto* base = find_item(project_.experiments, sweep.experiment);
+        if (!base || !registry_.find(base->method)) return;
+        try {
+            sweep_points(project_, sweep, registry_);
+        } catch (const UsageError& error) {
+            refuse(at, error.what());
+        }
     }
 
     void check(const Motion& motion, const std::string& at) {
@@ -182,6 +198,7 @@ class Checker {
             const std::string who = "sweep '" + sweep.id + "'";
             if (sweep.experiment.empty()) refuse(at + "/experiment", who, "has no experiment; choose one");
             refer(at + "/experiment", who, "experiment", project_.experiments, sweep.experiment);
+            check_axes(sweep, at + "/axes");
         });
         each("comparisons", project_.comparisons, [&](const Comparison& c, const std::string& at) {
             const std::string who = "comparison '" + c.id + "'";

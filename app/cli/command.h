@@ -42,6 +42,7 @@ void add_plot(CLI::App& app, Run& run);
 void add_sweep(CLI::App& app, Run& run);
 void add_report(CLI::App& app, Run& run);
 void add_figure(CLI::App& app, Run& run);
+void add_graph(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
 void add_schema(CLI::App& app, Run& run);
 void add_submit(CLI::App& app, Run& run);

@@ -79,6 +79,7 @@ void add_commands(CLI::App& app, Run& run) {
     add_sweep(app, run);
     add_report(app, run);
     add_figure(app, run);
+    add_graph(app, run);
     add_bench(app, run);
     add_submit(app, run);
     add_tev(app, run);

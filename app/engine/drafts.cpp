@@ -126,7 +126,7 @@ LiveResult Drafts::render(Fineness fineness, const LiveRequest& request, graph::
     LiveRequest looks;
     for (const auto& part : request.parts) {
         const bool is_main = part.key.empty() || part.key == main;
-        if (part.level != 0 || part.layer < 0 || (is_preview && !is_main)) continue;
+        if (part.level != 0 || part.layer < 0 || !part.after.empty() || (is_preview && !is_main)) continue;
         looks.parts.push_back(is_preview ? Part{} : part);
         if (!is_preview && !part.key.empty()) options.wanted.push_back(part.key);
     }

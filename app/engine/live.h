@@ -22,6 +22,7 @@ struct Part {
     static constexpr int all = -1;  ///< side by side, as image/atlas.h arranges them
     std::string key;                ///< empty: the main result
     int level = 0, layer = 0;
+    std::string after = {};  ///< as it was when this pass had run; empty: at the end of the frame
     auto operator<=>(const Part&) const = default;
 };
 
@@ -43,7 +44,8 @@ struct LiveRequest {
     std::vector<std::string> buffers;    ///< keys of buffers sent back as they are, for tables
     std::vector<std::string> kept = {};  ///< patterns of further resources to compute: for 3D views, probes
     Inspection inspection;
-    bool thumbnails = false;  ///< also send a small image of each image resource
+    std::optional<glm::ivec2> traced = {};  ///< pixel whose changes the report has
+    bool thumbnails = false;                ///< also send a small image of each image resource
     std::uint64_t memory_budget = 0;
     /// Where a history is lost (something else is computed, a parameter changed), only so many of the last
     /// frames are run again, the first of them with an empty history; 0: all, as the picture is defined.

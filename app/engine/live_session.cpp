@@ -21,6 +21,14 @@ std::vector<std::string> patterns_of(const LiveRequest& request) {
     return patterns;
 }
 
+/// Keys of the images that are asked for as they were within the frame.
+std::vector<std::string> versions_of(const Execution& execution, const LiveRequest& request) {
+    std::vector<std::string> keys;
+    for (const auto& part : request.parts)
+        if (!part.after.empty()) keys.push_back(part.key.empty() ? main_key(execution) : part.key);
+    return keys;
+}
+
 /// Whether any resource that a pattern matches satisfies `test`.
 template <class Test>
 bool any_match(const FrameReport& report, const std::string& pattern, Test test) {
@@ -89,6 +97,18 @@ bool LiveSession::lacks(const Entry& entry, const LiveRequest& request) {
     });
 }
 
+/// Whether something is asked for that passes of the last frame have overwritten.
+bool LiveSession::lacks_steps(const Entry& entry, const LiveRequest& request) {
+    const auto versions = versions_of(*entry.execution, request);
+    return (request.traced && request.traced != entry.traced) ||
+           std::any_of(versions.begin(), versions.end(), [&](const auto& key) {
+               return !contains(entry.versions, key) &&
+                      std::count_if(
+                          entry.report.passes.begin(), entry.report.passes.end(),
+                          [&](const auto& pass) { return !pass.culled && contains(pass.writes, key); }) > 1;
+           });
+}
+
 /// Whether all explanations asked for are of the request's inspection.
 bool LiveSession::is_explained(const Entry& entry, const LiveRequest& request) {
     const auto patterns = patterns_of(request);
@@ -109,6 +129,8 @@ graph::FrameOptions LiveSession::frame_options(const Entry& entry, const LiveReq
     options.progress = step.progress;
     options.between_slices = step.between_slices;
     options.rebuild = entry.rebuild;
+    options.versions = versions_of(*entry.execution, request);
+    options.traced = request.traced;
     return options;
 }
 
@@ -138,6 +160,8 @@ void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step
     entry.report.messages.insert(entry.report.messages.end(), entry.state_messages.begin(),
                                  entry.state_messages.end());
     entry.tried = options.wanted;
+    entry.versions = options.versions;
+    entry.traced = options.traced;
     entry.whole = entry.report.complete;
     entry.explained = request.inspection;
     entry.rebuild = entry.rebuild && !entry.report.complete;
@@ -227,7 +251,8 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
         // What accumulates has to start with the others.
         if (lacking) restart(entry, request);
         run_frame(entry, request, step);
-    } else if ((lacking || !is_explained(entry, request)) && !explain(entry, request, step)) {
+    } else if (lacks_steps(entry, request) ||
+               ((lacking || !is_explained(entry, request)) && !explain(entry, request, step))) {
         // What cannot be computed on the last frame is had by running the same frames again with it.
         restart(entry, request);
         run_frame(entry, request, step);

@@ -63,6 +63,8 @@ class LiveSession {
         FrameReport report;
         bool rebuild = false;                 ///< kept contents are of an older shader
         bool whole = false;                   ///< the contents are those of one complete frame
+        std::vector<std::string> versions;    ///< kept of the report's frame
+        std::optional<glm::ivec2> traced;     ///< in the report's frame
         std::optional<Inspection> explained;  ///< of the explanations that are there
         bool begins = true;                   ///< the history is empty and may begin with a stored one
         std::string state_file;               ///< that was tried last
@@ -70,6 +72,7 @@ class LiveSession {
     };
     std::optional<LiveResult> draft(Entry& entry, const LiveRequest& request, const Step& step);
     static bool lacks(const Entry& entry, const LiveRequest& request);
+    static bool lacks_steps(const Entry& entry, const LiveRequest& request);
     static bool is_explained(const Entry& entry, const LiveRequest& request);
     void update(Entry& entry, const LiveRequest& request);
     static int first_frame(const LiveRequest& request);

@@ -35,17 +35,20 @@ void drop_unshown(Image& image, const ResourceReport& resource, const std::strin
 
 /// The levels or layers asked for, side by side; nothing where the first of them is not there.
 std::optional<Image> read_atlas(const graph::Graph& graph, const ResourceReport& resource, Part part) {
+    const auto read = [&](int level, int layer) {
+        return part.after.empty() ? graph.read_image(resource.key, level, layer)
+                                  : graph.read_after(part.after, resource.key, level, layer);
+    };
     const bool all_levels = part.level == Part::all, all_layers = part.layer == Part::all;
     const int first_level = all_levels ? 0 : part.level, first_layer = all_layers ? 0 : part.layer;
-    auto first = graph.read_image(resource.key, first_level, first_layer);
+    auto first = read(first_level, first_layer);
     const int levels = all_levels ? resource.levels : 1, layers = all_layers ? resource.layers : 1;
     if (!first || levels * layers == 1) return first;
     const auto atlas = make_atlas(first->width, first->height, levels, layers);
     Image result(atlas.width, atlas.height, first->channels);
     for (const auto& tile : atlas.tiles) {
-        const auto picture =
-            graph.read_image(resource.key, first_level + tile.level, first_layer + tile.layer);
-        if (picture) paste(result, tile, *picture);
+        if (const auto picture = read(first_level + tile.level, first_layer + tile.layer))
+            paste(result, tile, *picture);
     }
     return result;
 }

@@ -34,7 +34,8 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile"}},
+          "timings", "messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile",
+          "pipeline"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}},
@@ -44,6 +45,7 @@ const QList<Layout>& layouts() {
         {"timeline", {"timeline"}},
         {"benchmarks", {"benchmarks"}},
         {"profile", {"profile"}},
+        {"pipeline", {"pipeline"}},
         {"inspect", {"display", "inspector", "buffers", "explain"}},
         {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
@@ -164,13 +166,15 @@ void DockLayout::arrange() {
     tabify("sweeps", "timeline");
     tabify("timeline", "benchmarks");
     tabify("benchmarks", "profile");
+    tabify("profile", "pipeline");
     for (auto* each : docks()) each->show();
     for (const char* front : {"display", "buffers", "parameters", "messages"}) dock(front)->raise();
     window_.resizeDocks({dock("parameters"), dock("buffers")}, {300, 340}, Qt::Horizontal);
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.
-    for (const char* quiet : {"messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile"})
+    for (const char* quiet :
+         {"messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile", "pipeline"})
         dock(quiet)->hide();
 }
 
@@ -185,7 +189,7 @@ void DockLayout::apply(const QString& name) {
         if (name != QLatin1String(layout.name)) continue;
         restore_default();
         for (auto* each : docks()) each->setVisible(layout.docks.contains(each->objectName()));
-        if (QStringList{"plots", "sweeps", "benchmarks", "profile"}.contains(name))
+        if (QStringList{"plots", "sweeps", "benchmarks", "profile", "pipeline"}.contains(name))
             window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);
         return show(has_project_);
     }

@@ -23,6 +23,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/metrics.h"
+#include "widgets/style/theme.h"
 
 namespace ir::gui {
 namespace {
@@ -82,7 +83,9 @@ FigureDialog::FigureDialog(QWidget* parent)
     problem_->setObjectName(QStringLiteral("problem"));
     problem_->setWordWrap(true);
     problem_->setTextFormat(Qt::PlainText);
-    problem_->setStyleSheet(QStringLiteral("color: #e8b34a;"));
+    widgets::set_themed_sheet(problem_, [](const widgets::ThemeColours& colours) {
+        return QStringLiteral("color: %1;").arg(colours.warning.name());
+    });
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     save_ = buttons->addButton(tr("&Save …"), QDialogButtonBox::ActionRole);
     save_->setObjectName(QStringLiteral("save"));

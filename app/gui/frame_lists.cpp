@@ -53,7 +53,7 @@ void FrameLists::update() {
     const auto result = chosen ? live_.result(chosen->id) : nullptr;
     if (!result) {
         for (auto* panel : {buffers_, timings_, counters_}) panel->set_rows({});
-        return;
+        return emit changed();
     }
     for (const auto& [key, image] : result->thumbnails) {
         const auto* resource = find_resource(result->report, key);
@@ -64,6 +64,7 @@ void FrameLists::update() {
     buffers_->set_rows(widgets::buffer_rows(result->report, thumbnails_, views_.shown_key()));
     timings_->set_rows(widgets::timing_rows(result->report));
     counters_->set_rows(widgets::counter_rows(result->report));
+    emit changed();
 }
 
 }  // namespace ir::gui

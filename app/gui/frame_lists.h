@@ -18,6 +18,11 @@ class FrameLists : public QObject {
     FrameLists(Session& session, LivePictures& live, ViewModel& views);
     widgets::RowsPanel& buffers() { return *buffers_; }
     QWidget& timings() { return *timings_and_counters_; }
+    /// Small pictures of the frame's images, by their keys, as far as somebody wants them.
+    const std::map<std::string, QImage>& thumbnails() const { return thumbnails_; }
+
+  signals:
+    void changed();
 
   private:
     void clear();

@@ -45,6 +45,9 @@ std::string signature_of(const Want& want) {
     }
     text += '|' + std::to_string(want.inspection.x) + ' ' + std::to_string(want.inspection.y);
     for (const auto& [key, item] : want.inspection.chosen) text += ' ' + key + '=' + std::to_string(item);
+    text += '|' + want.step.after;
+    if (const auto pixel = want.step.traced)
+        text += '|' + std::to_string(pixel->x) + ' ' + std::to_string(pixel->y);
     return text + (want.thumbnails ? "|thumbnails" : "");
 }
 
@@ -229,6 +232,8 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     request.tag = id;
     request.experiment = experiment;
     request.parts.assign(entry.want.parts.begin(), entry.want.parts.end());
+    for (auto& part : request.parts) part.after = entry.want.step.after;
+    request.traced = entry.want.step.traced;
     request.buffers.assign(entry.want.buffers.begin(), entry.want.buffers.end());
     request.kept.assign(entry.want.kept.begin(), entry.want.kept.end());
     request.inspection = entry.want.inspection;
@@ -327,6 +332,12 @@ const std::string& LivePictures::text(const std::string& id) const {
 std::shared_ptr<const engine::LiveResult> LivePictures::result(const std::string& id) const {
     const auto* entry = find(id);
     return entry ? entry->result : nullptr;
+}
+
+const FrameStep& LivePictures::step(const std::string& id) const {
+    static const FrameStep none;
+    const auto* entry = find(id);
+    return entry ? entry->want.step : none;
 }
 
 std::shared_ptr<const engine::LiveResult> LivePictures::draft(const std::string& id) const {

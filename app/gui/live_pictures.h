@@ -17,11 +17,19 @@
 
 namespace ir::gui {
 
+/// A look into the frame.
+struct FrameStep {
+    std::string after;                 ///< pictures are as they were when this pass had run; empty: the last
+    std::optional<glm::ivec2> traced;  ///< pixel whose changes are noted, pass by pass
+    bool operator==(const FrameStep&) const = default;
+};
+
 /// What somebody looks at of one experiment.
 struct Want {
     std::set<engine::Part> parts;         ///< images
     std::set<std::string> buffers, kept;  ///< sent as they are; computed for 3D views
     Inspection inspection;
+    FrameStep step = {};
     bool thumbnails = false;
     bool operator==(const Want&) const = default;
 };
@@ -64,6 +72,8 @@ class LivePictures : public QObject {
     State state(const std::string& id) const;
     const std::string& text(const std::string& id) const;                           ///< why blocked or failed
     std::shared_ptr<const engine::LiveResult> result(const std::string& id) const;  ///< may be null
+    /// That is wanted of an experiment.
+    const FrameStep& step(const std::string& id) const;
     /// What is newer than result() and only to be seen; null where nothing is.
     std::shared_ptr<const engine::LiveResult> draft(const std::string& id) const;
     /// The same text for all results of one computation: what the present one was computed from.

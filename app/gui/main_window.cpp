@@ -42,7 +42,7 @@ QScrollArea* scrolled(QWidget* panel) {
 MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Options& options)
     : remember_(options.remember),
       renderer_(renderer),
-      preferences_(options.remember, options.machine),
+      preferences_(options.remember, options.machine, options.theme),
       session_(registry),
       kept_(session_),
       live_(session_, renderer, images_, kept_),
@@ -81,6 +81,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
+      pipeline_(session_, live_, views(), inspector_, lists_, notices_, actions_),
       preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
       project_banners_(*this, session_, live_, *banners_),
       lights_(session_, renderer_, scenes_, workspace_, inspector_, actions_),
@@ -165,10 +166,12 @@ void MainWindow::make_docks() {
     docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
     docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
+    docks_.add("pipeline", tr("Pipeline"), &pipeline_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_F));
     // Panels behind tabs and closed ones ask for nothing.
     connect(&docks_, &DockLayout::seen_changed, &joins_, [this] {
         inspector_.set_visible(docks_.is_seen("inspector"), docks_.is_seen("explain"));
-        inspector_.set_thumbnails_wanted(docks_.is_seen("buffers"));
+        inspector_.set_thumbnails_wanted(docks_.is_seen("buffers") || docks_.is_seen("pipeline"));
+        pipeline_.set_visible(docks_.is_seen("pipeline"));
         results_->set_visible_to_user(docks_.is_seen("results"));
         plots_->set_visible_to_user(docks_.is_seen("plots"));
         sweeps_->set_visible_to_user(docks_.is_seen("sweeps"));
@@ -212,13 +215,13 @@ void MainWindow::make_menus() {
         tr("&View"),
         "inspect orbit fly rectangle line | fit actual zoom-in zoom-out | grid legend light-handles marks zebra | "
         "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
-        "explain explain-nothing pin");
+        "explain explain-nothing trace-pixel whole-frame pin");
     add_menu(tr("&Compare"),
              "mode-single mode-side-by-side mode-wipe mode-flip mode-difference mode-stages | swap link | "
              "comparison-add");
     picture_menu_ = new QMenu(this);
     actions_.fill(picture_menu_,
-                  "light-here light-camera headlight | explain pin | rectangle line | bookmark | "
+                  "light-here light-camera headlight | explain trace-pixel pin | rectangle line | bookmark | "
                   "fit actual | copy-view export-view export-buffer show-in-tev");
     picture_menu_->setToolTipsVisible(true);
     add_menu(tr("&Render"), "cancel rerun shaders | play step-forward step-back | match keep")
@@ -290,6 +293,7 @@ void MainWindow::join_panels() {
         docks_.raise("project");
         document_->select(light);
     });
+    connect(&pipeline_, &PipelineDock::wanted, &joins_, [this] { docks_.raise("pipeline"); });
     connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise("profile"); });
     connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
@@ -331,6 +335,7 @@ void MainWindow::save_memory() {
     inspector_.save(memory);
     metrics_.save(memory);
     profile_.save(memory);
+    pipeline_.save(memory);
     figure_.save(memory);
     plots_->save(memory);
     sweeps_->save(memory);
@@ -345,6 +350,7 @@ void MainWindow::load_memory() {
     inspector_.load(memory);
     metrics_.load(memory);
     profile_.load(memory);
+    pipeline_.load(memory);
     figure_.load(memory);
     plots_->load(memory);
     sweeps_->load(memory);
@@ -404,8 +410,8 @@ void MainWindow::go_to(const Message& message) {
 
 bool MainWindow::is_settled() const {
     return live_.is_settled() && !images_.is_reading() && !kept_.is_busy() && workspace_.is_settled() &&
-           metrics_.is_settled() && profile_.is_settled() && figure_.is_settled() && plots_->is_settled() &&
-           sweeps_->is_settled() && benchmarks_->is_settled();
+           metrics_.is_settled() && profile_.is_settled() && pipeline_.is_settled() && figure_.is_settled() &&
+           plots_->is_settled() && sweeps_->is_settled() && benchmarks_->is_settled();
 }
 
 void MainWindow::end_work() {

@@ -15,6 +15,7 @@
 #include "app/gui/light_offer.h"
 #include "app/gui/metrics_dock.h"
 #include "app/gui/parameter_dock.h"
+#include "app/gui/pipeline_dock.h"
 #include "app/gui/plots_dock.h"
 #include "app/gui/preferences.h"
 #include "app/gui/profile_dock.h"
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
         bool remember = true;  ///< keeps geometry, docks, preferences and recent projects between runs
         widgets::ImageView::Surface surface = widgets::ImageView::Surface::best;
         bool drafts = true;                             ///< where the preferences want them
+        std::string theme = {};                         ///< of the command line
         engine::MachineFlags machine = {};              ///< of the command line
         engine::StudyRunner study_runner = {};          ///< without one they get machines of their own
         engine::BenchmarkRunner benchmark_runner = {};  ///< as above
@@ -150,6 +152,7 @@ class MainWindow : public QMainWindow {
     ResultController result_actions_;
     TimelineDock* timeline_;
     ViewController view_actions_;
+    PipelineDock pipeline_;
     PreferencesController preference_actions_;
     ProjectBanners project_banners_;
     LightController lights_;

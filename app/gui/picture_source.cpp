@@ -187,10 +187,14 @@ std::string PictureSource::key_of(const ViewSource& source) const {
     return output ? output->key : std::string();
 }
 
+engine::Part PictureSource::part_of(const ViewSource& source) const {
+    return {source.output, source.level, source.layer, live_.step(source.owner).after};
+}
+
 /// The image of a result that has it, with its meaning and mask.
 void PictureSource::take_image(Picture& picture, const ViewSource& source,
                                const std::shared_ptr<const engine::LiveResult>& result) const {
-    const auto& image = result->images.at({source.output, source.level, source.layer});
+    const auto& image = result->images.at(part_of(source));
     picture.image = {result, &image};
     if (result->valid.width == image.width && result->valid.height == image.height)
         picture.valid = {result, &result->valid};
@@ -204,7 +208,7 @@ void PictureSource::take_image(Picture& picture, const ViewSource& source,
 /// False where no draft is newer than the full picture, or it has none of this.
 bool PictureSource::take_draft(Picture& picture, const ViewSource& source) const {
     const auto draft = live_.draft(source.owner);
-    if (!draft || !draft->images.count({source.output, source.level, source.layer})) return false;
+    if (!draft || !draft->images.count(part_of(source))) return false;
     take_image(picture, source, draft);
     picture.draft = draft_name(draft->fineness);
     picture.is_preview = draft->fineness == engine::Fineness::preview;
@@ -224,6 +228,8 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
     const auto part = widgets::part_name(option, source.level, source.layer);
     picture.label = QStringLiteral("%1 · %2").arg(text_of(owner_name(source.owner)), option.label) +
                     (part.isEmpty() ? QString() : QStringLiteral(" · ") + part);
+    const auto after = text_of(live_.step(source.owner).after);
+    if (!after.isEmpty()) picture.label += QObject::tr(" · after “%1”").arg(after);
     const auto state = live_.state(source.owner);
     picture.stale = state == LivePictures::State::rendering;
     picture.origin = source.owner;
@@ -238,9 +244,14 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
         picture.colour_map = resource->colour_map;
         picture.categories = categories_of(resource->categories, "");
     }
-    const auto found = result->images.find({source.output, source.level, source.layer});
+    const auto found = result->images.find(part_of(source));
     if (found == result->images.end() || found->second.empty()) {
         picture.note = why_absent(source.owner, key);
+        if (picture.note.isEmpty() && !after.isEmpty() && resource && resource->width > 0)
+            picture.note =
+                picture.stale
+                    ? rendering()
+                    : QObject::tr("“%1” is not written before “%2” has run.").arg(option.label, after);
         if (picture.note.isEmpty())
             picture.note = QObject::tr("“%1” holds a %2, which has no picture.")
                                .arg(option.label, text_of(to_string(option.kind)));
@@ -251,7 +262,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
         picture.atlas = make_atlas(resource->width, resource->height,
                                    source.level == ViewSource::all ? resource->levels : 1,
                                    source.layer == ViewSource::all ? std::max(1, resource->layers) : 1);
-    add_variance(picture, source);
+    if (after.isEmpty()) add_variance(picture, source);
     return picture;
 }
 

@@ -69,6 +69,8 @@ class PictureSource {
     Entry& entry(const widgets::ViewSource& source);
     widgets::Picture make(const widgets::ViewSource& source) const;
     widgets::Picture of_experiment(const widgets::ViewSource& source) const;
+    /// As it is asked for of a running experiment.
+    engine::Part part_of(const widgets::ViewSource& source) const;
     void take_image(widgets::Picture& picture, const widgets::ViewSource& source,
                     const std::shared_ptr<const engine::LiveResult>& result) const;
     bool take_draft(widgets::Picture& picture, const widgets::ViewSource& source) const;

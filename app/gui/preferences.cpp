@@ -1,6 +1,7 @@
 #include "app/gui/preferences.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QSettings>
 
 #include "app/gui/text_of.h"
@@ -11,6 +12,8 @@ namespace ir::gui {
 namespace {
 
 struct Values {
+    enum class Shade { system, dark, light };
+    Shade theme = Shade::dark;
     engine::MachineSettings machine;
     bool drafts = true;
 };
@@ -18,6 +21,12 @@ struct Values {
 const ParameterTable<Values>& table() {
     static const auto all = [] {
         ParameterTable<Values> t;
+        t.add(&Values::theme, {.key = "theme",
+                               .label = "Theme",
+                               .doc = "Ground of the window. Pictures stand on the same grey in all.",
+                               .choices = {{"system", "System", "As the desktop was when the program began."},
+                                           {"dark", "Dark", "Light letters on dark grey."},
+                                           {"light", "Light", "Dark letters on light grey."}}});
         t.include(&Values::machine, engine::machine_settings());
         return t.add(&Values::drafts, {.key = "drafts",
                                        .label = "Coarse pictures first",
@@ -33,10 +42,10 @@ QString entry_of(const std::string& key) {
 
 }  // namespace
 
-Preferences::Preferences(bool remember, const engine::MachineFlags& flags)
+Preferences::Preferences(bool remember, const engine::MachineFlags& flags, const std::string& theme)
     : remember_(remember), options_(engine::machine_options(flags)), settings_(defaults(descriptions())) {
     if (remember_) read();
-    give(flags);
+    give(flags, theme);
 }
 
 const std::vector<ParameterDescription>& Preferences::descriptions() {
@@ -57,11 +66,12 @@ void Preferences::read() {
     }
 }
 
-void Preferences::give(const engine::MachineFlags& flags) {
+void Preferences::give(const engine::MachineFlags& flags, const std::string& theme) {
     const auto give = [this](const char* key, const std::string& text, auto value) {
         settings_[key] = find(descriptions(), key)->checked(value);
         given_[key] = QStringLiteral("--%1 %2").arg(QLatin1String(key), text_of(text));
     };
+    if (!theme.empty()) give("theme", theme, Value(theme));
     if (!flags.processor.empty()) give("processor", flags.processor, Value(flags.processor));
     if (flags.threads) give("threads", std::to_string(*flags.threads), Value(std::int64_t{*flags.threads}));
     if (!flags.memory.empty())
@@ -93,6 +103,17 @@ engine::MachineOptions Preferences::machine() const {
     return machine;
 }
 
+widgets::Theme Preferences::theme() const {
+    switch (table().typed(settings_).theme) {
+        case Values::Shade::system:
+            return widgets::system_theme();
+        case Values::Shade::light:
+            return widgets::Theme::light;
+        default:
+            return widgets::Theme::dark;
+    }
+}
+
 bool Preferences::drafts() const {
     return table().typed(settings_).drafts;
 }
@@ -112,6 +133,7 @@ PreferencesController::PreferencesController(QWidget& window, Preferences& prefe
 }
 
 void PreferencesController::apply() {
+    widgets::apply_theme(*qApp, preferences_.theme());
     const auto machine = preferences_.machine_settings();
     renderer_.set_machine(machine);
     live_.set_memory_budget(machine.memory_budget());

@@ -9,6 +9,7 @@
 #include "app/engine/machine_settings.h"
 #include "app/gui/actions.h"
 #include "app/gui/live_pictures.h"
+#include "widgets/style/theme.h"
 
 namespace ir::gui {
 
@@ -18,7 +19,8 @@ class Preferences : public QObject {
     Q_OBJECT
   public:
     /// Without `remember` they begin with their defaults and are not kept.
-    Preferences(bool remember, const engine::MachineFlags& flags);
+    /// `theme`: of the command line, empty: not given.
+    Preferences(bool remember, const engine::MachineFlags& flags, const std::string& theme = {});
 
     static const std::vector<ParameterDescription>& descriptions();
     /// In force, all of them.
@@ -31,6 +33,7 @@ class Preferences : public QObject {
 
     engine::MachineSettings machine_settings() const;
     engine::MachineOptions machine() const;
+    widgets::Theme theme() const;
     bool drafts() const;  ///< coarser pictures are shown before the full ones
 
   signals:
@@ -38,7 +41,7 @@ class Preferences : public QObject {
 
   private:
     void read();
-    void give(const engine::MachineFlags& flags);
+    void give(const engine::MachineFlags& flags, const std::string& theme);
 
     bool remember_;
     engine::MachineOptions options_;  ///< of the command line

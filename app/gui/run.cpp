@@ -32,7 +32,7 @@ constexpr int settle_ms = 400, look_ms = 50;
 constexpr int failed = 1, bad_input = 3;
 
 struct Arguments {
-    std::string project, layout, screenshot, thumbnail, size, plot, plot_file;
+    std::string project, layout, theme, screenshot, thumbnail, size, plot, plot_file;
     engine::MachineFlags machine;
     int scale = 1;
     bool dark = false;
@@ -48,6 +48,8 @@ void describe(CLI::App& command, Arguments& arguments) {
                        "Project folder, scene file (.gltf, .glb) or builtin:NAME to open");
     command.add_option("--layout", arguments.layout,
                        "Arrangement of the docks: " + DockLayout::names().join(", ").toStdString());
+    command.add_option("--theme", arguments.theme, "system, dark or light, for this run")
+        ->check(CLI::IsMember({"system", "dark", "light"}));
     command.add_option("--screenshot", arguments.screenshot,
                        "Wait until everything shown is rendered, save the window as PNG and quit");
     command.add_option(
@@ -152,7 +154,10 @@ int run_window(const Arguments& arguments) {
     const auto renderer = make_thread_renderer(engine::machine_options(arguments.machine));
     const bool screenshot = arguments.takes_picture();
     MainWindow window(*renderer, engine::registry(),
-                      {.remember = !screenshot, .drafts = !screenshot, .machine = arguments.machine});
+                      {.remember = !screenshot,
+                       .drafts = !screenshot,
+                       .theme = arguments.theme,
+                       .machine = arguments.machine});
     if (!arguments.size.empty()) {
         const auto size = projects::parse_size(arguments.size, "--size");
         window.resize(size.x, size.y);
@@ -227,7 +232,7 @@ int run(int argc, char** argv) {
         QApplication::setOrganizationName("Interreflect");
         QApplication::setApplicationName("Interreflect");
         QApplication::setApplicationVersion(QString::fromStdString(engine::version()));
-        widgets::apply_theme(application);
+        widgets::apply_theme(application, widgets::Theme::dark);
         return arguments.exports() ? run_export(arguments) : run_window(arguments);
     } catch (const CLI::Success& shown) {
         return command.exit(shown);

@@ -332,7 +332,9 @@ void SweepsDock::save(Json& memory) const {
            {"tab", panel_->tab()},
            {"shows", panel_->shows()},
            {"sorted_by", panel_->sorted_by().toStdString()},
-           {"descending", panel_->is_descending()}};
+           {"descending", panel_->is_descending()},
+           {"hidden", Json::array()}};
+    for (const auto& heading : panel_->hidden_columns()) own["hidden"].push_back(heading.toStdString());
     for (const auto& [id, folder] : opened_) own["folders"][id] = folder.string();
 }
 
@@ -344,6 +346,10 @@ void SweepsDock::load(const Json& memory) {
     quantity_ = field_or(own, "quantity", std::string());
     panel_->set_tab(field_or(own, "tab", 0));
     panel_->set_shows(field_or(own, "shows", 0));
+    QStringList hidden;
+    for (const auto& heading : member_or_null(own, "hidden"))
+        if (heading.is_string()) hidden << text_of(heading.get<std::string>());
+    panel_->hide_columns(hidden);
     opened_.clear();
     if (const auto& folders = member_or_null(own, "folders"); folders.is_object())
         for (const auto& [id, folder] : folders.items())
@@ -407,6 +413,9 @@ widgets::SweepFields SweepsDock::fields() const {
     fields.is_elsewhere = opened_.count(chosen()) != 0;
     fields.run = run_;
     fields.why_not_run = why_not_run();
+    if (sheet_.table.rows.empty() && !sheet_.refused.empty())
+        fields.empty =
+            tr("This sweep has no variations.\n\n%1\n\nEdit it to mend that.").arg(text_of(sheet_.refused));
     fields.run_tip = count_done(sheet_) > 0
                          ? tr("Render the variations that are missing, that failed, and that would be other "
                               "pictures now")

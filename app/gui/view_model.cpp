@@ -137,6 +137,7 @@ void ViewModel::send_wants() {
         Want& want = wants[id];
         for (const int view : views) add(want, rules_.want_of(state(view), id));
         want.inspection = inspection(id);
+        if (const auto found = steps_.find(id); found != steps_.end()) want.step = found->second;
         for (const auto& [panel, wanted] : panel_wants_)
             if (const auto found = wanted.find(id); found != wanted.end()) add(want, found->second);
     }
@@ -160,6 +161,14 @@ const Inspection& ViewModel::inspection(const std::string& experiment) const {
     static const Inspection none;
     const auto found = inspections_.find(experiment);
     return found == inspections_.end() ? none : found->second;
+}
+
+void ViewModel::set_step(const std::string& experiment, const FrameStep& step) {
+    if (std::exchange(steps_[experiment], step) == step) return;
+    send_wants();
+    for (const int view : area_.open_views())
+        if (rules_.shows(state(view), experiment)) emit shown_changed(view);
+    emit active_changed();
 }
 
 std::vector<widgets::SpaceSelector> ViewModel::selectors(const std::string& owner) const {
@@ -249,6 +258,7 @@ int ViewModel::load(const projects::Json& memory) {
     pictures_.clear();
     panel_wants_.clear();
     inspections_.clear();
+    steps_.clear();
     if (const auto& kept = member_or_null(memory, "inspections"); kept.is_object())
         for (const auto& [id, inspection] : kept.items()) inspections_[id] = inspection_from_json(inspection);
     displays_.clear();

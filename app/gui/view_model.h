@@ -54,6 +54,8 @@ class ViewModel : public QObject {
     void set_panel_wants(std::map<std::string, Want> wants, const std::string& panel = "inspector");
     void set_inspection(const std::string& experiment, const Inspection& inspection);
     const Inspection& inspection(const std::string& experiment) const;
+    /// How far into the frame all pictures of an experiment look.
+    void set_step(const std::string& experiment, const FrameStep& step);
     std::vector<widgets::SpaceSelector> selectors(const std::string& owner) const;
 
     void save(projects::Json& memory) const;
@@ -97,6 +99,7 @@ class ViewModel : public QObject {
     DisplayMemory displays_;
     std::map<std::string, std::map<std::string, Want>> panel_wants_;  ///< by panel
     std::map<std::string, Inspection> inspections_;
+    std::map<std::string, FrameStep> steps_;
     bool linked_ = true, loading_ = false;
 };
 

@@ -33,6 +33,13 @@ struct PassReport {
     bool culled = false;
     bool is_kept = false;                    ///< all that it writes stays valid while fingerprints stay equal
     std::vector<std::string> reads, writes;  ///< resource keys
+    std::vector<std::string> reads_previous;  ///< of what the frame before left
+};
+
+/// What a pass left in the texel of an image that covers a pixel.
+struct PixelChange {
+    std::string pass, key;
+    std::vector<float> values;  ///< by channel
 };
 
 enum class FieldType { u32, i32, f32 };
@@ -83,6 +90,8 @@ struct FrameReport {
     std::uint64_t memory_bytes = 0;
     std::uint64_t peak_memory_bytes = 0;
     std::vector<UsedLight> lights;  ///< sources of the scene, with what the picture has of each
+    /// Of the pixel that was traced, in the order of the passes.
+    std::vector<PixelChange> pixel_changes;
     std::vector<Message> messages;
 };
 

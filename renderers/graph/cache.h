@@ -71,7 +71,16 @@ struct GraphCache {
         compared_records;
     std::vector<GLuint> framebuffers;  ///< of the running pass
 
+    /// What an image held after a pass, before another one overwrote it.
+    struct Version {
+        std::size_t pass;
+        std::string key;
+        int level, layer;
+        Image image;
+    };
+
     // Of the last frame.
+    std::vector<Version> versions;
     FrameReport report;
     int growths = 0;
     std::map<std::string, double> figures;  ///< PassContext::set_figure

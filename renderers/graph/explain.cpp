@@ -213,6 +213,7 @@ void Explanation::run_passes_again(const Again& again) {
         row.has_two_bodies = passes[i].has_two_bodies;
         row.culled = !frame_.plan.pass_live[i];
         row.reads.clear();
+        row.reads_previous.clear();
         row.writes.clear();
         frame_.cache.report.passes.push_back(std::move(row));
     }

@@ -76,6 +76,12 @@ struct Frame {
     /// For explanations, which run on what is there then.
     void remember_committed(std::vector<std::string> wanted);
 
+    // steps.cpp: what passes leave that later ones overwrite
+    void keep_versions(const Pass& pass, std::size_t index);
+    void trace_pixel(const Pass& pass, std::size_t index);
+    /// Of FrameOptions::versions: its pass runs, whatever was there already.
+    bool writes_version(const Pass::Access& access) const;
+
     // frame_cache.cpp: contents that outlive a frame
     bool has_contents(const Pass::Access& access) const;
     bool is_cached(const Pass& pass) const;
@@ -120,6 +126,11 @@ class FrameMemory {
 
     Frame& frame_;
 };
+
+// read_back.cpp: Graph::read_image() and Graph::read_texel(), also in the middle of a frame
+std::optional<Image> read_image(GraphCache& cache, const std::string& key, int level, int layer);
+std::optional<std::vector<float>> read_texel(GraphCache& cache, const std::string& key, int x, int y,
+                                             int layer);
 
 /// memory_advice.cpp: throws BudgetError that says what would make the frame fit.
 [[noreturn]] void refuse(Frame& frame, const MemoryPlan& memory);

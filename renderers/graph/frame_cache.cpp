@@ -45,7 +45,7 @@ bool Frame::is_cached(const Pass& pass) const {
     for (const auto& access : pass.accesses) {
         if (!access.write) continue;
         writes = true;
-        if (!has_contents(access)) return false;
+        if (!has_contents(access) || writes_version(access)) return false;
     }
     if (pass.counters.empty()) return writes;
     const auto counted = cache.counts_of_passes.find(pass.name);

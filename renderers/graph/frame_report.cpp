@@ -158,7 +158,7 @@ class Reporter {
                               : access.kind == Kind::buffer ? builder_.buffers()[access.index].text.key
                                                             : builder_.objects()[access.index].text.key;
             auto& row = report_.passes[pass];
-            (access.write ? row.writes : row.reads).push_back(key);
+            (access.write ? row.writes : access.previous ? row.reads_previous : row.reads).push_back(key);
         }
     }
 

@@ -127,6 +127,8 @@ bool Frame::run_passes() {
     memory.prepare_parameters();
     find_cached_passes();
     cache.report.passes.clear();
+    cache.report.pixel_changes.clear();
+    cache.versions.clear();
     views_ms.assign(builder->passes().size(), 0);
     for (std::size_t i = 0; i < builder->passes().size(); ++i) {
         const auto& pass = builder->passes()[i];
@@ -138,6 +140,8 @@ bool Frame::run_passes() {
         row.has_two_bodies = pass.has_two_bodies;
         cache.report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(pass, i) : row);
         cache.report.passes.back().is_kept = is_kept(pass);
+        if (ran[i] && !options->versions.empty()) keep_versions(pass, i);
+        if (plan.pass_live[i] && options->traced) trace_pixel(pass, i);
         if (ran[i] && makes_object(pass) && !memory.fits(memory.plan())) return false;
         is_cut_short = ran[i] && has_overflowed(i);
         if (is_cut_short) break;

@@ -32,6 +32,11 @@ struct FrameOptions {
     const CancelToken* cancel = nullptr;
     ProgressCallback progress;
     std::function<void()> between_slices;  ///< serves views while a frame runs
+    /// Keys of images: what they hold after a pass that writes them, and that a later pass overwrites, stays
+    /// for read_after() until the next frame; on the host, and not part of the budget.
+    std::vector<std::string> versions;
+    /// Pixel of the view whose values are noted after each pass (FrameReport::pixel_changes).
+    std::optional<glm::ivec2> traced;
 };
 
 /// A buffer resource where it lies on the device.
@@ -85,6 +90,10 @@ class Graph {
     /// Contents of an image resource as floats (integers are converted), one level and layer. Empty when the
     /// resource does not exist or its pass was culled.
     std::optional<Image> read_image(const std::string& key, int level = 0, int layer = 0) const;
+    /// As read_image(), of what the resource held when a pass of the last frame had run. Empty where it was
+    /// not written by then, and where a later pass has overwritten what FrameOptions::versions did not name.
+    std::optional<Image> read_after(const std::string& pass, const std::string& key, int level = 0,
+                                    int layer = 0) const;
     /// All channels of one texel of level 0; empty where read_image is, and outside. Also between the slices
     /// of a frame, when contents may be half new.
     std::optional<std::vector<float>> read_texel(const std::string& key, int x, int y, int layer = 0) const;

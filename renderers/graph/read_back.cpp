@@ -3,7 +3,7 @@
 #include <span>
 
 #include "renderers/core/half_float.h"
-#include "renderers/graph/cache.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 
@@ -35,8 +35,8 @@ void to_floats(const std::byte* raw, const gl::FormatInfo& format, std::span<flo
 
 }  // namespace
 
-std::optional<Image> Graph::read_image(const std::string& key, int level, int layer) const {
-    auto* physical = cache_->pool.find(key);
+std::optional<Image> read_image(GraphCache& cache, const std::string& key, int level, int layer) {
+    auto* physical = cache.pool.find(key);
     if (!physical || !physical->is_image) return std::nullopt;
     const auto& shape = physical->shape;
     if (level < 0 || level >= shape.levels || layer < 0 || layer >= std::max(1, shape.layers))
@@ -49,14 +49,19 @@ std::optional<Image> Graph::read_image(const std::string& key, int level, int la
     if (copy.on_host && level == 0)
         std::memcpy(raw.data(), copy.host.data() + layer * raw.size(), raw.size());
     else
-        cache_->device.read_image(cache_->pool.on_device(*physical, copy), shape, level, layer, raw);
+        cache.device.read_image(cache.pool.on_device(*physical, copy), shape, level, layer, raw);
     Image image(width, height, format.channels);
     to_floats(raw.data(), format, image.pixels);
     return image;
 }
 
-std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int x, int y, int layer) const {
-    auto* physical = cache_->pool.find(key);
+std::optional<Image> Graph::read_image(const std::string& key, int level, int layer) const {
+    return graph::read_image(*cache_, key, level, layer);
+}
+
+std::optional<std::vector<float>> read_texel(GraphCache& cache, const std::string& key, int x, int y,
+                                             int layer) {
+    auto* physical = cache.pool.find(key);
     if (!physical || !physical->is_image || !physical->has_contents()) return std::nullopt;
     const auto& shape = physical->shape;
     if (x < 0 || x >= shape.width || y < 0 || y >= shape.height || layer < 0 ||
@@ -69,11 +74,15 @@ std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int 
         const auto texel = (static_cast<std::size_t>(layer) * shape.height + y) * shape.width + x;
         std::memcpy(raw.data(), copy.host.data() + texel * raw.size(), raw.size());
     } else {
-        cache_->device.read_texel(copy.name, shape, 0, layer, x, y, raw);
+        cache.device.read_texel(copy.name, shape, 0, layer, x, y, raw);
     }
     std::vector<float> values(static_cast<std::size_t>(format.channels));
     to_floats(raw.data(), format, values);
     return values;
+}
+
+std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int x, int y, int layer) const {
+    return graph::read_texel(*cache_, key, x, y, layer);
 }
 
 std::optional<std::vector<std::byte>> Graph::read_buffer(const std::string& key,

@@ -1,7 +1,9 @@
 #include "renderers/plot/plot_style.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "renderers/core/constants.h"
 
@@ -41,6 +43,24 @@ const PlotStyle& PlotStyle::paper() {
         "#282828", "#5a5a5a",
         "#000000", {"#0072b2", "#d55e00", "#009e73", "#b28e00", "#56b4e9", "#b45488", "#e69f00", "#5a5a5a"}};
     return style;
+}
+
+double width_of(const std::string& text, double font) {
+    const auto letters = std::count_if(text.begin(), text.end(),
+                                       [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
+    return 0.58 * font * double(letters);
+}
+
+PlotColour mixed(const PlotColour& a, const PlotColour& b, double fraction) {
+    const auto channel = [&](std::size_t at) {
+        const double from = std::stoi(a.substr(at, 2), nullptr, 16),
+                     to = std::stoi(b.substr(at, 2), nullptr, 16);
+        return int(std::lround(from + (to - from) * fraction));
+    };
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", unsigned(channel(1)) & 255, unsigned(channel(3)) & 255,
+                  unsigned(channel(5)) & 255);
+    return text;
 }
 
 std::vector<std::pair<double, double>> mark_corners(int series) {

@@ -20,6 +20,12 @@ struct PlotStyle {
     static const PlotStyle& paper();   ///< on white
 };
 
+/// Of letters, not bytes, of a font that is not known: rather too wide.
+double width_of(const std::string& text, double font);
+
+/// A colour between two: 0 is the first.
+PlotColour mixed(const PlotColour& a, const PlotColour& b, double fraction);
+
 /// Corners of a series' mark about its centre, with a radius of about 1 and y downwards; empty: a circle. The
 /// shape goes on through eight; once the colours are used up, the same ones come with other shapes.
 std::vector<std::pair<double, double>> mark_corners(int series);

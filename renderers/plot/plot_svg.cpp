@@ -1,10 +1,10 @@
 #include "renderers/plot/plot_svg.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "renderers/core/markup.h"
 #include "renderers/plot/plot_drawing.h"
+#include "renderers/plot/plot_style.h"
 
 namespace ir {
 namespace {
@@ -29,12 +29,8 @@ class SvgCanvas : public PlotCanvas {
     explicit SvgCanvas(Markup& out) : out_(out) {}
 
     double line_height() const override { return 20; }
-    /// Letters, not bytes, of a font that is not known: rather too wide.
     double width_of(const std::string& words, Letters letters) const override {
-        const auto count = std::count_if(words.begin(), words.end(), [](char c) {
-            return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-        });
-        return 0.58 * (letters == Letters::title ? title_font : font) * double(count);
+        return ir::width_of(words, letters == Letters::title ? title_font : font);
     }
 
     void text(Place at, const std::string& words, Anchor anchor, const Ink& ink, Letters letters) override {

@@ -20,6 +20,6 @@ int main(int argc, char** argv) {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
     for (const char* folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
         qputenv(folder, home.path().toUtf8());
-    ir::widgets::apply_theme(application);
+    ir::widgets::apply_theme(application, ir::widgets::Theme::dark);
     return RUN_ALL_TESTS();
 }

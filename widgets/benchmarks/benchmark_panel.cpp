@@ -129,7 +129,7 @@ QWidget* BenchmarkPanel::make_foot() {
     row->setContentsMargins(6, 2, 6, 3);
     row->setSpacing(4);
     foot_icon_ = new QLabel;
-    foot_icon_->setPixmap(icon("warning").pixmap(14));
+    show_icon(foot_icon_, "warning", 14);
     row->addWidget(foot_icon_);
     foot_ = make_cut_label("foot");
     row->addWidget(foot_, 1);

@@ -82,6 +82,8 @@ class TextField : public QLineEdit {
     TextField(const char* name, QWidget* parent);
     void show_text(const QString& text);
     void commit();  ///< takes over what is being typed
+    /// What was typed cannot be taken over: it stays to be mended, and Escape drops it.
+    void keep_refused(const QString& text);
 
   signals:
     void chosen(const QString& text);
@@ -91,7 +93,7 @@ class TextField : public QLineEdit {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    QString shown_;
+    QString shown_, refused_;
 };
 
 /// Notes of several lines, taken over as they are typed.

@@ -6,6 +6,7 @@
 
 #include "widgets/document/project_nodes.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -192,7 +193,7 @@ QVariant ProjectModel::detail_data(const Node& node, int role) const {
             if (!problem.isEmpty()) return problem;
             return is_stale(node) ? tr("stale · %1").arg(node.detail) : node.detail;
         case Qt::ForegroundRole:
-            return troubled ? QColor(232, 179, 74) : QColor(150, 150, 150);
+            return troubled ? theme_colours().warning : theme_colours().dim;
         default:
             return {};
     }
@@ -212,7 +213,7 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
         case Qt::ToolTipRole:
             return tooltip(node);
         case Qt::ForegroundRole:
-            if (is_hint) return QColor(140, 140, 140);
+            if (is_hint) return theme_colours().dim;
             break;
         default:
             break;

@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 #include <QToolButton>
 #include <algorithm>
+#include <memory>
 
 #include "projects/sweep.h"
 #include "renderers/core/error.h"
@@ -116,13 +117,16 @@ void SweepEditor::make_axes(QGridLayout* grid) {
     row(grid, tr("Values"), values_,
         tr("Separated by commas: 1, 2, 4. Sizes as 512x512; cameras, lights and scenes by id"));
     connect(values_, &TextField::chosen, this, [this](const QString& text) {
-        change_axes(
+        const auto refused = change_axes(
             tr("values"),
             [index = chosen_, text = text.toStdString()](Axes& axes) {
                 auto& axis = axis_at(axes, index);
                 axis.values = parse_axis(axis.key, text);
             },
             true);
+        if (refused.isEmpty()) return;
+        values_->keep_refused(text);
+        count_->setText(refused);
     });
     count_ = new QLabel(this);
     count_->setObjectName(QStringLiteral("sweep-count"));
@@ -130,17 +134,25 @@ void SweepEditor::make_axes(QGridLayout* grid) {
     add_wide(grid, count_);
 }
 
-void SweepEditor::change_axes(const QString& field, const std::function<void(Axes&)>& change, bool checks) {
+/// Returns why it was refused, in one line; empty: it was not.
+QString SweepEditor::change_axes(const QString& field, const std::function<void(Axes&)>& change,
+                                 bool checks) {
     const auto put = field_edit<Sweep>(
         id_, field.toStdString(), [change](Sweep& sweep) { change(sweep.axes); }, false);
+    const auto refused = std::make_shared<QString>();
     emit edit_wanted([=, id = id_, registry = registry_](const projects::Project& project) {
-        if (checks) {  // what the method would refuse is refused now
+        if (!checks) return put(project);
+        try {  // what the method would refuse is refused now
             Sweep changed = projects::edits::item_of<Sweep>(project, id);
             change(changed.axes);
             projects::sweep_points(project, changed, *registry);
+        } catch (const Error& error) {
+            *refused = QString::fromUtf8(error.what());
+            throw;
         }
         return put(project);
     });
+    return *refused;
 }
 
 void SweepEditor::add_axis() {
@@ -150,12 +162,13 @@ void SweepEditor::add_axis() {
         const auto value = present_value(base_, key);
         if (value.is_null() || std::any_of(sweep_.axes.begin(), sweep_.axes.end(), same)) continue;
         chosen_ = int(sweep_.axes.size());
-        return change_axes(
+        change_axes(
             tr("axes"),
             [=](Axes& axes) {
                 axes.push_back({key, {value}});
             },
             false);
+        return;
     }
 }
 

@@ -20,8 +20,8 @@ class SweepEditor : public ItemForm {
 
   private:
     void make_axes(QGridLayout* grid);
-    void change_axes(const QString& field,
-                     const std::function<void(std::vector<projects::Sweep::Axis>&)>& change, bool checks);
+    QString change_axes(const QString& field,
+                        const std::function<void(std::vector<projects::Sweep::Axis>&)>& change, bool checks);
     void add_axis();
     void choose_key(const QString& key);
     void show_axis();

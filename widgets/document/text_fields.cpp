@@ -23,12 +23,19 @@ TextField::TextField(const char* name, QWidget* parent) : QLineEdit(parent) {
 void TextField::show_text(const QString& text) {
     if (text == shown_ && isModified() && hasFocus()) return;  // something newer is being typed
     shown_ = text;
+    refused_.clear();
     if (text != this->text()) setText(text);
     setModified(false);
 }
 
+void TextField::keep_refused(const QString& text) {
+    setText(text);
+    setModified(true);
+    refused_ = text;
+}
+
 void TextField::commit() {
-    if (!isModified()) return;
+    if (!isModified() || (!refused_.isEmpty() && text() == refused_)) return;
     setModified(false);
     if (text().trimmed() != shown_) emit chosen(text().trimmed());
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "widgets/image/display.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 
@@ -66,7 +67,7 @@ QVariant BufferModel::data(const QModelIndex& index, int role) const {
     const qint64 number = element(index.row());
     if (index.column() == 0) {
         if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return QString::number(number);
-        if (role == Qt::ForegroundRole) return QColor(140, 140, 140);
+        if (role == Qt::ForegroundRole) return theme_colours().dim;
         if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
         return {};
     }
@@ -87,8 +88,8 @@ QVariant BufferModel::data(const QModelIndex& index, int role) const {
             return name ? QVariant(colour_of(*name)) : QVariant();
         case Qt::ForegroundRole: {
             const double value = reader_.value(std::uint64_t(number), scalar);
-            if (std::isnan(value)) return QColor(255, 120, 255);
-            return std::isinf(value) ? QVariant(QColor(255, 220, 60)) : QVariant();
+            if (std::isnan(value)) return theme_colours().nan;
+            return std::isinf(value) ? QVariant(theme_colours().infinite) : QVariant();
         }
         default:
             return {};

@@ -13,6 +13,7 @@
 
 #include "renderers/core/error.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 
@@ -34,7 +35,9 @@ BufferTable::BufferTable(QWidget* parent)
     problem_->setObjectName(QStringLiteral("problem"));
     problem_->setWordWrap(true);
     problem_->setContentsMargins(8, 2, 8, 4);
-    problem_->setStyleSheet(QStringLiteral("color: #f0655a;"));
+    set_themed_sheet(problem_, [](const ThemeColours& colours) {
+        return QStringLiteral("color: %1;").arg(colours.error.name());
+    });
     problem_->hide();
     page->addWidget(problem_);
     page->addWidget(view_, 1);

@@ -5,6 +5,7 @@
 
 #include "widgets/image/display.h"
 #include "widgets/inspect/histogram_view.h"
+#include "widgets/style/theme.h"
 
 /// How the histogram is drawn.
 namespace ir::widgets {
@@ -53,10 +54,14 @@ void HistogramView::paint_bars(QPainter& painter) const {
     painter.save();
     painter.setPen(Qt::NoPen);
     painter.setOpacity(counted_ ? 1 : 0.5);
-    if (histogram_.counts.size() > 1) painter.setCompositionMode(QPainter::CompositionMode_Plus);
+    // Where channels overlap, light adds up on a dark ground, and ink on a light one.
+    const bool is_dark = theme() == Theme::dark;
+    if (histogram_.counts.size() > 1)
+        painter.setCompositionMode(is_dark ? QPainter::CompositionMode_Plus
+                                           : QPainter::CompositionMode_Multiply);
     for (std::size_t c = 0; c < histogram_.counts.size(); ++c) {
         QColor colour = channel_colour(histogram_.channels[c], histogram_.counts.size());
-        if (histogram_.counts.size() > 1) colour = colour.darker(190);
+        if (histogram_.counts.size() > 1) colour = is_dark ? colour.darker(190) : colour.lighter(115);
         painter.setBrush(colour);
         painter.drawPath(bars(histogram_.counts[c], box, height_of(highest, logarithmic_), logarithmic_));
     }
@@ -75,7 +80,7 @@ void HistogramView::paint_handles(QPainter& painter) const {
     const auto paint = [&](Handle handle, double value) {
         const double x = handle_x(value);
         const bool active = hasFocus() && active_ == handle;
-        const QColor colour = active ? palette().color(QPalette::Link) : QColor(230, 230, 230);
+        const QColor colour = active ? palette().color(QPalette::Link) : palette().color(QPalette::Text);
         painter.setPen(QPen(colour, active ? 2 : 1));
         painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
         painter.setPen(Qt::NoPen);

@@ -10,6 +10,7 @@
 #include "renderers/image/colour_map.h"
 #include "widgets/image/display.h"
 #include "widgets/inspect/inspector_model.h"
+#include "widgets/style/theme.h"
 
 /// What the cells of the inspector show.
 namespace ir::widgets {
@@ -17,7 +18,6 @@ namespace {
 
 using Buffer = Readings::Buffer;
 
-const QColor grey(140, 140, 140);
 constexpr int max_in_a_cell = 4;
 
 /// Ids and counts need all their digits.
@@ -54,9 +54,9 @@ QPixmap swatch(const std::vector<float>& values) {
 
 QVariant value_colour(const std::vector<float>& values) {
     if (std::any_of(values.begin(), values.end(), [](float v) { return std::isnan(v); }))
-        return QColor(255, 120, 255);
+        return theme_colours().nan;
     if (std::any_of(values.begin(), values.end(), [](float v) { return std::isinf(v); }))
-        return QColor(255, 220, 60);
+        return theme_colours().infinite;
     return {};
 }
 
@@ -201,10 +201,11 @@ QVariant InspectorModel::value_data(const Node& node, int column, int role) cons
         return swatch(numbers);
     if (role == Qt::ForegroundRole) {
         if (node.kind == Node::Kind::buffer && !readings_.buffers[std::size_t(node.buffer)].available)
-            return wanted_.contains(node.key) ? grey : QColor(140, 184, 230);
+            return wanted_.contains(node.key) ? theme_colours().dim
+                                              : QGuiApplication::palette().color(QPalette::Link);
         if (node.kind == Node::Kind::position) return {};
         const bool nowhere = node.kind == Node::Kind::world && !numbers.empty() && std::isnan(numbers[0]);
-        return numbers.empty() || nowhere ? QVariant(grey) : value_colour(numbers);
+        return numbers.empty() || nowhere ? QVariant(theme_colours().dim) : value_colour(numbers);
     }
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignLeft | Qt::AlignVCenter);
     return {};
@@ -224,8 +225,9 @@ QVariant InspectorModel::name_data(const Node& node, int role) const {
             return font;
         }
         case Qt::ForegroundRole:
-            return (buffer && !buffer->available) || node.kind == Node::Kind::channel ? QVariant(grey)
-                                                                                      : QVariant();
+            return (buffer && !buffer->available) || node.kind == Node::Kind::channel
+                       ? QVariant(theme_colours().dim)
+                       : QVariant();
         default:
             return {};
     }

@@ -18,6 +18,7 @@
 #include "widgets/metrics/rectangle_fields.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/section.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -112,7 +113,9 @@ QWidget* MetricsPanel::make_line(QWidget* parent) {
     line_text_->setObjectName(QStringLiteral("refusal"));
     line_text_->setWordWrap(true);
     line_text_->setTextFormat(Qt::PlainText);
-    line_text_->setStyleSheet(QStringLiteral("color: #e8b34a;"));
+    set_themed_sheet(line_text_, [](const ThemeColours& colours) {
+        return QStringLiteral("color: %1;").arg(colours.warning.name());
+    });
     override_ = new QPushButton(tr("Compare anyway"), line_);
     override_->setObjectName(QStringLiteral("override"));
     override_->setToolTip(tr("Measures this pair all the same, now and later"));

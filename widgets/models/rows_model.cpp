@@ -5,6 +5,8 @@
 #include <QIcon>
 #include <QPixmap>
 
+#include "widgets/style/theme.h"
+
 namespace ir::widgets {
 namespace {
 
@@ -99,7 +101,7 @@ QVariant RowsModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole:
             return int((cell.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         case Qt::ForegroundRole:
-            return row.dim ? QVariant(QColor(140, 140, 140)) : QVariant();
+            return row.dim ? QVariant(theme_colours().dim) : QVariant();
         case Qt::FontRole: {
             if (!row.strong) return {};
             QFont font;

@@ -7,24 +7,21 @@
 #include <QVBoxLayout>
 
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
 
-struct Look {
-    const char* icon;
-    const char* background;
-};
+const char* icon_of(BannerStack::Kind kind) {
+    return kind == BannerStack::Kind::error     ? "error"
+           : kind == BannerStack::Kind::warning ? "warning"
+                                                : "note";
+}
 
-Look look_of(BannerStack::Kind kind) {
-    switch (kind) {
-        case BannerStack::Kind::error:
-            return {"error", "#4d2f2c"};
-        case BannerStack::Kind::warning:
-            return {"warning", "#4a4029"};
-        default:
-            return {"note", "#2f3c49"};
-    }
+const QColor& ground_of(BannerStack::Kind kind, const ThemeColours& colours) {
+    return kind == BannerStack::Kind::error     ? colours.error_ground
+           : kind == BannerStack::Kind::warning ? colours.warning_ground
+                                                : colours.note_ground;
 }
 
 }  // namespace
@@ -39,12 +36,13 @@ void BannerStack::show_banner(const QString& name, Kind kind, const QString& tex
     hide_banner(name);
     auto* banner = new QFrame(this);
     banner->setObjectName(QStringLiteral("banner:") + name);
-    banner->setStyleSheet(
-        QStringLiteral(".QFrame { background: %1; }").arg(QLatin1String(look_of(kind).background)));
+    set_themed_sheet(banner, [kind](const ThemeColours& colours) {
+        return QStringLiteral(".QFrame { background: %1; }").arg(ground_of(kind, colours).name());
+    });
     auto* row = new QHBoxLayout(banner);
     row->setContentsMargins(10, 5, 6, 5);
     auto* sign = new QLabel(banner);
-    sign->setPixmap(icon(look_of(kind).icon).pixmap(QSize(18, 18), devicePixelRatioF()));
+    show_icon(sign, icon_of(kind), 18);
     auto* label = new QLabel(text, banner);
     label->setObjectName(QStringLiteral("text"));
     label->setWordWrap(true);

@@ -11,10 +11,10 @@ PreferencesDialog::PreferencesDialog(const std::vector<ParameterDescription>& pr
     setWindowTitle(tr("Preferences"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(480);
-    panel_->set_parameters("preferences", preferences, tr("Rendering"));
+    panel_->set_parameters("preferences", preferences, tr("For all projects"));
     given_->setObjectName(QStringLiteral("given"));
     given_->setWordWrap(true);
-    auto* note = new QLabel(tr("These hold for all projects and take effect at once."));
+    auto* note = new QLabel(tr("A choice takes effect at once."));
     note->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     auto* layout = new QVBoxLayout(this);

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -23,14 +24,18 @@ constexpr int narrow_width = 760;
 
 QLabel* heading(const QString& text) {
     auto* label = new QLabel(text);
-    label->setStyleSheet(QStringLiteral("font-weight: bold; color: #b8b8b8;"));
+    set_themed_sheet(label, [](const ThemeColours& colours) {
+        return QStringLiteral("font-weight: bold; color: %1;").arg(colours.dim.name());
+    });
     return label;
 }
 
 QLabel* dim_text(const QString& text) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
-    label->setStyleSheet(QStringLiteral("color: #8a8a8a; padding: 4px 6px;"));
+    set_themed_sheet(label, [](const ThemeColours& colours) {
+        return QStringLiteral("color: %1; padding: 4px 6px;").arg(colours.dim.name());
+    });
     return label;
 }
 

@@ -5,7 +5,13 @@
 #include <QPainter>
 #include <QPolygonF>
 
+#include "widgets/style/theme.h"
+
 namespace ir::widgets {
+
+const PlotStyle& window_style() {
+    return theme() == Theme::dark ? PlotStyle::screen() : PlotStyle::paper();
+}
 
 PlotPainter::PlotPainter(const QFont& font, QPainter* painter)
     : font_(font), title_font_(font), painter_(painter) {

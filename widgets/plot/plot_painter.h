@@ -14,6 +14,9 @@ inline QColor colour_of(const PlotColour& colour) {
     return QColor(QLatin1String(colour.c_str()));
 }
 
+/// That goes with the window's theme.
+const PlotStyle& window_style();
+
 /// Draws plots with a painter, or measures their texts without one.
 class PlotPainter : public PlotCanvas {
   public:

@@ -16,7 +16,7 @@ QIcon mark_icon(int series) {
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     PlotPainter canvas({}, &painter);
-    draw_plot_mark(canvas, {size / 2.0, size / 2.0}, series, mark_radius(0), PlotStyle::screen());
+    draw_plot_mark(canvas, {size / 2.0, size / 2.0}, series, mark_radius(0), window_style());
     return pixmap;
 }
 

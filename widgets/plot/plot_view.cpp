@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "widgets/plot/plot_painter.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -16,10 +17,6 @@ namespace {
 constexpr double reach = 12;  ///< logical pixels from the middle of a mark
 
 using Mark = PlotDrawing::Mark;
-
-const PlotStyle& plot_style() {
-    return PlotStyle::screen();
-}
 
 /// From left to right, then from below.
 bool is_before(const Mark& a, const Mark& b) {
@@ -36,7 +33,7 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent) {
     setAccessibleDescription(
         tr("Left and right walk along a series, up and down go to another one, Enter "
            "takes over the chosen point"));
-    lay_out();
+    follow_theme(this, [this] { lay_out(); });
 }
 
 void PlotView::set_data(const PlotData& data) {
@@ -47,7 +44,7 @@ void PlotView::set_data(const PlotData& data) {
 }
 
 void PlotView::lay_out() {
-    drawing_.emplace(data_, plot_style(), width(), height(), true, PlotPainter(font()));
+    drawing_.emplace(data_, window_style(), width(), height(), true, PlotPainter(font()));
     update();
 }
 
@@ -116,7 +113,7 @@ QString PlotView::point_at(const QPointF& place) const {
 
 void PlotView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), colour_of(plot_style().background));
+    painter.fillRect(rect(), colour_of(window_style().background));
     PlotPainter canvas(font(), &painter);
     drawing_->draw(canvas);
     drawing_->plot().heat ? paint_chosen_tiles(painter) : paint_chosen_points(canvas);
@@ -133,9 +130,9 @@ void PlotView::paint_chosen_tiles(QPainter& painter) const {
         if (!chosen) return;
         const auto tile = drawing_->tile(*chosen);
         const auto box = QRectF(tile.left, tile.top, tile.width(), tile.height()).adjusted(1, 1, -1, -1);
-        painter.setPen(QPen(colour_of(plot_style().background), width + 2));
+        painter.setPen(QPen(colour_of(window_style().background), width + 2));
         painter.drawRect(box);
-        painter.setPen(QPen(colour_of(plot_style().selection), width));
+        painter.setPen(QPen(colour_of(window_style().selection), width));
         painter.drawRect(box);
     };
     frame(hovered_, 1);
@@ -148,7 +145,7 @@ void PlotView::paint_chosen_points(PlotCanvas& canvas) const {
     if (!chosen) return;
     drawing_->draw_mark(canvas, *chosen, 1.5);
     canvas.shape(
-        {drawing_->place(*chosen), drawing_->mark_radius() + 7, {}, {}, plot_style().selection, 2.5, {}});
+        {drawing_->place(*chosen), drawing_->mark_radius() + 7, {}, {}, window_style().selection, 2.5, {}});
 }
 
 void PlotView::mousePressEvent(QMouseEvent* event) {

@@ -1,6 +1,7 @@
 #include "widgets/space/layer_panel.h"
 
 #include <QAction>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -14,6 +15,7 @@
 #include "widgets/space/layers_model.h"
 #include "widgets/space/selector_row.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 
@@ -59,9 +61,11 @@ void LayerPanel::make_list() {
     view_->setDragDropMode(QAbstractItemView::InternalMove);
     view_->setAccessibleName(tr("Layers"));
     // An empty box to tick must be seen against what lies behind it.
-    QPalette colours = view_->palette();
-    colours.setColor(QPalette::Base, colours.color(QPalette::Button));
-    view_->setPalette(colours);
+    follow_theme(view_, [this] {
+        QPalette colours;
+        colours.setColor(QPalette::Base, QGuiApplication::palette().color(QPalette::Button));
+        view_->setPalette(colours);
+    });
     view_->header()->setStretchLastSection(false);
     view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);

@@ -172,10 +172,11 @@ void RangeSlider::paintEvent(QPaintEvent*) {
         painter.drawRoundedRect(QRectF(from, middle - track_height / 2, to - from, track_height), 2, 2);
     };
     bar(side - 3, width() - side + 3, palette().color(group, QPalette::Base));
-    bar(left, right, isEnabled() ? QColor(96, 140, 184) : palette().color(group, QPalette::Mid));
+    bar(left, right,
+        isEnabled() ? palette().color(group, QPalette::Highlight) : palette().color(group, QPalette::Mid));
     const auto handle = [&](double x, Part part) {
         const bool held = dragged_ == part || dragged_ == Part::both;
-        painter.setPen(QPen(hasFocus() ? QColor(140, 185, 230) : QColor(20, 20, 20), 1));
+        painter.setPen(QPen(palette().color(hasFocus() ? QPalette::Link : QPalette::Shadow), 1));
         painter.setBrush(palette().color(group, held ? QPalette::Light : QPalette::Button).lighter(150));
         painter.drawRoundedRect(
             QRectF(x - handle_width / 2, middle - handle_height / 2, handle_width, handle_height), 2.5, 2.5);

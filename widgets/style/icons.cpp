@@ -2,10 +2,13 @@
 
 #include <QGuiApplication>
 #include <QIconEngine>
+#include <QLabel>
 #include <QPainter>
 #include <QPalette>
 #include <QSvgRenderer>
 #include <cstring>
+
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -102,11 +105,11 @@ constexpr Drawing drawings[] = {
      "<circle cx='8' cy='8' r='6'/><path d='M6.2 6.3a1.9 1.9 0 1 1 2.6 1.8c-.6.3-.8.6-.8 1.3'/><circle "
      "cx='8' cy='11.4' r='.4'/>"},
     {"error",
-     "<g stroke='#f0655a'><circle cx='8' cy='8' r='6'/><path d='M5.7 5.7l4.6 4.6 M10.3 5.7l-4.6 4.6'/></g>"},
+     "<g stroke='error'><circle cx='8' cy='8' r='6'/><path d='M5.7 5.7l4.6 4.6 M10.3 5.7l-4.6 4.6'/></g>"},
     {"warning",
-     "<g stroke='#e8b34a'><path d='M8 2l6.5 11.5h-13z M8 6.5v3.5'/><circle cx='8' cy='11.8' r='.4'/></g>"},
+     "<g stroke='warning'><path d='M8 2l6.5 11.5h-13z M8 6.5v3.5'/><circle cx='8' cy='11.8' r='.4'/></g>"},
     {"note",
-     "<g stroke='#7fb2e5'><circle cx='8' cy='8' r='6'/><path d='M8 7.2v4'/><circle cx='8' cy='5' "
+     "<g stroke='note'><circle cx='8' cy='8' r='6'/><path d='M8 7.2v4'/><circle cx='8' cy='5' "
      "r='.4'/></g>"},
     {"app",
      "<g stroke='none'><rect width='16' height='16' rx='3' fill='#3a3a3a'/><path d='M2 13V4l6 3v9z' "
@@ -121,6 +124,16 @@ const char* shapes_of(const char* name) {
     return "";
 }
 
+/// Signs have the colours of what they say.
+QString themed(QString shapes) {
+    const auto& colours = theme_colours();
+    for (const auto& [name, shade] :
+         {std::pair("error", &colours.error), {"warning", &colours.warning}, {"note", &colours.note}})
+        shapes.replace(QStringLiteral("'%1'").arg(QLatin1String(name)),
+                       QStringLiteral("'%1'").arg(shade->name()));
+    return shapes;
+}
+
 class DrawnIcon final : public QIconEngine {
   public:
     explicit DrawnIcon(const char* name) : name_(name) {}
@@ -132,7 +145,7 @@ class DrawnIcon final : public QIconEngine {
                                 "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'><g fill='none' "
                                 "stroke='%1' stroke-width='1.3' stroke-linecap='round' "
                                 "stroke-linejoin='round'>%2</g></svg>")
-                                .arg(colour, QLatin1String(shapes_of(name_)));
+                                .arg(colour, themed(QLatin1String(shapes_of(name_))));
         QSvgRenderer renderer(svg.toUtf8());
         renderer.render(painter, QRectF(box));
     }
@@ -156,6 +169,11 @@ class DrawnIcon final : public QIconEngine {
 QIcon icon(const char* name) {
     shapes_of(name);
     return QIcon(new DrawnIcon(name));
+}
+
+void show_icon(QLabel* label, const char* name, int size) {
+    follow_theme(label,
+                 [=] { label->setPixmap(icon(name).pixmap(QSize(size, size), label->devicePixelRatioF())); });
 }
 
 }  // namespace ir::widgets

@@ -6,6 +6,8 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include "widgets/style/theme.h"
+
 namespace ir::widgets {
 namespace {
 
@@ -22,9 +24,12 @@ QGridLayout* make_section(const QString& title, QWidget* parent) {
     header->setChecked(true);
     header->setAutoRaise(true);
     header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    header->setStyleSheet(
-        QStringLiteral("QToolButton, QToolButton:checked { background: #3a3a3a; border: none; border-radius: "
-                       "3px; padding: 4px; text-align: left; font-weight: bold; }"));
+    set_themed_sheet(header, [](const ThemeColours& colours) {
+        return QStringLiteral(
+                   "QToolButton, QToolButton:checked { background: %1; border: none; border-radius: 3px; "
+                   "padding: 4px; text-align: left; font-weight: bold; }")
+            .arg(colours.title.name());
+    });
     auto* body = new QWidget(parent);
     body->setProperty(header_property, QVariant::fromValue(header));
     auto* grid = new QGridLayout(body);

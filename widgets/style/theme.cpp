@@ -13,37 +13,123 @@
 namespace ir::widgets {
 namespace {
 
-QPalette dark_palette() {
+/// What differs between themes; the rest is the same in both.
+struct Greys {
+    QColor window, base, alternate, text, dim, button, tip, light, midlight, mid, dark, shadow, highlight,
+        dead_highlight, link;
+};
+
+QPalette palette_of(const Greys& grey) {
     QPalette p;
-    const QColor window(48, 48, 48), base(36, 36, 36), text(222, 222, 222), dim(128, 128, 128);
-    p.setColor(QPalette::Window, window);
-    p.setColor(QPalette::WindowText, text);
-    p.setColor(QPalette::Base, base);
-    p.setColor(QPalette::AlternateBase, QColor(42, 42, 42));
-    p.setColor(QPalette::Text, text);
-    p.setColor(QPalette::Button, QColor(62, 62, 62));
-    p.setColor(QPalette::ButtonText, text);
+    p.setColor(QPalette::Window, grey.window);
+    p.setColor(QPalette::WindowText, grey.text);
+    p.setColor(QPalette::Base, grey.base);
+    p.setColor(QPalette::AlternateBase, grey.alternate);
+    p.setColor(QPalette::Text, grey.text);
+    p.setColor(QPalette::Button, grey.button);
+    p.setColor(QPalette::ButtonText, grey.text);
     p.setColor(QPalette::BrightText, Qt::white);
-    p.setColor(QPalette::ToolTipBase, QColor(28, 28, 28));
-    p.setColor(QPalette::ToolTipText, text);
-    p.setColor(QPalette::PlaceholderText, dim);
-    p.setColor(QPalette::Highlight, QColor(86, 112, 140));
+    p.setColor(QPalette::ToolTipBase, grey.tip);
+    p.setColor(QPalette::ToolTipText, grey.text);
+    p.setColor(QPalette::PlaceholderText, grey.dim);
+    p.setColor(QPalette::Highlight, grey.highlight);
     p.setColor(QPalette::HighlightedText, Qt::white);
-    p.setColor(QPalette::Link, QColor(140, 184, 230));
-    p.setColor(QPalette::LinkVisited, QColor(140, 184, 230));
-    p.setColor(QPalette::Light, QColor(78, 78, 78));
-    p.setColor(QPalette::Midlight, QColor(66, 66, 66));
-    p.setColor(QPalette::Mid, QColor(40, 40, 40));
-    p.setColor(QPalette::Dark, QColor(28, 28, 28));
-    p.setColor(QPalette::Shadow, QColor(14, 14, 14));
+    p.setColor(QPalette::Link, grey.link);
+    p.setColor(QPalette::LinkVisited, grey.link);
+    p.setColor(QPalette::Light, grey.light);
+    p.setColor(QPalette::Midlight, grey.midlight);
+    p.setColor(QPalette::Mid, grey.mid);
+    p.setColor(QPalette::Dark, grey.dark);
+    p.setColor(QPalette::Shadow, grey.shadow);
     for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
-        p.setColor(QPalette::Disabled, role, dim);
-    p.setColor(QPalette::Disabled, QPalette::Highlight, QColor(70, 70, 70));
+        p.setColor(QPalette::Disabled, role, grey.dim);
+    p.setColor(QPalette::Disabled, QPalette::Highlight, grey.dead_highlight);
     return p;
 }
 
-constexpr QRgb title = 0x3a3a3a, active_title = 0x46586c, separator = 0x262626, accent = 0x56708c,
-               line = 0x2a2a2a, tip_frame = 0x5a5a5a;
+struct Look {
+    Greys greys;
+    ThemeColours colours;
+};
+
+QColor grey(int level) {
+    return {level, level, level};
+}
+
+const Look& look_of(Theme theme) {
+    static const Look dark{{grey(48),
+                            grey(36),
+                            grey(42),
+                            grey(222),
+                            grey(128),
+                            grey(62),
+                            grey(28),
+                            grey(78),
+                            grey(66),
+                            grey(40),
+                            grey(28),
+                            grey(14),
+                            {86, 112, 140},
+                            grey(70),
+                            {140, 184, 230}},
+                           {{58, 58, 58},
+                            {70, 88, 108},
+                            {38, 38, 38},
+                            {86, 112, 140},
+                            {42, 42, 42},
+                            {90, 90, 90},
+                            {144, 144, 144},
+                            {232, 179, 74},
+                            {240, 101, 90},
+                            {127, 178, 229},
+                            {74, 64, 41},
+                            {77, 47, 44},
+                            {47, 60, 73},
+                            {255, 120, 255},
+                            {255, 220, 60}}};
+    static const Look light{{grey(236),
+                             grey(255),
+                             grey(247),
+                             grey(26),
+                             grey(120),
+                             grey(228),
+                             grey(255),
+                             grey(255),
+                             grey(245),
+                             grey(200),
+                             grey(168),
+                             grey(120),
+                             {70, 112, 158},
+                             grey(180),
+                             {20, 88, 160}},
+                            {{218, 218, 218},
+                             {188, 208, 230},
+                             {204, 204, 204},
+                             {70, 112, 158},
+                             {198, 198, 198},
+                             {170, 170, 170},
+                             {104, 104, 104},
+                             {148, 92, 0},
+                             {190, 40, 30},
+                             {24, 94, 160},
+                             {252, 236, 200},
+                             {250, 216, 212},
+                             {214, 228, 244},
+                             {166, 0, 166},
+                             {140, 100, 0}}};
+    return theme == Theme::dark ? dark : light;
+}
+
+Theme& current() {
+    static auto theme = Theme::dark;
+    return theme;
+}
+
+/// Tells widgets that paint by themselves.
+QObject& announcer() {
+    static QObject object;
+    return object;
+}
 
 bool is_frameless(const QWidget* widget) {
     return qobject_cast<const QTreeView*>(widget) || qobject_cast<const QTableView*>(widget) ||
@@ -51,15 +137,15 @@ bool is_frameless(const QWidget* widget) {
 }
 
 void draw_header_section(const QStyleOption& option, QPainter& painter) {
-    painter.fillRect(option.rect, QColor(title));
-    painter.fillRect(option.rect.adjusted(option.rect.width() - 1, 0, 0, 0), QColor(line));
+    painter.fillRect(option.rect, theme_colours().title);
+    painter.fillRect(option.rect.adjusted(option.rect.width() - 1, 0, 0, 0), theme_colours().line);
 }
 
 void draw_pressed(const QStyleOption& option, QPainter& painter) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(accent));
+    painter.setBrush(theme_colours().accent);
     painter.drawRoundedRect(option.rect, 3, 3);
     painter.restore();
 }
@@ -67,7 +153,7 @@ void draw_pressed(const QStyleOption& option, QPainter& painter) {
 void draw_tip(const QStyleOption& option, QPainter& painter) {
     painter.fillRect(option.rect, option.palette.toolTipBase());
     painter.save();
-    painter.setPen(QColor(tip_frame));
+    painter.setPen(theme_colours().tip_frame);
     painter.drawRect(option.rect.adjusted(0, 0, -1, -1));
     painter.restore();
 }
@@ -83,10 +169,40 @@ QStyleOptionComboBox with_elided_text(const QStyleOptionComboBox& combo, const Q
 
 }  // namespace
 
-void apply_theme(QApplication& application) {
-    application.setStyle(new ThemeStyle);
-    application.setPalette(dark_palette());
-    QToolTip::setPalette(dark_palette());
+const ThemeColours& theme_colours() {
+    return look_of(current()).colours;
+}
+
+Theme theme() {
+    return current();
+}
+
+Theme system_theme() {
+    static const auto found =
+        QGuiApplication::palette().color(QPalette::Window).lightness() < 128 ? Theme::dark : Theme::light;
+    return found;
+}
+
+void apply_theme(QApplication& application, Theme theme) {
+    system_theme();  // before the palette is ours
+    const bool is_first = !qobject_cast<ThemeStyle*>(application.style());
+    if (!is_first && theme == current()) return;
+    current() = theme;
+    if (is_first) application.setStyle(new ThemeStyle);
+    const auto palette = palette_of(look_of(theme).greys);
+    application.setPalette(palette);
+    QToolTip::setPalette(palette);
+    announcer().setObjectName(theme == Theme::dark ? QStringLiteral("dark") : QStringLiteral("light"));
+}
+
+void follow_theme(QWidget* widget, std::function<void()> paint) {
+    paint();
+    QObject::connect(&announcer(), &QObject::objectNameChanged, widget, std::move(paint));
+}
+
+void set_themed_sheet(QWidget* widget, std::function<QString(const ThemeColours&)> sheet) {
+    follow_theme(widget,
+                 [widget, sheet = std::move(sheet)] { widget->setStyleSheet(sheet(theme_colours())); });
 }
 
 ThemeStyle::ThemeStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -100,7 +216,8 @@ void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         case PE_PanelTipLabel:
             return draw_tip(*option, *painter);
         case PE_IndicatorDockWidgetResizeHandle:
-            return painter->fillRect(option->rect, QColor(is_hovered ? accent : separator));
+            return painter->fillRect(option->rect,
+                                     is_hovered ? theme_colours().accent : theme_colours().separator);
         case PE_PanelButtonTool:
             if (option->state & State_On) return draw_pressed(*option, *painter);
             break;
@@ -125,7 +242,7 @@ void ThemeStyle::drawControl(ControlElement element, const QStyleOption* option,
     if (element != CE_DockWidgetTitle || !dock || dock->verticalTitleBar)
         return QProxyStyle::drawControl(element, option, painter, widget);
     const bool is_active = widget && widget->property(active_dock_property).toBool();
-    painter->fillRect(option->rect, QColor(is_active ? active_title : title));
+    painter->fillRect(option->rect, is_active ? theme_colours().active_title : theme_colours().title);
     painter->save();
     if (is_active) {
         auto font = painter->font();
@@ -154,7 +271,7 @@ int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     }
 }
 
-/// Dialogs' buttons have words: Fusion's pictures are black on dark grey.
+/// Dialogs' buttons have words: Fusion's pictures are black, on dark grey, too.
 int ThemeStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                           QStyleHintReturn* data) const {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;

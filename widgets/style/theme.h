@@ -1,13 +1,35 @@
 #pragma once
 
+#include <QColor>
 #include <QProxyStyle>
+#include <functional>
 
 class QApplication;
 
 namespace ir::widgets {
 
-/// Dark and neutral grey, so that nothing around a picture tints it.
-void apply_theme(QApplication& application);
+/// Both are neutral grey, so that nothing around a picture tints it.
+enum class Theme { dark, light };
+
+/// What the palette has no roles for.
+struct ThemeColours {
+    QColor title, active_title, separator, accent, line, tip_frame;  ///< of the style
+    QColor dim;                                                      ///< text of less weight
+    QColor warning, error, note;                                     ///< text and icons
+    QColor warning_ground, error_ground, note_ground;                ///< banners
+    QColor nan, infinite;                                            ///< numbers in tables
+};
+const ThemeColours& theme_colours();
+Theme theme();
+
+/// From now on, also for windows that are open.
+void apply_theme(QApplication& application, Theme theme);
+/// That of the desktop, as it was when the program began.
+Theme system_theme();
+/// Calls `paint` now and whenever the theme has changed, as long as the widget lives.
+void follow_theme(QWidget* widget, std::function<void()> paint);
+/// A style sheet that goes with the theme; `sheet` makes it of the colours.
+void set_themed_sheet(QWidget* widget, std::function<QString(const ThemeColours&)> sheet);
 
 /// Fusion with flat titles, headers and separators. It is a style and no style sheet because those polish
 /// every widget anew whenever it gets another parent: windows took three times as long to make.

@@ -143,7 +143,7 @@ QWidget* SweepPanel::make_tools() {
     tabs_->setFocusPolicy(Qt::TabFocus);
     row->addWidget(tabs_);
     tools_->addWidget(make_sheet_tools());
-    tools_->addWidget(new QWidget);
+    tools_->addWidget(make_table_tools());
     tools_->addWidget(make_plot_tools());
     tools_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row->addWidget(tools_, 1);
@@ -213,6 +213,48 @@ QWidget* SweepPanel::make_sheet_tools() {
     return tools;
 }
 
+QWidget* SweepPanel::make_table_tools() {
+    auto* tools = new QWidget;
+    auto* row = row_in(tools);
+    columns_ = add_button(row, "columns", "table", tr("Columns"));
+    columns_->setToolTip(tr("Which columns are shown"));
+    columns_->setPopupMode(QToolButton::InstantPopup);
+    columns_->setMenu(new QMenu(columns_));
+    connect(columns_->menu(), &QMenu::aboutToShow, this, &SweepPanel::fill_column_menu);
+    row->addStretch(1);
+    auto* header = table_->header();
+    header->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header, &QHeaderView::customContextMenuRequested, this, [this, header](const QPoint& at) {
+        columns_->menu()->popup(header->viewport()->mapToGlobal(at));
+    });
+    return tools;
+}
+
+void SweepPanel::fill_column_menu() {
+    auto* menu = columns_->menu();
+    menu->clear();
+    const auto& headings = model_->rows().headings;
+    for (const auto& heading : headings) {
+        auto* action = menu->addAction(heading);
+        action->setCheckable(true);
+        action->setChecked(!hidden_.contains(heading));
+        connect(action, &QAction::toggled, this, [this, heading](bool on) {
+            auto hidden = hidden_;
+            on ? void(hidden.removeAll(heading)) : hidden.append(heading);
+            hide_columns(hidden);
+        });
+    }
+    menu->addSeparator();
+    menu->addAction(tr("All"), this, [this] { hide_columns({}); })->setEnabled(!hidden_.isEmpty());
+}
+
+void SweepPanel::hide_columns(const QStringList& headings) {
+    hidden_ = headings;
+    const auto& known = model_->rows().headings;
+    for (int column = 0; column < known.size(); ++column)
+        table_->setColumnHidden(1 + column, hidden_.contains(known[column]));
+}
+
 QWidget* SweepPanel::make_plot_tools() {
     auto* tools = new QWidget;
     auto* row = row_in(tools);
@@ -231,7 +273,7 @@ QWidget* SweepPanel::make_foot() {
     auto* row = row_in(foot);
     row->setContentsMargins(6, 2, 6, 3);
     foot_icon_ = new QLabel;
-    foot_icon_->setPixmap(icon("warning").pixmap(14));
+    show_icon(foot_icon_, "warning", 14);
     row->addWidget(foot_icon_);
     foot_ = make_cut_label("foot");
     row->addWidget(foot_, 1);
@@ -302,6 +344,7 @@ void SweepPanel::set_rows(SweepRows rows) {
     sorting_->addItems(model_->rows().headings);
     sort_by(heading, descending);
     for (int column = 0; column < model_->columnCount(); ++column) table_->resizeColumnToContents(column);
+    hide_columns(hidden_);
     select(id);
 }
 

@@ -71,6 +71,9 @@ class SweepPanel : public QWidget {
     void sort_by(const QString& heading, bool descending);
     QString sorted_by() const;
     bool is_descending() const;
+    /// Columns of the table that are not shown, by their headings; also of those that come later.
+    void hide_columns(const QStringList& headings);
+    const QStringList& hidden_columns() const { return hidden_; }
     void set_shows(int shows);
     int shows() const;
     /// The chosen rows, or all, in the order shown: headings first, with tabs between cells.
@@ -102,7 +105,10 @@ class SweepPanel : public QWidget {
     QWidget* make_head();
     QWidget* make_tools();
     QWidget* make_sheet_tools();
+    QWidget* make_table_tools();
     QWidget* make_plot_tools();
+    /// All columns but the first can be hidden.
+    void fill_column_menu();
     QWidget* make_foot();
     void make_table();
     void link_selection();
@@ -110,7 +116,8 @@ class SweepPanel : public QWidget {
     void show_sorting();
 
     SweepFields fields_;
-    QString awaited_;  ///< heading that it is to be sorted by
+    QString awaited_;     ///< heading that it is to be sorted by
+    QStringList hidden_;  ///< headings
     SweepModel* model_;
     NumberOrder* order_;
     ContactSheet* sheet_;
@@ -122,7 +129,7 @@ class SweepPanel : public QWidget {
               *quantities_ = nullptr;
     QCheckBox* judged_ = nullptr;
     QToolButton *new_ = nullptr, *edit_ = nullptr, *run_ = nullptr, *pause_ = nullptr, *descending_ = nullptr,
-                *files_ = nullptr;
+                *files_ = nullptr, *columns_ = nullptr;
     QAction* own_folder_ = nullptr;
     QAction *csv_ = nullptr, *report_ = nullptr;
     QProgressBar* progress_ = nullptr;

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -118,7 +119,9 @@ ViewHeader::ViewHeader(QWidget* parent) : QWidget(parent) {
     warning_ = new QLabel(this);
     warning_->setObjectName(QStringLiteral("warning"));
     warning_->setWordWrap(true);
-    warning_->setStyleSheet(QStringLiteral("color: #e8b34a; padding: 1px 3px;"));
+    set_themed_sheet(warning_, [](const ThemeColours& colours) {
+        return QStringLiteral("color: %1; padding: 1px 3px;").arg(colours.warning.name());
+    });
     column->addWidget(warning_);
     warning_->hide();
     b_.line->hide();

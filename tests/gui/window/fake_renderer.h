@@ -272,7 +272,7 @@ class FakeRenderer final : public Renderer {
             for (int y = 0; y < h; ++y) std::fill_n(&cover.at(0, y), w / 2, 1.0f);
             return cover;
         }
-        return Image(w, h, colour ? 3 : 1, value);
+        return Image(w, h, colour ? 3 : 1, part.after == "paint" ? value / 2 : value);
     }
 
     FrameReport report(const engine::LiveRequest& request, const std::vector<std::string>& computed) const {
@@ -283,7 +283,21 @@ class FakeRenderer final : public Renderer {
         pass.name = "paint";
         pass.queue = "cpu";
         pass.cpu_ms = 1.5;
+        pass.writes = overwrites ? std::vector<std::string>{"picture", "depth"} : std::vector<std::string>{};
         report.passes = {pass};
+        if (overwrites) {
+            auto fade = pass, look = pass;
+            fade.name = "fade";
+            fade.reads = fade.writes = {"picture"};
+            look.name = "look";
+            look.culled = true;
+            look.writes = {"cover"};
+            report.passes.insert(report.passes.end(), {fade, look});
+            if (request.traced)
+                report.pixel_changes = {{"paint", "picture", {0.5f, 0.5f, 0.5f}},
+                                        {"paint", "depth", {0.5f}},
+                                        {"fade", "picture", {1, 1, 1}}};
+        }
         for (const auto& output : fake_registry().at(request.experiment.method).outputs) {
             ResourceReport resource;
             resource.key = output.key;
@@ -368,8 +382,9 @@ class FakeRenderer final : public Renderer {
     std::vector<std::string> releases;
     engine::MachineSettings machine;
     bool hold = false, hold_views = false;
-    bool finds_none = false, shows_surface = true;         ///< of what explains a pixel; of every pixel
-    bool halves_rough = false;                             ///< the first stage has half the size
+    bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
+    bool overwrites = false;    ///< a second pass does so with what the first has painted, half as bright
+    bool halves_rough = false;  ///< the first stage has half the size
     std::map<std::string, std::vector<UsedLight>> lights;  ///< by tag: what pictures tell of their sources
     std::vector<LightSource> scene_sources{{LightKind::environment, "the environment"}};
     std::string failure;  ///< of every request from now on

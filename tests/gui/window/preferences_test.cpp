@@ -9,6 +9,7 @@
 
 #include "tests/gui/window/window_fixture.h"
 #include "widgets/panels/preferences_dialog.h"
+#include "widgets/style/theme.h"
 
 namespace ir::gui {
 namespace {
@@ -22,6 +23,7 @@ class PreferencesWindowTest : public testing::Test {
     void TearDown() override {
         close();
         QSettings().clear();
+        widgets::apply_theme(*qApp, widgets::Theme::dark);
     }
     void start(const engine::MachineFlags& flags = {}) {
         close();
@@ -82,6 +84,26 @@ TEST_F(PreferencesWindowTest, OpensOnceWithItsKeyAndClosesWithEscape) {
         << "a black picture on dark grey";
     QTest::keyClick(dialog(), Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([this] { return !dialog(); }, 3000));
+}
+
+TEST_F(PreferencesWindowTest, AThemeCountsAtOnceAndIsKept) {
+    const auto lightness = [] { return QApplication::palette().color(QPalette::Window).lightness(); };
+    start();
+    EXPECT_LT(lightness(), 100);
+    open_by_key();
+    auto* list = editor("theme")->findChild<QComboBox*>();
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    EXPECT_GT(lightness(), 200);
+    EXPECT_TRUE(QTest::qWaitFor([this] {
+        return window->grab().toImage().pixelColor(3, window->height() - 3).lightness() > 200;
+    })) << "the window that is open";
+    start();
+    EXPECT_GT(lightness(), 200) << "in the next run";
+    open_by_key();
+    editor("theme")->findChild<QComboBox*>()->setFocus();
+    QTest::keyClick(editor("theme")->findChild<QComboBox*>(), Qt::Key_Up);
+    EXPECT_LT(lightness(), 100);
 }
 
 TEST_F(PreferencesWindowTest, AnotherProcessorMakesShownPicturesAnewAndIsKept) {

@@ -4,10 +4,12 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QToolButton>
 #include <atomic>
 #include <chrono>
@@ -189,6 +191,16 @@ TEST_F(SweepsWindowTest, AnEmptyDockOffersASweepAndSaysWhatRunningNeeds) {
     EXPECT_EQ(fake.runs, 0);
 }
 
+TEST_F(SweepsWindowTest, ASweepThatCannotRunSaysWhy) {
+    add_sweep({99.0});  // beyond the range
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this] {
+            const auto* empty = find<QLabel>("empty");
+            return empty->isVisible() && empty->text().contains("level");
+        },
+        5000));
+}
+
 TEST_F(SweepsWindowTest, TheGridIsThereBeforeItRunsAndRowsAppearAsTheyEnd) {
     save();
     add_sweep();
@@ -341,6 +353,32 @@ TEST_F(SweepsWindowTest, TheOrderIsOneInSheetAndTable) {
     choose(sorting, "Sweep's order");
     press("descending");
     EXPECT_EQ(cell(0, column("level")), "2");
+}
+
+TEST_F(SweepsWindowTest, ColumnsAreChosenAndRemembered) {
+    save();
+    add_sweep();
+    run_to_end();
+    panel().set_tab(widgets::SweepPanel::table_tab);
+    auto& table = panel().table();
+    EXPECT_FALSE(table.isColumnHidden(column("seed")));
+    auto* button = find<QToolButton>("columns");
+    QTimer::singleShot(0, button, [button] {
+        for (auto* action : button->menu()->actions())
+            if (action->text() == "seed") action->trigger();
+        button->menu()->close();
+    });
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return table.isColumnHidden(column("seed")); }, 5000));
+    EXPECT_FALSE(table.isColumnHidden(column("level")));
+    projects::Json memory;
+    dock().save(memory);
+    panel().hide_columns({});
+    EXPECT_FALSE(table.isColumnHidden(column("seed")));
+    dock().load(memory);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return table.isColumnHidden(column("seed")); }, 5000));
+    dock().load(projects::Json::parse(R"({"sweeps": {"hidden": [3, {"a": 1}]}})"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !table.isColumnHidden(column("seed")); }, 5000));
 }
 
 TEST_F(SweepsWindowTest, PlotsAreDrawnAndTheirPointsLoad) {

@@ -57,6 +57,35 @@ TEST_F(RenderThreadTest, LookingAtOtherThingsRunsNothing) {
     EXPECT_EQ(answers().results.size(), 1u);
 }
 
+TEST_F(RenderThreadTest, ABufferIsSeenAsAPassLeftItBeforeAnotherOverwroteIt) {
+    auto request = request_of("a", "deep-screen-space");
+    request.experiment.settings = {{"samples", std::int64_t{16}}};
+    const Part whole{"bounce.sums", 0, 0}, first_of{"bounce.sums", 0, 0, "reconstruction 1 of 4"},
+        none{"bounce.sums", 0, 0, "splat"};
+    request.parts = {Part{}, whole};
+    const auto first = render(request);
+    request.parts = {Part{}, whole, first_of, none};
+    request.traced = {12, 8};
+    const auto second = render(request);
+    EXPECT_EQ(second.images.at(Part{}).pixels, first.images.at(Part{}).pixels) << "the picture is the same";
+    ASSERT_EQ(second.images.count(first_of), 1u);
+    EXPECT_EQ(second.images.count(none), 0u) << "nothing has written it by then";
+    const auto weight = [&](const Part& part) { return second.images.at(part).at(12, 8, 3); };
+    EXPECT_GT(weight(first_of), 0);
+    EXPECT_LT(weight(first_of), weight(whole)) << "further samples add to it";
+    std::vector<float> weights;
+    for (const auto& change : second.report.pixel_changes)
+        if (change.key == "bounce.sums") weights.push_back(change.values.at(3));
+    ASSERT_EQ(weights.size(), 3u) << "the last group goes straight to the result";
+    EXPECT_EQ(weights.front(), weight(first_of));
+    EXPECT_EQ(weights.back(), weight(whole));
+    EXPECT_TRUE(std::is_sorted(weights.begin(), weights.end()));
+    forget();
+    request.parts = {first_of};
+    EXPECT_EQ(render(request).images.at(first_of).pixels, second.images.at(first_of).pixels);
+    EXPECT_TRUE(answers().progress.empty()) << "it was kept";
+}
+
 TEST_F(RenderThreadTest, TheProcessorIsChosenWhileItRuns) {
     auto request = request_of("a", "ldm-ao");
     request.experiment.settings = {{"directions", std::int64_t{4}}, {"resolution", std::int64_t{32}}};

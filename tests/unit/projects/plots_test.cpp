@@ -89,6 +89,20 @@ TEST(ErrorPlots, CheckNamesWhatIsMissing) {
     EXPECT_NE(all.find("plot 'over-time': has no reference; choose one"), std::string::npos);
 }
 
+TEST(Sweeps, ACheckNamesAxesThatTheExperimentRefuses) {
+    ReadProject opened;
+    opened.project = sample_project();
+    const auto texts = [&] {
+        std::string all;
+        for (const auto& message : check(opened, "/nowhere", registry())) all += message.text + "\n";
+        return all;
+    };
+    EXPECT_EQ(texts().find("/axes"), std::string::npos);
+    opened.project.sweeps[0].axes[0].values.push_back("many");
+    const auto id = opened.project.sweeps[0].id;
+    EXPECT_NE(texts().find("/sweeps/0/axes: sweep '" + id + "': "), std::string::npos) << texts();
+}
+
 TEST(ErrorPlots, KeysAreFramesSeedAndTheMethodsParameters) {
     const auto p = sample_project();
     const auto keys = plot_keys(p, p.plots[0], registry());

@@ -49,10 +49,18 @@ TEST_F(SeriesTest, ValuesThatTheExperimentRefusesAreRefused) {
     type_text("axis-values", "1, many");
     EXPECT_FALSE(message.isEmpty());
     EXPECT_EQ(project, sample_project());
-    EXPECT_EQ(field<QLineEdit>("axis-values")->text(), "1, 2, 4");
+    auto* values = field<QLineEdit>("axis-values");
+    EXPECT_EQ(values->text(), "1, many") << "it stays to be mended";
+    EXPECT_EQ(count(), message) << "and the form says what is wrong";
     type_text("axis-values", "1,,2");
-    EXPECT_TRUE(message.contains("between two commas")) << message.toStdString();
+    EXPECT_TRUE(count().contains("between two commas")) << count().toStdString();
     EXPECT_EQ(steps(), 0u);
+    values->setFocus();
+    QTest::keyClick(values, Qt::Key_Escape);
+    EXPECT_EQ(values->text(), "1, 2, 4");
+    type_text("axis-values", "1, 8");
+    EXPECT_EQ(sweep().axes[0].values, (std::vector<projects::Json>{1, 8}));
+    EXPECT_EQ(count(), "2 points");
 }
 
 TEST_F(SeriesTest, ASweepSaysByWhichCommandItIsRun) {

@@ -1,0 +1,140 @@
+#include "app/gui/pipeline_dock.h"
+
+#include <QFileDialog>
+#include <algorithm>
+
+#include "app/gui/dialog_folder.h"
+#include "app/gui/json_fields.h"
+#include "app/gui/text_of.h"
+#include "renderers/core/write_file.h"
+#include "renderers/plot/pipeline_svg.h"
+
+namespace ir::gui {
+
+PipelineDock::PipelineDock(Session& session, LivePictures& live, ViewModel& views, PixelInspector& inspector,
+                           FrameLists& lists, Notices& notices, Actions& actions)
+    : session_(session),
+      live_(live),
+      views_(views),
+      inspector_(inspector),
+      lists_(lists),
+      notices_(notices),
+      panel_(new widgets::PipelinePanel) {
+    connect(&session_, &Session::project_replaced, this, &PipelineDock::update);
+    connect(&session_, &Session::experiment_selected, this, &PipelineDock::update);
+    connect(&views_, &ViewModel::active_changed, this, &PipelineDock::update);
+    connect(&lists_, &FrameLists::changed, this, &PipelineDock::update);
+    using Panel = widgets::PipelinePanel;
+    connect(panel_, &Panel::step_wanted, this,
+            [this](const QString& pass) { show_step(pass.toStdString()); });
+    connect(panel_, &Panel::buffer_wanted, this,
+            [this](const QString& key) { views_.show_output(key.toStdString()); });
+    connect(panel_, &Panel::trace_ended, this, [this] { trace({}); });
+    connect(panel_, &Panel::skipped_chosen, this, &PipelineDock::update);
+    connect(panel_, &Panel::export_wanted, this, &PipelineDock::write_svg);
+    connect(&panel_->view(), &widgets::PipelineView::failed, this, [this](const QString& error) {
+        notices_.add({Severity::error, "graph", error.toStdString()});
+    });
+    using K = QKeySequence;
+    enable_with_experiment(
+        session_,
+        {actions.add("trace-pixel", tr("What &passes did to the pixel"), "stages", {K(Qt::CTRL | Qt::Key_H)},
+                     [this] {
+                         if (const auto pixel = inspector_.pointed(); pixel.x() >= 0) trace(pixel);
+                     }),
+         actions.add("whole-frame", tr("&Whole frame"), nullptr, {K(Qt::CTRL | Qt::SHIFT | Qt::Key_H)},
+                     [this] { leave_frame(); })});
+}
+
+std::string PipelineDock::experiment() const {
+    const auto& owner = views_.active_state().a.owner;
+    return session_.experiment(owner) ? owner : std::string();
+}
+
+void PipelineDock::set_visible(bool visible) {
+    if (visible == visible_) return;
+    visible_ = visible;
+    update();
+}
+
+void PipelineDock::show_step(const std::string& pass) {
+    if (experiment().empty()) return;
+    auto step = live_.step(experiment());
+    step.after = pass;
+    views_.set_step(experiment(), step);
+}
+
+void PipelineDock::trace(std::optional<QPoint> pixel) {
+    if (experiment().empty()) return;
+    auto step = live_.step(experiment());
+    step.traced.reset();
+    if (pixel) step.traced = {pixel->x(), pixel->y()};
+    views_.set_step(experiment(), step);
+    if (pixel) emit wanted();
+}
+
+void PipelineDock::leave_frame() {
+    show_step({});
+}
+
+Pipeline PipelineDock::pipeline() const {
+    const auto id = experiment();
+    auto pipeline = pipeline_of(live_.result(id)->report, {true, panel_->shows_skipped()});
+    pipeline.title = views_.pictures().owner_name(id);
+    return pipeline;
+}
+
+void PipelineDock::update() {
+    const auto id = experiment();
+    const auto result = live_.result(id);
+    // A pass that is gone, as after a change of the method, has no buffers to show.
+    if (const auto& after = live_.step(id).after; result && !after.empty()) {
+        const auto& passes = result->report.passes;
+        if (std::none_of(passes.begin(), passes.end(),
+                         [&](const auto& pass) { return pass.name == after && !pass.culled; }))
+            return leave_frame();  // comes back here
+    }
+    widgets::PipelineFields fields;
+    if (!result) {
+        fields.why_empty = id.empty() ? tr("The active view shows no experiment.")
+                                      : tr("Passes appear when a frame has been rendered.");
+        return panel_->set_fields(fields);
+    }
+    if (!visible_) return;
+    const auto& step = live_.step(id);
+    fields.pipeline = pipeline();
+    fields.pictures = lists_.thumbnails();
+    fields.step = step.after;
+    fields.shown = views_.shown_key();
+    if (step.traced) {
+        fields.traced = QPoint(step.traced->x, step.traced->y);
+        fields.changes = result->report;
+    }
+    panel_->set_fields(fields);
+}
+
+void PipelineDock::write_svg() {
+    if (!live_.result(experiment())) return;
+    const auto drawn = pipeline();
+    const auto suffix = QStringLiteral(".svg");
+    auto file = QFileDialog::getSaveFileName(panel_, tr("Export"),
+                                             export_proposal(text_of(drawn.title) + tr(" passes"), suffix),
+                                             tr("Drawings (*.svg)"));
+    if (file.isEmpty()) return;
+    remember_export(file);
+    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
+    if (notices_.attempt([&] { write_file(file.toStdString(), pipeline_svg(drawn)); },
+                         tr("The graph was not written")))
+        notices_.say(tr("%1 is written").arg(file));
+}
+
+void PipelineDock::save(projects::Json& memory) const {
+    memory["pipeline"] = {{"skipped", panel_->shows_skipped()}};
+}
+
+void PipelineDock::load(const projects::Json& memory) {
+    panel_->set_shows_skipped(field_or(member_or_null(memory, "pipeline"), "skipped", false));
+    update();
+}
+
+}  // namespace ir::gui

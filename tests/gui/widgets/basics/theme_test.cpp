@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QPalette>
+#include <algorithm>
+
+#include "renderers/image/colour_map.h"
+#include "widgets/panels/banner.h"
+#include "widgets/plot/plot_view.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+namespace ir::widgets {
+namespace {
+
+/// Relative luminance and contrast [WCAG 2.1].
+double luminance_of(const QColor& colour) {
+    const auto linear = [](double encoded) { return double(linear_from_srgb(float(encoded))); };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const double la = luminance_of(a), lb = luminance_of(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+class ThemeTest : public testing::TestWithParam<Theme> {
+  protected:
+    void SetUp() override { apply_theme(*qApp, GetParam()); }
+    void TearDown() override { apply_theme(*qApp, Theme::dark); }
+};
+
+TEST_P(ThemeTest, TextCanBeReadOnItsGround) {
+    const auto palette = QApplication::palette();
+    const auto colour = [&](QPalette::ColorRole role) { return palette.color(role); };
+    for (const auto ground :
+         {QPalette::Window, QPalette::Base, QPalette::AlternateBase, QPalette::Button, QPalette::ToolTipBase})
+        EXPECT_GT(contrast(colour(QPalette::Text), colour(ground)), 7) << int(ground);
+    const auto& themed = theme_colours();
+    for (const auto ground : {QPalette::Window, QPalette::Base}) {
+        EXPECT_GT(contrast(themed.dim, colour(ground)), 4) << int(ground);
+        EXPECT_GT(contrast(colour(QPalette::PlaceholderText), colour(ground)), 3) << int(ground);
+        for (const auto& each : {themed.warning, themed.error, themed.note, colour(QPalette::Link)})
+            EXPECT_GT(contrast(each, colour(ground)), 3.5) << each.name().toStdString() << " " << int(ground);
+    }
+    for (const auto& number : {themed.nan, themed.infinite})
+        EXPECT_GT(contrast(number, colour(QPalette::Base)), 4) << number.name().toStdString();
+    for (const auto& ground :
+         {themed.title, themed.active_title, themed.warning_ground, themed.error_ground, themed.note_ground})
+        EXPECT_GT(contrast(colour(QPalette::WindowText), ground), 5) << ground.name().toStdString();
+    EXPECT_GT(contrast(colour(QPalette::HighlightedText), colour(QPalette::Highlight)), 4);
+}
+
+TEST_P(ThemeTest, GreysTintNoPicture) {
+    const auto palette = QApplication::palette();
+    for (const auto role : {QPalette::Window, QPalette::Base, QPalette::AlternateBase, QPalette::Button})
+        EXPECT_EQ(palette.color(role).hsvSaturation(), 0) << int(role);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, ThemeTest, testing::Values(Theme::dark, Theme::light),
+                         [](const auto& each) { return each.param == Theme::dark ? "dark" : "light"; });
+
+TEST(ThemeChange, ReachesWhatIsOpen) {
+    BannerStack banners;
+    banners.show_banner(QStringLiteral("a"), BannerStack::Kind::warning, QStringLiteral("Text"));
+    PlotView plot;
+    plot.resize(300, 200);
+    plot.set_data({});
+    const auto corner = [&] { return plot.grab().toImage().pixelColor(1, 1); };
+    const auto ground = [&] { return banners.findChild<QWidget*>(QStringLiteral("banner:a"))->styleSheet(); };
+    const auto dark_corner = corner();
+    const auto dark_ground = ground();
+    const auto dark_icon = icon("open").pixmap(16, 16).toImage();
+    apply_theme(*qApp, Theme::light);
+    EXPECT_EQ(theme(), Theme::light);
+    EXPECT_GT(corner().lightness(), 200);
+    EXPECT_LT(dark_corner.lightness(), 60);
+    EXPECT_NE(ground(), dark_ground);
+    EXPECT_NE(icon("open").pixmap(16, 16).toImage(), dark_icon) << "drawn in the text's colour";
+    apply_theme(*qApp, Theme::dark);
+    EXPECT_EQ(corner(), dark_corner);
+    EXPECT_EQ(ground(), dark_ground);
+}
+
+}  // namespace
+}  // namespace ir::widgets

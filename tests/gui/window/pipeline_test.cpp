@@ -1,0 +1,147 @@
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QHelpEvent>
+#include <QToolButton>
+#include <QToolTip>
+#include <QTreeView>
+
+#include "tests/gui/window/window_fixture.h"
+#include "widgets/panels/rows_panel.h"
+
+namespace ir::gui {
+namespace {
+
+/// A frame of two passes that write the picture in turn, and one that nobody needs.
+class PipelineWindowTest : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        renderer.overwrites = true;
+        open_scene();
+        trigger("dock-pipeline");
+        window.findChild<QDockWidget*>("pipeline")->setFloating(true);
+        window.findChild<QDockWidget*>("pipeline")->resize(700, 600);
+        ASSERT_TRUE(QTest::qWaitFor([this] { return view().place_of("fade").isValid(); }, 5000));
+        ASSERT_TRUE(settle());
+    }
+    widgets::PipelinePanel& panel() { return *window.findChild<widgets::PipelinePanel*>(); }
+    widgets::PipelineView& view() { return panel().view(); }
+    void click(const char* key) {
+        const auto place = view().place_of(key);
+        ASSERT_TRUE(view().viewport()->rect().contains(place.center())) << key;
+        QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, place.center());
+        ASSERT_TRUE(settle());
+    }
+    void press(const char* button) {
+        QTest::mouseClick(panel().findChild<QToolButton*>(button), Qt::LeftButton);
+        ASSERT_TRUE(settle());
+    }
+    std::string step() { return window.live().step(window.session().experiment()->id).after; }
+};
+
+TEST_F(PipelineWindowTest, AClickOnABufferShowsIt) {
+    EXPECT_TRUE(view().place_of("cover").isNull()) << "nobody looks at it";
+    click("depth");
+    EXPECT_EQ(window.views().shown_key(), "depth");
+    click("picture");
+    EXPECT_EQ(window.views().shown_key(), "picture");
+    QTest::mouseClick(panel().findChild<QCheckBox*>("skipped"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return view().place_of("cover").isValid(); }, 5000));
+    click("look");
+    EXPECT_EQ(step(), "") << "a pass that did not run leaves nothing";
+}
+
+TEST_F(PipelineWindowTest, StepsShowTheBufferAsEachPassLeftIt) {
+    EXPECT_FLOAT_EQ(pixel(), 0.25f);
+    click("paint");
+    EXPECT_EQ(step(), "paint");
+    EXPECT_FLOAT_EQ(pixel(), 0.125f) << "before the other pass";
+    EXPECT_EQ(label("step"), "after pass 1 of 2, “paint”");
+    EXPECT_TRUE(window.view().picture()->label.contains("after “paint”"));
+    const auto frames = renderer.requests.size();
+    press("pass-next");
+    EXPECT_EQ(step(), "fade");
+    EXPECT_FLOAT_EQ(pixel(), 0.25f);
+    EXPECT_GT(renderer.requests.size(), frames);
+    press("pass-next");
+    EXPECT_EQ(step(), "") << "the whole frame";
+    EXPECT_EQ(label("step"), "");
+    EXPECT_FALSE(panel().findChild<QToolButton*>("whole-frame")->isEnabled());
+    press("pass-before");
+    EXPECT_EQ(step(), "fade");
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_Up);
+    EXPECT_EQ(step(), "paint");
+    press("whole-frame");
+    EXPECT_EQ(step(), "");
+    EXPECT_FLOAT_EQ(pixel(), 0.25f);
+}
+
+TEST_F(PipelineWindowTest, AnotherMethodHasOtherPasses) {
+    click("fade");
+    ASSERT_EQ(step(), "fade");
+    renderer.overwrites = false;
+    type_level("0.5");
+    EXPECT_EQ(step(), "") << "the pass is gone";
+    EXPECT_FLOAT_EQ(pixel(), 0.5f);
+}
+
+TEST_F(PipelineWindowTest, WhatPassesDidToAPixelIsListed) {
+    auto& shown = window.view();
+    QTest::mouseClick(&shown, Qt::LeftButton, {}, shown.rect().center());
+    trigger("trace-pixel");
+    ASSERT_TRUE(renderer.requests.back().traced.has_value());
+    const auto& rows = panel().changes().model().rows();
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0].cells[2].text, "–");
+    EXPECT_EQ(rows[2].cells[0].text, "fade");
+    EXPECT_EQ(rows[2].cells[2].text, "0.5  0.5  0.5");
+    EXPECT_EQ(rows[2].cells[3].text, "1  1  1");
+    // A row leads to the buffer as the pass left it.
+    auto* tree = panel().changes().view();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return tree->isVisible() && tree->height() > 60; }, 5000));
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                      tree->visualRect(panel().changes().model().index(1, 1)).center());
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().shown_key(), "depth");
+    EXPECT_EQ(step(), "paint");
+    press("end-trace");
+    EXPECT_FALSE(renderer.requests.back().traced.has_value());
+    EXPECT_FALSE(tree->isVisible());
+}
+
+TEST_F(PipelineWindowTest, APanelThatIsNotSeenAsksForNoPictures) {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return renderer.requests.back().thumbnails; }, 5000));
+    window.docks().hide("buffers");
+    window.docks().hide("pipeline");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !renderer.requests.back().thumbnails; }, 5000));
+}
+
+TEST_F(PipelineWindowTest, ItZoomsAndTellsWhatThingsAre) {
+    const int before = view().place_of("paint").width();
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_Plus);
+    EXPECT_GT(view().place_of("paint").width(), before);
+    QTest::keyClick(&view(), Qt::Key_0);
+    const auto frame = view().viewport()->rect();
+    for (const char* key : {"paint", "fade", "picture", "depth"})
+        EXPECT_TRUE(frame.contains(view().place_of(key))) << key;
+    QHelpEvent help(QEvent::ToolTip, view().place_of("paint").center(), QPoint());
+    QApplication::sendEvent(view().viewport(), &help);
+    ASSERT_TRUE(QTest::qWaitFor([] { return QToolTip::isVisible(); }, 2000));
+    EXPECT_TRUE(QToolTip::text().contains("on the host"));
+}
+
+TEST_F(PipelineWindowTest, WithoutAFrameItSaysSo) {
+    window.session().files().close();
+    QApplication::processEvents();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this] {
+            return panel().findChild<QLabel*>("empty")->text().contains("No") ||
+                   panel().findChild<QLabel*>("empty")->text().contains("no");
+        },
+        2000));
+}
+
+}  // namespace
+}  // namespace ir::gui

@@ -1,0 +1,155 @@
+#include "widgets/pipeline/pipeline_panel.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/panels/controls.h"
+#include "widgets/panels/rows_panel.h"
+#include "widgets/pipeline/pixel_changes.h"
+
+namespace ir::widgets {
+
+PipelinePanel::PipelinePanel(QWidget* parent)
+    : QWidget(parent),
+      view_(new PipelineView),
+      changes_(new RowsPanel(change_headings(), tr("No pass has written an image of the picture's pixels."))),
+      pages_(new QStackedWidget) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(make_bar());
+    const auto empty = make_empty_page();
+    empty_ = empty.text;
+    empty.button->hide();
+    auto* split = new QSplitter(Qt::Vertical);
+    split->addWidget(view_);
+    split->addWidget(make_changes());
+    split->setStretchFactor(0, 3);
+    split->setStretchFactor(1, 2);
+    split->setCollapsible(0, false);
+    pages_->addWidget(split);
+    pages_->addWidget(empty.page);
+    layout->addWidget(pages_, 1);
+    connect(view_, &PipelineView::pass_clicked, this, [this](const QString& name) {
+        emit step_wanted(name == QString::fromStdString(fields_.step) ? QString() : name);
+    });
+    connect(view_, &PipelineView::buffer_clicked, this, &PipelinePanel::buffer_wanted);
+    connect(view_, &PipelineView::step_wanted, this, &PipelinePanel::step);
+    connect(view_, &PipelineView::failed, this, [this](const QString& error) {
+        empty_->setText(error);
+        pages_->setCurrentIndex(1);
+    });
+    set_fields({.why_empty = tr("No frame.")});
+}
+
+QWidget* PipelinePanel::make_bar() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(4, 2, 4, 2);
+    row->setSpacing(2);
+    back_ = add_icon_button(row, "pass-before", "step-back", tr("Buffers as before this pass (up arrow)"));
+    forward_ =
+        add_icon_button(row, "pass-next", "step-forward", tr("Buffers after the next pass (down arrow)"));
+    whole_ = add_button(row, "whole-frame", nullptr, tr("Whole frame"));
+    whole_->setToolTip(tr("Buffers as the frame leaves them"));
+    where_ = make_cut_label("step");
+    row->addWidget(where_, 1);
+    skipped_ = new QCheckBox(tr("Skipped"));
+    skipped_->setObjectName(QStringLiteral("skipped"));
+    skipped_->setToolTip(tr("Also passes and buffers that nobody looks at"));
+    row->addWidget(skipped_);
+    fit_ = add_icon_button(row, "fit-pipeline", "fit", tr("Show all (0)"));
+    export_ = add_icon_button(row, "export-pipeline", "export", tr("Write the graph as SVG …"));
+    connect(back_, &QToolButton::clicked, this, [this] { step(-1); });
+    connect(forward_, &QToolButton::clicked, this, [this] { step(1); });
+    connect(whole_, &QToolButton::clicked, this, [this] { emit step_wanted({}); });
+    connect(skipped_, &QCheckBox::toggled, this, &PipelinePanel::skipped_chosen);
+    connect(fit_, &QToolButton::clicked, view_, &PipelineView::fit);
+    connect(export_, &QToolButton::clicked, this, &PipelinePanel::export_wanted);
+    return bar;
+}
+
+QWidget* PipelinePanel::make_changes() {
+    traced_ = new QWidget;
+    auto* layout = new QVBoxLayout(traced_);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(6, 2, 4, 2);
+    pixel_ = make_cut_label("traced-pixel");
+    row->addWidget(pixel_, 1);
+    auto* end = add_icon_button(row, "end-trace", "cancel", tr("Trace no pixel any longer"));
+    connect(end, &QToolButton::clicked, this, &PipelinePanel::trace_ended);
+    layout->addLayout(row);
+    layout->addWidget(changes_, 1);
+    changes_->view()->setRootIsDecorated(false);
+    connect(changes_, &RowsPanel::row_clicked, this, [this](const QString& key) {
+        const auto at = key.section(QLatin1Char(':'), 0, 0).toULongLong();
+        const auto changes = fields_.changes.pixel_changes;  // answers may change the fields
+        if (at >= changes.size()) return;
+        emit buffer_wanted(QString::fromStdString(changes[at].key));
+        emit step_wanted(QString::fromStdString(changes[at].pass));
+    });
+    return traced_;
+}
+
+bool PipelinePanel::shows_skipped() const {
+    return skipped_->isChecked();
+}
+
+void PipelinePanel::set_shows_skipped(bool on) {
+    const QSignalBlocker quiet(skipped_);
+    skipped_->setChecked(on);
+}
+
+std::vector<std::string> PipelinePanel::passes() const {
+    std::vector<std::string> names;
+    for (const auto& node : fields_.pipeline.nodes)
+        if (node.is_pass && !node.rows.front().skipped) names.push_back(node.rows.front().key);
+    return names;
+}
+
+void PipelinePanel::step(int by) {
+    const auto names = passes();
+    const int count = int(names.size());
+    if (count == 0) return;
+    const auto found = std::find(names.begin(), names.end(), fields_.step);
+    const int now = found == names.end() ? count : int(found - names.begin());
+    const int next = (now + by + count + 1) % (count + 1);  // the last place is the whole frame
+    emit step_wanted(next == count ? QString() : QString::fromStdString(names[std::size_t(next)]));
+}
+
+void PipelinePanel::set_fields(const PipelineFields& fields) {
+    fields_ = fields;
+    const bool has_frame = fields.why_empty.isEmpty();
+    pages_->setCurrentIndex(has_frame ? 0 : 1);
+    empty_->setText(fields.why_empty);
+    for (auto* button : {back_, forward_, fit_, export_}) button->setEnabled(has_frame);
+    whole_->setEnabled(has_frame && !fields.step.empty());
+    const auto names = passes();
+    const auto found = std::find(names.begin(), names.end(), fields.step);
+    where_->setText(found == names.end() ? QString()
+                                         : tr("after pass %1 of %2, “%3”")
+                                               .arg(found - names.begin() + 1)
+                                               .arg(names.size())
+                                               .arg(QString::fromStdString(fields.step)));
+    where_->setToolTip(where_->text());
+    view_->set_pipeline(fields.pipeline, fields.pictures);
+    view_->set_marked(QString::fromStdString(fields.step), QString::fromStdString(fields.shown));
+    traced_->setVisible(fields.traced.has_value());
+    if (fields.traced)
+        pixel_->setText(
+            tr("What passes did to pixel %1, %2").arg(fields.traced->x()).arg(fields.traced->y()));
+    changes_->set_rows(change_rows(fields.changes));
+}
+
+}  // namespace ir::widgets
