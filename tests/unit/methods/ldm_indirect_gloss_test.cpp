@@ -6,17 +6,18 @@
 
 #include "renderers/methods/all_methods.h"
 #include "renderers/passes/reflection/reflection.h"
+#include "renderers/passes/scattering/microfacets.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 
 namespace ir::test {
 namespace {
 
-constexpr float roughness = 0.1f, intensity = 3, ceiling_albedo = 0.5f;
+constexpr float intensity = 3, ceiling_albedo = 0.5f;
 constexpr glm::vec3 lamp(0.3f, 1, -0.2f), metal(0.9f, 0.6f, 0.4f), eye(0, 1, 3);
 
 /// Floor and ceiling, 8 m wide, 2 m apart.
-scene::Scene hall() {
+scene::Scene hall(float roughness) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 4, SmallWorld::masked);
     small.square({0, 2, 0}, {0, -1, 0}, 4);
@@ -56,9 +57,15 @@ class LdmIndirectMirror : public PassTest {
         return read(key);
     }
 
+    void polish() { shot_ = Shot(hall(0), looking(eye, {0, 0, 0}), 48, 32); }
+    static glm::vec3 reflectance(float roughness, float cosine) {
+        return roughness > 0 ? passes::directional_albedo(metal, roughness, cosine)
+                             : passes::schlick_fresnel(metal, cosine);
+    }
+
     /// Mean of |found - expected| over expected, of pixels that show the floor and the ceiling in it.
-    double error(const Settings& more) {
-        const auto found = look(more, "gloss.radiance");
+    double error(const Settings& more) { return error(look(more, "gloss.radiance"), 0.1f); }
+    double error(const Image& found, float roughness) {
         const auto position = read("gbuffer.position"), normal = read("gbuffer.geometric_normal");
         double sum = 0;
         int count = 0;
@@ -72,8 +79,8 @@ class LdmIndirectMirror : public PassTest {
                 const auto to_lamp = lamp - seen;
                 const float distance = glm::length(to_lamp);
                 const float irradiance = intensity * -to_lamp.y / (distance * distance * distance);
-                const auto expected = passes::directional_albedo(metal, roughness, v.y) *
-                                      (ceiling_albedo * irradiance / glm::pi<float>());
+                const auto expected =
+                    reflectance(roughness, v.y) * (ceiling_albedo * irradiance / glm::pi<float>());
                 for (int c = 0; c < 3; ++c) sum += std::abs(found.at(x, y, c) / expected[c] - 1);
                 count += 3;
             }
@@ -82,7 +89,7 @@ class LdmIndirectMirror : public PassTest {
     }
 
   private:
-    Shot shot_{hall(), looking(eye, {0, 0, 0}), 48, 32};
+    Shot shot_{hall(0.1f), looking(eye, {0, 0, 0}), 48, 32};
 };
 
 // On the plane of what a map's direction hits, the wished direction meets the right place.
@@ -94,6 +101,18 @@ TEST_F(LdmIndirectMirror, ShowsTheCeilingWhereItIs) {
                      error({{"gloss_landing", std::string("direction")}, {"directions", std::int64_t{768}}});
     EXPECT_GT(coarse, 0.05);
     EXPECT_LT(fine, 0.5 * coarse);
+}
+
+// A mirror scatters nothing, as in the reference: what it shows of the ceiling is direct light where the
+// ceiling reflects the lamp's, and that alone is missing from indirect light.
+TEST_F(LdmIndirectMirror, ThatIsSmoothIsNoBounce) {
+    polish();
+    Settings settings{{"gloss", std::string("lobe")}, {"paths", std::string("full")}};
+    auto direct = look(settings, "gloss.radiance");
+    settings["paths"] = std::string("indirect");
+    const auto indirect = look(settings, "gloss.radiance");
+    for (std::size_t i = 0; i < direct.pixels.size(); ++i) direct.pixels[i] -= indirect.pixels[i];
+    EXPECT_LT(error(direct, 0), 1e-3);
 }
 
 // A region of 2N is at most 5.5/√(2N) wide, and its direction lies within it. Where that runs below the floor
