@@ -102,7 +102,8 @@ class Preprocessor {
     fs::path resolve(const std::string& name, const std::string& place, const fs::path& from) {
         for (const auto& folder : {from.parent_path(), folder_}) {
             const fs::path path = (folder / name).lexically_normal();
-            if (*path.lexically_relative(folder_.lexically_normal()).begin() == "..")
+            const auto inside = path.lexically_relative(folder_.lexically_normal());
+            if (inside.empty() || *inside.begin() == "..")
                 throw Error(place + "include file \"" + name + "\" leads out of the shader folder");
             if (look_at(path)) return path;
         }

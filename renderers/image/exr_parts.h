@@ -12,7 +12,7 @@
 namespace ir {
 
 /// OpenEXR takes memory for the length that an attribute claims before it reads it. Throws InputError where
-/// one is longer than the file.
+/// one is longer than the file, or not as long as its type, of which OpenEXR reads so many bytes in any case.
 void require_whole_header(const std::filesystem::path& file);
 
 /// The texts of a file's header, but for those that are OpenEXR's own.

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
@@ -149,12 +150,58 @@ void default_layer_first(std::vector<ImageLayer>& layers) {
     std::stable_partition(layers.begin(), layers.end(), [](const auto& layer) { return layer.name.empty(); });
 }
 
-/// Behind the next zero; false where there is none soon.
-bool skip_text(std::istream& stream) {
-    constexpr int longest_name = 256;
-    for (int i = 0; i < longest_name; ++i)
-        if (const int c = stream.get(); c <= 0) return c == 0;
-    return false;
+/// Up to the next zero, which is passed; nothing where there is none soon.
+std::optional<std::string> text_in(std::istream& stream) {
+    constexpr std::size_t longest_name = 256;
+    std::string text;
+    for (int c; text.size() < longest_name && (c = stream.get()) >= 0; text += static_cast<char>(c))
+        if (c == 0) return text;
+    return std::nullopt;
+}
+
+std::int64_t length_in(std::istream& stream) {
+    unsigned char bytes[4] = {};
+    stream.read(reinterpret_cast<char*>(bytes), sizeof bytes);
+    return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | std::int64_t{bytes[3]} << 24;
+}
+
+/// How many bytes OpenEXR reads of an attribute at the stream's place, whatever length the file says; nothing
+/// where it goes by that.
+std::optional<std::int64_t> bytes_read(std::istream& stream, const std::string& type) {
+    static const std::map<std::string, std::int64_t> fixed{{"box2i", 16},
+                                                           {"box2f", 16},
+                                                           {"chromaticities", 32},
+                                                           {"compression", 1},
+                                                           {"deepImageState", 1},
+                                                           {"double", 8},
+                                                           {"envmap", 1},
+                                                           {"float", 4},
+                                                           {"int", 4},
+                                                           {"keycode", 28},
+                                                           {"m33f", 36},
+                                                           {"m33d", 72},
+                                                           {"m44f", 64},
+                                                           {"m44d", 128},
+                                                           {"lineOrder", 1},
+                                                           {"v2i", 8},
+                                                           {"v2f", 8},
+                                                           {"v2d", 16},
+                                                           {"v3i", 12},
+                                                           {"v3f", 12},
+                                                           {"v3d", 24},
+                                                           {"rational", 8},
+                                                           {"tiledesc", 9},
+                                                           {"timecode", 8}};
+    if (const auto found = fixed.find(type); found != fixed.end()) return found->second;
+    const auto begin = stream.tellg();
+    if (type == "preview") {
+        const auto width = length_in(stream), height = length_in(stream);
+        return height == 0 || width < (std::int64_t{1} << 28) / height ? 8 + 4 * width * height : -1;
+    }
+    if (type != "chlist") return std::nullopt;
+    constexpr int after_name = 16;
+    while (stream.peek() > 0 && text_in(stream)) stream.seekg(after_name, std::ios::cur);
+    return stream.get() == 0 ? std::optional<std::int64_t>(stream.tellg() - begin) : -1;
 }
 
 template <class Read>
@@ -176,21 +223,22 @@ void read(const std::filesystem::path& file, Read read_from) {
 
 void require_whole_header(const std::filesystem::path& file) {
     constexpr unsigned char parts_flag = 0x10;  // of the second byte of the version
-    const auto length = static_cast<std::streamoff>(std::filesystem::file_size(file));
+    const auto file_bytes = static_cast<std::streamoff>(std::filesystem::file_size(file));
     std::ifstream stream(file, std::ios::binary);
-    unsigned char begin[8] = {}, size[4] = {};
+    unsigned char begin[8] = {};
     stream.read(reinterpret_cast<char*>(begin), sizeof begin);
     do {
         while (stream.peek() > 0) {  // a header ends with an empty name
-            // What else is wrong, OpenEXR says.
-            if (!skip_text(stream) || !skip_text(stream) ||
-                !stream.read(reinterpret_cast<char*>(size), sizeof size))
-                return;
-            const auto bytes = size[0] | size[1] << 8 | size[2] << 16 | std::int64_t{size[3]} << 24;
-            if (bytes > length - stream.tellg())
-                throw InputError(file.string(), "byte " + std::to_string(stream.tellg()),
-                                 "an attribute is longer than the file; it is damaged");
-            stream.seekg(bytes, std::ios::cur);
+            const auto name = text_in(stream), type = text_in(stream);
+            const auto bytes = length_in(stream);
+            if (!name || !type || !stream) return;  // OpenEXR says what is wrong
+            const std::streamoff at = stream.tellg();
+            const auto read = bytes_read(stream, *type);
+            if (bytes > file_bytes - at || (read && *read != bytes))
+                throw InputError(file.string(), "byte " + std::to_string(at),
+                                 "an attribute is longer than the file or its type; it is damaged");
+            stream.clear();
+            stream.seekg(at + bytes);
         }
         stream.get();
     } while ((begin[5] & parts_flag) != 0 && stream.peek() > 0);
