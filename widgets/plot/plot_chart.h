@@ -24,7 +24,6 @@ class PlotChart {
     void set_colours(const PlotStyle& style) { style_ = style; }
     void set_size(const QSizeF& size);
     const PlotData& data() const { return data_; }
-    const PlotStyle& colours() const { return style_; }
     /// Points that have a place, in the order of series, then points.
     const std::vector<Mark>& marks() const { return placed_.marks; }
     const Mark* mark(const QString& id) const;
