@@ -251,7 +251,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
             picture.note =
                 picture.stale
                     ? rendering()
-                    : QObject::tr("“%1” is not written before “%2” has run.").arg(option.label, after);
+                    : QObject::tr("“%1” is not written yet when “%2” has run.").arg(option.label, after);
         if (picture.note.isEmpty())
             picture.note = QObject::tr("“%1” holds a %2, which has no picture.")
                                .arg(option.label, text_of(to_string(option.kind)));

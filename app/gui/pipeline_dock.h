@@ -20,8 +20,6 @@ class PipelineDock : public QObject {
 
     widgets::PipelinePanel& panel() { return *panel_; }
     void set_visible(bool visible);
-    /// Pictures are those of the whole frame again.
-    void leave_frame();
     bool is_settled() const { return !visible_ || !panel_->view().is_placing(); }
 
     void save(projects::Json& memory) const;
@@ -33,6 +31,8 @@ class PipelineDock : public QObject {
   private:
     void update();
     void show_step(const std::string& pass);
+    /// Pictures are those of the whole frame again.
+    void leave_frame();
     void trace(std::optional<QPoint> pixel);
     void write_svg();
     std::string experiment() const;  ///< of the active view; empty: none

@@ -22,7 +22,6 @@ class PipelineView : public QGraphicsView {
     void set_pipeline(const Pipeline& pipeline, const Pictures& pictures);
     /// The pass after which buffers are shown (empty: the whole frame), and the buffer that a view shows.
     void set_marked(const QString& pass, const QString& buffer);
-    const Pipeline& pipeline() const { return shown_; }
     bool is_placing() const { return job_.is_running(); }
     /// Where a pass or buffer is drawn, in the viewport's coordinates; empty: nowhere.
     QRect place_of(const QString& key) const;

@@ -45,7 +45,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                            "Exact: a bounding volume hierarchy on the device; further bounces by Embree."},
                           {"embree", "Embree", "Exact, on the processor: the oracle."}},
               .on_change = OnChange::reallocate,
-              .since_version = 5})
+              .since_version = 6})
         .add(&Parameters::footprint,
              {.key = "footprint",
               .label = "Footprint",
@@ -121,7 +121,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
               .soft = {0.001, 1},
               .effect = Effect::cost,
               .on_change = OnChange::reallocate});
-    table.include(&Parameters::cube, passes::cube_parameters(5));
+    table.include(&Parameters::cube, passes::cube_parameters(6));
 }
 
 }  // namespace ir::methods::ldm_indirect
