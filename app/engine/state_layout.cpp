@@ -7,7 +7,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
-#include "renderers/image/exr.h"
+#include "renderers/image/exr_parts.h"
 
 namespace ir::engine {
 namespace {
@@ -179,7 +179,7 @@ graph::History described_entries(const std::string& text, const std::string& fil
         }
     } catch (const std::exception& problem) {
         throw InputError(file, "",
-                         std::string("does not say what it holds (") + problem.what() + "); it is damaged");
+                         "does not say what it holds (" + in_one_line(problem.what()) + "); it is damaged");
     }
     if (history.entries.empty() || sum > max_expanded(file_bytes))
         throw InputError(file, "", "cannot hold what it says; it is damaged");

@@ -96,7 +96,7 @@ void check_part(const StatePart& part, const Imf::Header& header, const std::str
     for (const auto& channel : part.channels) {
         const auto* found = header.channels().findChannel(channel.name);
         if (!found || found->type != pixel_type(channel))
-            throw InputError(file, "channel '" + channel.name + "'",
+            throw InputError(file, "channel '" + in_one_line(channel.name) + "'",
                              "is missing or of another type; the file is damaged");
     }
 }
@@ -201,7 +201,7 @@ graph::History read_state(const fs::path& file, ImageAttributes* attributes) {
     } catch (const Error&) {
         throw;
     } catch (const std::exception& problem) {
-        throw InputError(file.string(), "", std::string("is not a readable state (") + problem.what() + ")");
+        throw InputError(file.string(), "", "is not a readable state (" + in_one_line(problem.what()) + ")");
     }
 }
 

@@ -15,6 +15,10 @@ namespace ir {
 /// one is longer than the file, or not as long as its type, of which OpenEXR reads so many bytes in any case.
 void require_whole_header(const std::filesystem::path& file);
 
+/// What a message takes from a file, such as OpenEXR's with names in it: no control characters, 400 bytes at
+/// most.
+std::string in_one_line(std::string text);
+
 /// The texts of a file's header, but for those that are OpenEXR's own.
 ImageAttributes attributes_of(const Imf::Header& header);
 

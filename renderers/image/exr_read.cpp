@@ -79,7 +79,7 @@ std::vector<LayerChannels> layers_in(const Imf::Header& header, const std::strin
     for (auto each = header.channels().begin(); each != header.channels().end(); ++each) {
         const std::string full = each.name();
         if (each.channel().xSampling != 1 || each.channel().ySampling != 1)
-            throw InputError(file, "channel '" + full + "'",
+            throw InputError(file, "channel '" + in_one_line(full) + "'",
                              "is subsampled (luminance and chroma); save it as RGB");
         const auto name = split_channel_name(full);
         const auto [place, is_new] = places.try_emplace(layer_name(part, name.layer), layers.size());
@@ -215,11 +215,19 @@ void read(const std::filesystem::path& file, Read read_from) {
         throw;
     } catch (const std::exception& problem) {
         throw InputError(file.string(), "",
-                         std::string("is not a readable EXR file (") + problem.what() + ")");
+                         "is not a readable EXR file (" + in_one_line(problem.what()) + ")");
     }
 }
 
 }  // namespace
+
+std::string in_one_line(std::string text) {
+    constexpr std::size_t longest = 400;
+    if (text.size() > longest) text.resize(longest);
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    return text;
+}
 
 void require_whole_header(const std::filesystem::path& file) {
     constexpr unsigned char parts_flag = 0x10;  // of the second byte of the version

@@ -246,6 +246,24 @@ TEST(Exr, RefusesAttributesThatAreLongerThanTheFile) {
     }
 }
 
+TEST(Exr, NamesCannotBreakTheLine) {
+    TemporaryFolder folder;
+    write_exr(folder / "whole.exr", {layer("", pattern(4, 4, 1))}, {});
+    std::ifstream whole(folder / "whole.exr", std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+    const auto channel = bytes.find(std::string("Y\0\2\0\0\0", 6));  // its type is float
+    ASSERT_NE(channel, std::string::npos);
+    bytes[channel] = '\n';
+    bytes[channel + 2] = 9;  // no type at all
+    std::ofstream(folder / "evil.exr", std::ios::binary) << bytes;
+    try {
+        read_exr(folder / "evil.exr");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+}
+
 TEST(Exr, SurvivesDamage) {
     TemporaryFolder folder;
     write_exr(folder / "whole.exr", {layer("", pattern(24, 24, 3)), layer("half", pattern(12, 12, 1))}, {});
