@@ -108,7 +108,7 @@ class Checker {
         const auto* base = find_item(project_.experiments, sweep.experiment);
         if (!base || !registry_.find(base->method)) return;
         try {
-            sweep_points(project_, sweep, registry_);
+            check_sweep(project_, sweep, registry_);
         } catch (const UsageError& error) {
             refuse(at, error.what());
         }

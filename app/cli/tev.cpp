@@ -29,7 +29,7 @@ void show(const std::string& file, const std::string& address) {
 void add_tev(CLI::App& app, Run& run) {
     auto flags = std::make_shared<TevFlags>();
     auto* command = app.add_subcommand("tev", "Show pictures with all layers in a running tev");
-    command->add_option("P", flags->files, "EXR, HDR, PNG or JPEG files")->required();
+    command->add_option("P", flags->files, "Pictures: EXR, HDR, PNG, JPEG, TIFF or WebP")->required();
     command->add_option("--to", flags->address, "HOST:PORT where tev listens")->capture_default_str();
     command->callback([flags, &run] {
         run = [flags] {

@@ -16,6 +16,7 @@ class ExportController : public QObject {
     ExportController(QWidget& window, Session& session, Renderer& renderer, Workspace& workspace,
                      const Exports& exports, Notices& notices, Actions& actions);
     ~ExportController() override;
+    const Exports& exports() const { return exports_; }
     /// Shows the active view's buffer in the program tev, on a thread of its own.
     void show_in_tev(const std::string& address);
 

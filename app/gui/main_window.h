@@ -65,7 +65,6 @@ class MainWindow : public QMainWindow {
     Playback& playback() { return playback_; }
     TimelineDock& timeline() { return *timeline_; }
     References& references() { return references_; }
-    Exports& exports() { return exports_; }
     ExportController& export_controller() { return export_; }
     ReportController& reports() { return report_; }
     DockLayout& docks() { return docks_; }

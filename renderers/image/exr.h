@@ -38,8 +38,8 @@ std::vector<std::string> standard_channels(int channels, bool vector_valued = fa
 /// Throws InputError (also for an unknown layer, listing the known ones).
 Image read_image(const std::filesystem::path& file, const std::string& layer = {});
 
-/// All layers of an EXR file, with the texts of its header; the picture of another file that OpenImageIO
-/// reads as one layer without a name. Throws InputError.
+/// All layers of an EXR file, with the texts of its header; a picture in another format as one layer without
+/// a name. Throws InputError.
 std::vector<ImageLayer> read_layers(const std::filesystem::path& file, ImageAttributes* attributes = nullptr);
 
 /// The bytes of a PNG as write_png has it; `exposure` in stops. Throws Error.

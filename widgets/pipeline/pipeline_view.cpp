@@ -98,6 +98,7 @@ void PipelineView::place() {
 }
 
 void PipelineView::show_placed(const Pipeline& pipeline, PlacedPipeline placed) {
+    if (has_same_shape(shown_, wanted_)) return;  // what was asked for meanwhile is what is shown
     const bool is_first = shown_.nodes.empty();
     placed_ = std::move(placed);
     shown_ = has_same_shape(pipeline, wanted_) ? wanted_ : pipeline;
@@ -106,7 +107,6 @@ void PipelineView::show_placed(const Pipeline& pipeline, PlacedPipeline placed) 
     scene()->setSceneRect(item->boundingRect());
     item->update();
     if (is_first && !shown_.nodes.empty()) verticalScrollBar()->setValue(verticalScrollBar()->minimum());
-    emit this->placed();
 }
 
 void PipelineView::set_marked(const QString& pass, const QString& buffer) {

@@ -40,7 +40,6 @@ class PipelineView : public QGraphicsView {
     void buffer_clicked(const QString& key);
     /// Up, down: to the pass before, to the next one.
     void step_wanted(int passes);
-    void placed();
     void failed(const QString& error);
 
   protected:

@@ -57,6 +57,7 @@ void use(const Project& project) {
     }
     for (const auto& sweep : project.sweeps) {
         try {
+            check_sweep(project, sweep, registry());
             sweep_points(project, sweep, registry());
         } catch (const UsageError& error) {
             require_one_line(error.what());

@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 
+#include "projects/check.h"
 #include "projects/document_json.h"
 #include "projects/hash.h"
 #include "renderers/core/error.h"
@@ -210,6 +211,26 @@ TEST(ProjectFuzz, HostileShapesAreRefusedQuickly) {
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         EXPECT_LT(took.count(), 10);
     }
+}
+
+/// Together these sweeps have 9 million variations, of 60,000 values.
+TEST(ProjectFuzz, ManySweepsAreCheckedQuickly) {
+    Json values = Json::array(), sweeps = Json::array();
+    for (int i = 1; i <= 300; ++i) values.push_back(i);
+    for (int i = 0; i < 100; ++i)
+        sweeps.push_back(
+            {{"id", "s" + std::to_string(i)},
+             {"experiment", "a"},
+             {"axes", {{{"key", "samples"}, {"values", values}}, {{"key", "seed"}, {"values", values}}}}});
+    const Json document{
+        {"schema", schema_version}, {"experiments", {{{"id", "a"}, {"method", "fog"}}}}, {"sweeps", sweeps}};
+    const auto opened = read_project(document.dump(), "hostile.json", fuzz::registry());
+    ASSERT_EQ(opened.project.sweeps.size(), 100u);
+    const auto start = std::chrono::steady_clock::now();
+    for (const auto& message : check(opened, "/nonexistent", fuzz::registry()))
+        EXPECT_EQ(message.text.find("/axes"), std::string::npos) << message.text;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(took.count(), 10);
 }
 
 TEST(LightFuzz, MutatedSpecsParseOrAreRefusedWithOneLine) {

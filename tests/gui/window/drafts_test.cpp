@@ -133,10 +133,10 @@ TEST_F(DraftsWindowTest, ExportsWait) {
     const auto file = folder.filePath("picture.png");
     change_level(0.75);
     answer_with(Fineness::half);
-    EXPECT_THROW(window.exports().save_view(file), Error);
-    EXPECT_THROW(window.exports().save_values(folder.filePath("values.csv")), Error);
+    EXPECT_THROW(window.export_controller().exports().save_view(file), Error);
+    EXPECT_THROW(window.export_controller().exports().save_values(folder.filePath("values.csv")), Error);
     answer_in_full();
-    EXPECT_NO_THROW(window.exports().save_view(file));
+    EXPECT_NO_THROW(window.export_controller().exports().save_view(file));
 }
 
 /// They show no drafts: what they show stays, says so, and goes with its method.

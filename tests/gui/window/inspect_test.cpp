@@ -215,27 +215,28 @@ TEST_F(InspectWindowTest, WhatIsShownIsExported) {
     const QTemporaryDir folder;
     const QString png = folder.path() + "/view.png", exr = folder.path() + "/buffer.exr",
                   csv = folder.path() + "/values.csv";
-    window.exports().save_view(png);
+    window.export_controller().exports().save_view(png);
     EXPECT_FALSE(QImage(png).isNull());
-    window.exports().save_buffer(exr);
+    window.export_controller().exports().save_buffer(exr);
     const auto image = read_image(exr.toStdString());
     EXPECT_EQ(image.pixels, window.view().image().pixels);
-    window.exports().save_values(csv);
+    window.export_controller().exports().save_values(csv);
     QFile file(csv);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.readLine().trimmed(), "x,y,R,G,B");
     EXPECT_EQ(file.readLine().trimmed(), "0,0,0.25,0.25,0.25");
-    window.exports().save_all_buffers(folder.path() + "/all.exr");
+    window.export_controller().exports().save_all_buffers(folder.path() + "/all.exr");
     ASSERT_EQ(renderer.exports.size(), 1u);
     EXPECT_EQ(renderer.exports[0].tag, window.session().experiment()->id);
     window.views().show_output("numbers");
     ASSERT_TRUE(settle());
-    window.exports().save_values(csv);
+    window.export_controller().exports().save_values(csv);
     file.close();
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.readAll().count('\n'), fake_elements + 1);
-    EXPECT_THROW(window.exports().save_buffer(exr), Error);
-    EXPECT_THROW(window.exports().save_view(folder.path() + "/no/such/folder.png"), Error);
+    EXPECT_THROW(window.export_controller().exports().save_buffer(exr), Error);
+    EXPECT_THROW(window.export_controller().exports().save_view(folder.path() + "/no/such/folder.png"),
+                 Error);
 }
 
 TEST_F(InspectWindowTest, TheShownBufferIsSentToTev) {
@@ -244,7 +245,7 @@ TEST_F(InspectWindowTest, TheShownBufferIsSentToTev) {
     window.export_controller().show_in_tev(tev.address());
     const auto shown = received.get();
     ASSERT_EQ(shown.size(), 1u);
-    EXPECT_EQ(shown.begin()->first, window.exports().title().toStdString());
+    EXPECT_EQ(shown.begin()->first, window.export_controller().exports().title().toStdString());
     EXPECT_EQ(shown.begin()->second.image.pixels, window.view().image().pixels);
     const auto labels = window.findChild<StatusLine*>()->findChildren<QLabel*>();
     EXPECT_TRUE(QTest::qWaitFor([&] {
@@ -257,7 +258,8 @@ TEST_F(InspectWindowTest, ExportsThatDoNotFitOnTheDiskAreRefused) {
     const QTemporaryDir folder;
     const QString file = folder.path() + "/file.png";
     const auto refused = [&](void (Exports::*save)(const QString&) const) {
-        return is_refused_without_room(file.toStdString(), [&] { (window.exports().*save)(file); });
+        return is_refused_without_room(file.toStdString(),
+                                       [&] { (window.export_controller().exports().*save)(file); });
     };
     EXPECT_EQ(refused(&Exports::save_view), "");
     EXPECT_EQ(refused(&Exports::save_buffer), "");

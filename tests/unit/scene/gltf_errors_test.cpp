@@ -110,7 +110,7 @@ TEST(GltfErrors, DevicesAndPipes) {
     EXPECT_NE(refusal_of("/dev/zero").find("not a regular file"), std::string::npos);
 }
 
-/// Each of 64 grey images of 16 Mi texels is a few kilobytes of zeros.
+/// Each of twelve grey images of 16 Mi texels is a few kilobytes of zeros.
 TEST(GltfErrors, TexturesThatExpandBeyondReasonAreRefused) {
     auto builder = triangle();
     const auto png = png_of(Image(4096, 4096, 1, 0.0f), 0);
