@@ -68,8 +68,8 @@ ParameterTable<SampleFilterParameters> sample_filter_parameters(const Condition&
                           {"variance", "By variance, over frames",
                            "Its own samples are averaged over frames, where that is asked for, and then over "
                            "pixels by an edge-avoiding filter that lets them differ as far as the samples' "
-                           "variance does not explain. Materials are divided out before it. The blur's "
-                           "radius does not count."}},
+                           "variance does not explain. Materials are divided out before it. The blur "
+                           "gathers nothing then."}},
               .active_when = active_when,
               .since_version = 7,
               .value_in_older_projects = std::string("blur")})

@@ -5,7 +5,7 @@
 #include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/direct/light_estimate.h"
-#include "renderers/passes/scattering/microfacets.h"
+#include "renderers/passes/scattering/keep_interface.h"
 
 namespace ir::methods::deep_screen_space {
 
@@ -63,25 +63,19 @@ class SourceHighlight {
                     const Parameters& parameters)
         : estimate_(bvh, sources.surfaces, sources.lights,
                     {.materials = parameters.transport.materials, .between = parameters.transport.materials}),
-          is_layered_(parameters.transport.materials == Transport::Materials::gltf) {}
+          model_(parameters.transport.materials) {}
 
     /// Towards the unit direction `to_ws`, W/(m² sr), by one sample, unbiased over samplers.
     glm::vec3 radiance(passes::Surface surface, float ior, const glm::vec3& to_ws,
                        const passes::PathSampler& sampler) const {
-        const float opaque = 1 - surface.transmission * (1 - surface.metallic);
-        const float part = is_layered_ ? opaque : opaque * surface.metallic;
+        const float part = passes::keep_interface(surface, ior, model_);
         if (part == 0) return glm::vec3(0);
-        if (is_layered_)
-            surface.base_colour =
-                glm::mix(glm::vec3(passes::dielectric_f0(ior)), surface.base_colour, surface.metallic);
-        surface.metallic = 1;
-        surface.transmission = 0;
         return part * estimate_.sample(surface, to_ws, sampler);
     }
 
   private:
     passes::LightEstimate estimate_;
-    bool is_layered_;
+    Transport::Materials model_;
 };
 
 }  // namespace ir::methods::deep_screen_space

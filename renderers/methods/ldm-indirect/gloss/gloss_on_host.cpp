@@ -17,6 +17,7 @@
 #include "renderers/passes/ldm/regions.h"
 #include "renderers/passes/raytracing/layered_depth_cube.h"
 #include "renderers/passes/raytracing/ray_offset.h"
+#include "renderers/passes/scattering/keep_interface.h"
 #include "renderers/passes/scattering/microfacets.h"
 #include "renderers/passes/scene/stands_still.h"
 #include "renderers/passes/surface/host_surfaces.h"
@@ -48,18 +49,6 @@ struct Path {
     glm::vec3 wished;      ///< unit direction
     ldm::MapRay from;      ///< where it is, and along which map it goes
 };
-
-/// Leaves the interface alone of a surface: a metal of its reflectance. Returns which part of it that is.
-float keep_interface(passes::Surface& surface, const scene::Material& material, Materials model) {
-    const float opaque = 1 - surface.transmission * (1 - surface.metallic);
-    const float part = model == Materials::metalness_blend ? opaque * surface.metallic : opaque;
-    if (model == Materials::gltf)
-        surface.base_colour =
-            glm::mix(glm::vec3(passes::dielectric_f0(material.ior)), surface.base_colour, surface.metallic);
-    surface.metallic = 1;
-    surface.transmission = 0;
-    return part;
-}
 
 /// What the pass reads and writes.
 struct GlossResources {
@@ -226,7 +215,7 @@ class Reflections {
         if (surface.is_unlit) return;
         const auto& material = frame.surfaces->material(surface.material);
         const auto model = parameters_.transport.materials;
-        const float part = keep_interface(surface, material, model);
+        const float part = passes::keep_interface(surface, material.ior, model);
         if (!(part > 0)) return;
         const auto wo = viewer_.seen_from(surface.position_ws);
         const bool is_mirror = surface.roughness * surface.roughness < passes::mirror_alpha;

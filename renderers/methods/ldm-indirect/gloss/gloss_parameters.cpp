@@ -18,7 +18,8 @@ ParameterTable<GlossParameters> gloss_parameters() {
              {.key = "gloss",
               .label = "Gloss",
               .doc = "Where the interfaces look that are seen. What they meet there is lit by its direct "
-                     "light, and with more bounces by paths that go on. It takes the place of `receiver`.",
+                     "light, and with more bounces by paths that go on. It takes the place of `receiver`. "
+                     "Lambert surfaces have no interface.",
               .citation = "Aalund15 §6",
               .choices = {{"none", "None", "Interfaces reflect what `receiver` says."},
                           {"mirror", "Mirror direction",

@@ -136,7 +136,8 @@ std::vector<OutputDescription> trace_outputs() {
     return joined({lines, ldm::walk_outputs({.point = "the place where the brightest photon was split",
                                              .map = "its map",
                                              .ends = "the scene's end",
-                                             .when_empty = no_photon})});
+                                             .when_empty = std::string(no_photon) +
+                                                           ", or its map is of an earlier batch"})});
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -7,7 +7,6 @@
 #include "methods/deep-screen-space/splatting/glass.glsl"
 
 #if DISCS == 2
-#include "methods/deep-screen-space/splatting/ray_origin.glsl"
 #include "passes/raytracing/bvh.glsl"
 #include "passes/raytracing/ray_offset.glsl"
 
@@ -20,7 +19,7 @@ const float SPLAT_LIFT = 0.05;
 /// DEVIATION [Nalbach15 §3.2]: no such test. Enlarged discs reach around edges and into what is closed; there they
 /// hide what the ray would meet, and what they send is what arrives somewhere else.
 bool splat_is_seen(vec3 x_ws, vec3 geometric_normal_ws, vec3 direction_ws, Surfel s, float disc_radius) {
-    vec3 origin = splat_ray_origin(x_ws, geometric_normal_ws);
+    vec3 origin = offset_origin(x_ws, geometric_normal_ws);
     vec3 facing = dot(s.normal_ws, direction_ws) > 0.0 ? -s.normal_ws : s.normal_ws;
     vec3 way = s.centre_ws + SPLAT_LIFT * disc_radius * facing - origin;
     float distance_m = length(way);

@@ -7,7 +7,6 @@
 #endif
 #include "methods/deep-screen-space/splatting/glass.glsl"
 #include "methods/deep-screen-space/splatting/influence.glsl"
-#include "methods/deep-screen-space/splatting/ray_origin.glsl"
 #include "methods/deep-screen-space/surfels/ideal.glsl"
 #include "passes/bounce/tiles.glsl"
 #include "passes/raytracing/bvh.glsl"
@@ -50,7 +49,7 @@ void main() {
         vec3 direction = texelFetch(directions, ivec3(pixel, i), 0).xyz;
         RayHit hit = no_hit();
         if (x.w != 0.0 && direction != vec3(0))
-            hit = exact_hit_of(splat_ray_origin(x.xyz, normal_ws), direction, reach);
+            hit = exact_hit_of(offset_origin(x.xyz, normal_ws), direction, reach);
         uvec2 found = is_hit(hit) ? uvec2(1u + hit.triangle, floatBitsToUint(hit.distance))
                                   : uvec2(0u, floatBitsToUint(reach));
         imageStore(exact_image, ivec3(pixel, i), found.xyxx);

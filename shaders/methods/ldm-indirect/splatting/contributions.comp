@@ -49,7 +49,8 @@ void main() {
     Kernel k = kernel_of(f);
     ivec4 bounds = pixels_of(o);
     ivec2 first = max(bounds.xy - first_pixel + pixel_step - 1, ivec2(0)) / pixel_step;
-    ivec2 last = min((bounds.zw - first_pixel) / pixel_step, cells - 1);
+    // One more, as pixels of the last cells are moved into the picture.
+    ivec2 last = min((bounds.zw - first_pixel + pixel_step - 1) / pixel_step, cells - 1);
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) add_to_cell(k, photon, uint(y * cells.x + x));
 }

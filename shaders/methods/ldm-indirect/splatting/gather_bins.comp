@@ -1,5 +1,6 @@
 // Sums the kernels of a bin's photons over its pixels. An invocation sums ROWS pixels of a column: what it reads of a
 // kernel serves all of them, which is most of the time where buffers are read lane by lane.
+#include "methods/ldm-indirect/seen.glsl"
 #include "methods/ldm-indirect/splatting/packed_kernel.glsl"
 #include "passes/photons/binned.glsl"
 
@@ -9,8 +10,6 @@
 
 layout(local_size_x = GATHERED_TILE, local_size_y = GATHERED_TILE / ROWS) in;
 layout(std430) readonly buffer Kernels { PackedKernel kernels[]; };
-uniform sampler2D gbuffer_position;
-uniform sampler2D gbuffer_geometric_normal;
 layout(rgba32f) uniform image2D sums;
 layout(rgba32f) uniform image2D directions;
 

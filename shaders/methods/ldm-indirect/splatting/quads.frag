@@ -1,11 +1,9 @@
 // Adds the kernel where it covers the pixel's surface; blending sums. [Aalund15 eqs. 5-7]
+#include "methods/ldm-indirect/seen.glsl"
 #include "methods/ldm-indirect/splatting/kernel.glsl"
 #ifdef CLIPPED
 #include "methods/ldm-indirect/splatting/clipping.glsl"
 #endif
-
-uniform sampler2D gbuffer_position;
-uniform sampler2D gbuffer_geometric_normal;
 
 layout(location = 0) flat in vec3 centre_ws;
 layout(location = 1) flat in vec3 row_p;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "renderers/core/parallel_for.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 #include "renderers/passes/gbuffer/gbuffer_surfaces.h"
 #include "renderers/passes/reflection/reflection.h"
@@ -14,7 +16,7 @@ namespace ir::methods::photon_mapping {
 namespace {
 
 /// As in shading_normal.glsl.
-float directional_factor(glm::vec3 direction, glm::vec3 shading_n, glm::vec3 geometric_n, float max_stretch) {
+float directional_factor(float max_stretch, glm::vec3 direction, glm::vec3 shading_n, glm::vec3 geometric_n) {
     const float mapped = glm::dot(direction, shading_n), plain = glm::dot(direction, geometric_n);
     const float inverse = plain * max_stretch > 1 ? 1 / plain : max_stretch;
     return std::max(1 + (mapped - plain) * inverse, 0.0f);
@@ -44,7 +46,8 @@ TexelReceivers::TexelReceivers(const graph::PassContext& p, const Kernels& kerne
     const auto& materials = inputs.scene->materials;
     width_ = size.x;
     receivers_.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-    for (int y = 0; y < size.y; ++y)
+    parallel_for(inputs.threads, 0, size.y, [&](std::int64_t row) {
+        const int y = static_cast<int>(row);
         for (int x = 0; x < size.x; ++x) {
             const auto pixel = view.divisor * glm::ivec2(x, y) + view.pixel_of_texel;
             if (pixel.x >= inputs.view.width || pixel.y >= inputs.view.height) continue;
@@ -58,6 +61,7 @@ TexelReceivers::TexelReceivers(const graph::PassContext& p, const Kernels& kerne
             receivers_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                        static_cast<std::size_t>(x)] = receiver_at(s, ior, v, least_alpha);
         }
+    });
 }
 
 void TexelReceivers::declare_reads(graph::PassBuilder& pass, const Kernels& kernels) {
@@ -82,7 +86,7 @@ TexelReceiver TexelReceivers::receiver_at(const passes::Surface& s, float ior, g
 TexelReceivers::Added TexelReceivers::added_by(const HostKernel& kernel, const TexelReceiver& r) const {
     const auto& l = kernel.to_light_ws;
     glm::vec3 irradiance(kernel.added[0], kernel.added[1], kernel.added[2]);
-    if (directional_) irradiance *= directional_factor(l, r.n, r.geometric_n, max_stretch_);
+    if (directional_) irradiance *= directional_factor(max_stretch_, l, r.n, r.geometric_n);
     const auto h = glm::normalize(l + r.v);
     const auto fresnel = passes::schlick_fresnel(r.f0, std::clamp(glm::dot(r.v, h), 0.0f, 1.0f));
     Added added{is_layered_ ? irradiance * (1.0f - fresnel) : irradiance, glm::vec3(0)};
