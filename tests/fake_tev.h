@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -31,6 +32,8 @@ class FakeTev {
         place.sin_family = AF_INET;
         place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         socklen_t length = sizeof place;
+        const timeval patience{20, 0};  // where nobody comes
+        ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
         if (::bind(socket_, reinterpret_cast<const sockaddr*>(&place), length) != 0 ||
             ::listen(socket_, 8) != 0 ||
             ::getsockname(socket_, reinterpret_cast<sockaddr*>(&place), &length) != 0)
@@ -44,6 +47,7 @@ class FakeTev {
     /// What the next connection sends until it ends; by the pictures' names.
     std::map<std::string, Shown> receive() {
         const int connection = ::accept(socket_, nullptr, nullptr);
+        if (connection < 0) throw std::runtime_error("nobody sends");
         std::string bytes;
         char part[1 << 16];
         for (ssize_t count; (count = ::read(connection, part, sizeof part)) > 0;)

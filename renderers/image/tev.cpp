@@ -60,8 +60,9 @@ class Connection {
         wanted.ai_socktype = SOCK_STREAM;
         wanted.ai_flags = AI_NUMERICSERV;
         addrinfo* list = nullptr;
-        const int status =
-            getaddrinfo(address.substr(0, colon).c_str(), address.c_str() + colon + 1, &wanted, &list);
+        auto host = address.substr(0, colon);
+        if (host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);  // as of IPv6
+        const int status = getaddrinfo(host.c_str(), address.c_str() + colon + 1, &wanted, &list);
         if (status != 0) fail(gai_strerror(status));
         const std::unique_ptr<addrinfo, void (*)(addrinfo*)> found(list, freeaddrinfo);
         int why = 0;

@@ -54,7 +54,8 @@ class Placing {
         add_nodes();
         add_edges();
         if (gvLayout(context_.get(), graph_.get(), "dot") != 0)
-            throw Error("the frame cannot be drawn as a graph: Graphviz has no layout 'dot' here");
+            throw Error(
+                "the frame cannot be drawn as a graph: Graphviz has no layout 'dot' here; install libgvc6 again");
         placed_.width = GD_bb(graph_.get()).UR.x;
         placed_.height = GD_bb(graph_.get()).UR.y;
         for (std::size_t i = 0; i < nodes_.size(); ++i) take_box(i);
