@@ -120,6 +120,20 @@ TEST_F(LdmIndirectExplain, EffectsAreWhatLeavingADirectionOutChanges) {
     EXPECT_NEAR(mean_effect(80) / small, 1, 0.1);
 }
 
+// Where the last cells of the grid would lie beyond the picture, they are its border.
+TEST_F(LdmIndirectExplain, EffectsKnowThePicturesBorder) {
+    load("builtin:cornell");
+    size = 17;  // a grid of 9 × 9, two pixels apart from the second one
+    render(settings(1024, {{"resolution", std::int64_t{20}}, {"emission", std::int64_t{4}}}), {},
+           wanting({"indirect.effects", "indirect.contributions"}));
+    const auto found = all<li::Contribution>("indirect.contributions");
+    const auto of_column = [&](std::uint32_t column) {
+        return std::ranges::count_if(found, [&](const auto& each) { return each.cell % 9u == column; });
+    };
+    EXPECT_GT(of_column(7), 0);
+    EXPECT_GT(of_column(8), 0);
+}
+
 // Of one primary photon: weighed by what the others keep, leaving each direction out in turn changes nothing,
 // Σ (S - c) Δ = 0.
 TEST(LdmIndirectEffects, OfAllDirectionsCancel) {

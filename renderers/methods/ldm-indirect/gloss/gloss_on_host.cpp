@@ -418,7 +418,9 @@ std::optional<graph::ImageRef> reflect_gloss(graph::GraphBuilder& builder, const
         r.sources = passes::extended_emitters(builder, light);
     if (parameters.gloss.tracer == GlossTracer::maps)
         r.meshlets = ldm::declare_meshlets(builder, parameters.maps.detail);
-    if (parameters.gloss.tracer == GlossTracer::cube) r.cube = passes::layered_depth_cube(builder, {});
+    // A frame has one cube: that of the photons, if they have it.
+    const auto cube = parameters.tracer == Tracer::cube ? parameters.cube : passes::CubeOptions{};
+    if (parameters.gloss.tracer == GlossTracer::cube) r.cube = passes::layered_depth_cube(builder, cube);
     const auto reflections = std::make_shared<Reflections>(photons.maps, parameters, builder.inputs());
     auto pass = builder.pass("gloss", graph::Queue::cpu);
     pass.reads(r.bvh, r.surfaces).writes(r.radiance, r.error, r.distance).counts(r.lost);

@@ -37,7 +37,8 @@ ParameterTable<GlossParameters> gloss_parameters() {
               .citation = "Aalund15 §6",
               .choices = {{"maps", "Maps", "The map whose region has the direction, along its own."},
                           {"cube", "Layered depth cube",
-                           "Rays march through three maps along the axes, at 512 texels. [Lischinski98]"},
+                           "Rays march through three maps along the axes, at 512 texels, or through those of "
+                           "`tracer`. [Lischinski98]"},
                           {"rays", "Exact rays", "Embree: right, and faster than the others."}},
               .active_when = with_gloss,
               .since_version = since})
