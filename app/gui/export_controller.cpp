@@ -31,8 +31,8 @@ ExportController::ExportController(QWidget& window, Session& session, Renderer& 
         tr("Comma-separated values (*.csv)"), &Exports::save_values);
     add("export-all", tr("&All buffers in one file (EXR) …"), nullptr, Qt::Key_A, ".exr", exr,
         &Exports::save_all_buffers);
-    all << actions.add("show-in-tev", tr("Show the buffer in &tev"), nullptr, {},
-                       [this] { show_in_tev(tev_address); });
+    all << actions.add("show-in-tev", tr("Show the buffer in &tev"), nullptr,
+                       {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_T)}, [this] { show_in_tev(tev_address); });
     all.back()->setData(tr("Sends the values to the viewer tev, which must be running"));
     enable_with_experiment(session, all);
     connect(&workspace, &Workspace::export_values_wanted, actions.find("export-values"), &QAction::trigger);

@@ -100,15 +100,17 @@ class Preprocessor {
     }
 
     fs::path resolve(const std::string& name, const std::string& place, const fs::path& from) {
+        bool is_inside = false;
         for (const auto& folder : {from.parent_path(), folder_}) {
             const fs::path path = (folder / name).lexically_normal();
             const auto inside = path.lexically_relative(folder_.lexically_normal());
-            if (inside.empty() || *inside.begin() == "..")
-                throw Error(place + "include file \"" + name + "\" leads out of the shader folder");
+            if (inside.empty() || *inside.begin() == "..") continue;
+            is_inside = true;
             if (look_at(path)) return path;
         }
-        throw Error(place + "include file \"" + name +
-                    "\" does not exist, neither beside this file nor in the shader folder");
+        throw Error(place + "include file \"" + name + "\" " +
+                    (is_inside ? "does not exist, neither beside this file nor in the shader folder"
+                               : "leads out of the shader folder"));
     }
 
     std::string display_name(const fs::path& path) const {
