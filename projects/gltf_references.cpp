@@ -104,14 +104,15 @@ double gltf_animation_end(const fs::path& file) {
     return std::isfinite(end) ? end : 0;
 }
 
-std::vector<std::string> gltf_references(const fs::path& file) {
+GltfReferences gltf_references(const fs::path& file) {
     UriCollector collector;
     if (!Json::sax_parse(json_text(file), &collector)) return {};
-    std::vector<std::string> references;
+    GltfReferences references;
     for (const auto& uri : collector.uris) {
         const auto path = has_scheme(uri.text) ? std::string() : path_in_uri(file, uri.text);
-        if (!path.empty() && path.front() != '/' && may_read(file, file.parent_path() / path, uri.kind))
-            references.push_back(path);
+        if (path.empty()) continue;
+        const bool is_read = path.front() != '/' && may_read(file, file.parent_path() / path, uri.kind);
+        (is_read ? references.read : references.refused).push_back(path);
     }
     return references;
 }

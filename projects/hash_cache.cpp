@@ -54,7 +54,7 @@ std::string HashCache::hash(const fs::path& file, const CancelToken* cancel) {
 }
 
 std::vector<std::string> HashCache::references(const fs::path& file) {
-    return remembered(references_, file, [&] { return gltf_references(file); });
+    return remembered(references_, file, [&] { return gltf_references(file).read; });
 }
 
 double HashCache::animation_end(const fs::path& file) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "projects/archive.h"
+#include "projects/gltf_references.h"
 #include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
@@ -101,6 +102,10 @@ class Packer {
             else
                 miss(one.lexically_relative(base).generic_string());
         }
+        for (const auto& path : gltf_references(file).refused)
+            messages_.push_back({Severity::warning, "project",
+                                 "'" + printable(path) + "' lies outside of the folder of '" +
+                                     printable(source) + "' and was not packed; put it there"});
         source = home + file.lexically_relative(base).generic_string();
     }
 

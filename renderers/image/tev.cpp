@@ -9,6 +9,7 @@
 #include <bit>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -56,6 +57,10 @@ class Connection {
         if (colon == std::string::npos || colon == 0 || colon + 1 == address.size())
             throw UsageError("'" + address + "' is no address of tev; give HOST:PORT, such as " +
                              tev_address);
+        const auto port = std::strtol(address.c_str() + colon + 1, nullptr, 10);
+        if (address.find_first_not_of("0123456789", colon + 1) != std::string::npos || port < 1 ||
+            port > 65535)
+            throw UsageError("'" + address + "' has no port from 1 to 65535; tev listens at " + tev_address);
         addrinfo wanted{};
         wanted.ai_socktype = SOCK_STREAM;
         wanted.ai_flags = AI_NUMERICSERV;

@@ -57,6 +57,8 @@ TEST(Tev, WhatCannotBeShownIsSaidInOneLine) {
     const std::vector<ImageLayer> one = {{"", {"Y"}, Image(2, 2, 1)}};
     EXPECT_EQ(refusal(one, "nowhere"),
               "'nowhere' is no address of tev; give HOST:PORT, such as 127.0.0.1:14158");
+    for (const char* port : {"0", "65536", "99999999999999999999", "abc", "1 2"})
+        EXPECT_NE(refusal(one, "127.0.0.1:" + std::string(port)).find("no port"), std::string::npos) << port;
     std::string closed;
     { closed = FakeTev().address(); }
     EXPECT_EQ(refusal(one, closed),

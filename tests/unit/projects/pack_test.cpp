@@ -69,6 +69,21 @@ TEST(Pack, RoundTripsToAnotherPlace) {
     EXPECT_EQ(hash_file(here.path() / "a.tar"), hash_file(here.path() / "b.tar"));
 }
 
+TEST(Pack, WhatAGltfMayNotReadIsNotPackedAndSaid) {
+    TemporaryFolder here;
+    const auto folder = make_project(here.path());
+    const auto scene = here.path() / "scenes" / "church.gltf";
+    auto text = testing::read_text(scene);
+    const auto at = text.find("church.bin");
+    ASSERT_NE(at, std::string::npos) << text;
+    text.insert(at, "../../");
+    std::ofstream(scene) << text;
+    std::string told;
+    for (const auto& message : pack_project(folder, here.path() / "a.tar", registry()))
+        if (message.severity == Severity::warning) told += message.text + "\n";
+    EXPECT_NE(told.find("'../../church.bin' lies outside of the folder of '"), std::string::npos) << told;
+}
+
 TEST(Pack, OrdinaryTarReadsIt) {
     if (std::system("tar --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs the tar program";
     TemporaryFolder here;

@@ -17,13 +17,14 @@ ParameterTable<GlossParameters> gloss_parameters() {
         .add(&GlossParameters::kind,
              {.key = "gloss",
               .label = "Gloss",
-              .doc = "Where the interfaces look that are seen. What they meet there is lit by its direct "
-                     "light, and with more bounces by paths that go on. It takes the place of `receiver`. "
-                     "Lambert surfaces have no interface.",
+              .doc =
+                  "In which directions glossy interfaces that are seen look for what they reflect. What "
+                  "they meet there is lit by its direct light, and with more bounces by paths that go on. It "
+                  "takes the place of `receiver`. Lambert surfaces have no interface.",
               .citation = "Aalund15 §6",
               .choices = {{"none", "None", "Interfaces reflect what `receiver` says."},
                           {"mirror", "Mirror direction",
-                           "However rough they are; as bright as their whole lobe."},
+                           "Sharp, however rough the surface is, and as bright as the whole lobe."},
                           {"lobe", "Lobe",
                            "Directions drawn from the lobe of the material: a region of the maps' "
                            "directions counts as much as the lobe lies in it."}},
