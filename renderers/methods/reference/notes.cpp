@@ -4,14 +4,10 @@
 
 #include "renderers/methods/reference/path_rules.h"
 #include "renderers/passes/lights/punctual.h"
+#include "renderers/passes/lights/shining.h"
 
 namespace ir::methods::reference {
 namespace {
-
-bool shines(const graph::FrameInputs& inputs, const Transport& transport) {
-    const auto sources = light_sources(inputs, transport);
-    return sources.environment || sources.emissive_meshes || !sources.lights.empty();
-}
 
 /// Materials among these that the world's triangles have.
 std::ptrdiff_t materials_in(const scene::World& world, const std::vector<bool>& chosen) {
@@ -21,18 +17,6 @@ std::ptrdiff_t materials_in(const scene::World& world, const std::vector<bool>& 
     std::ptrdiff_t count = 0;
     for (std::size_t i = 0; i < used.size(); ++i) count += used[i] && chosen[i];
     return count;
-}
-
-void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
-    if (shines(builder.inputs(), transport)) return;
-    auto with_environment = transport;
-    with_environment.environment_light = true;
-    const bool without_environment = shines(builder.inputs(), with_environment),
-               without_emitters = transport.emitters == Transport::Emitters::none;
-    builder.note(std::string("nothing in the scene emits light, so the picture is black: ") +
-                 (without_environment ? "switch environment_light on, or add a light"
-                  : without_emitters  ? "emitters leaves them out; set it to all, or add a point light"
-                                      : "add a light or an environment, or choose the paths ao"));
 }
 
 void note_caustics(graph::GraphBuilder& builder, const PathRules& rules, const std::vector<bool>& specular) {
@@ -53,7 +37,7 @@ void note_limits(graph::GraphBuilder& builder, const Parameters& parameters,
                  const SharpMaterials& materials) {
     const auto& transport = parameters.transport;
     if (transport.paths == Transport::Paths::ao) return;
-    note_darkness(builder, transport);
+    passes::note_darkness(builder, transport);
     if (transport.paths != Transport::Paths::direct && transport.min_bounces > transport.max_bounces) {
         builder.note("min_bounces is " + std::to_string(transport.min_bounces) + ", max_bounces " +
                      std::to_string(transport.max_bounces) + ": no indirect light counts; raise max_bounces");

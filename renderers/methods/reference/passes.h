@@ -8,7 +8,6 @@
 #include "renderers/methods/reference/parameters.h"
 #include "renderers/methods/reference/path_world.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
-#include "renderers/passes/lights/emission_sampler.h"
 
 namespace ir::methods::reference {
 
@@ -23,9 +22,6 @@ struct PathInputs {
     /// passes::EmissionSampler; where light is traced from its sources, too (LightTracer::has_paths()).
     std::optional<graph::ObjectRef> emission;
 };
-
-/// All that the transport lets shine.
-passes::EmissionOptions light_sources(const graph::FrameInputs& inputs, const Transport& transport);
 
 /// Whether light is traced from its sources where paths from the camera find it, too. With primary=gbuffer
 /// those start in the pixels' centres, and what is traced is spread over the pixel: where an outline divides

@@ -7,6 +7,7 @@
 #include "renderers/methods/reference/light_tracer.h"
 #include "renderers/passes/lights/light_sampler.h"
 #include "renderers/passes/lights/punctual.h"
+#include "renderers/passes/lights/shining.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/scene/scene_buffers.h"
 
@@ -89,27 +90,8 @@ void require_few_materials(const graph::FrameInputs& inputs) {
                      std::to_string(passes::gbuffer_materials) + " apart; choose primary=rays");
 }
 
-}  // namespace
-
-passes::EmissionOptions light_sources(const graph::FrameInputs& inputs, const Transport& transport) {
-    const auto& scene = *inputs.scene;
-    const auto& lights = inputs.world->lights;
-    const bool has_emitters = transport.emitters != Transport::Emitters::none;
-    passes::EmissionOptions sources;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        if (has_emitters || passes::is_punctual(lights[i])) sources.lights.push_back(static_cast<int>(i));
-    sources.environment =
-        transport.environment_light && (scene.environment.map || scene.environment.constant != glm::vec3(0));
-    sources.emissive_meshes =
-        has_emitters && std::any_of(scene.materials.begin(), scene.materials.end(),
-                                    [](const auto& m) { return m.emission != glm::vec3(0); });
-    return sources;
-}
-
-namespace {
-
 passes::EmissionOptions traced_sources(const graph::FrameInputs& inputs, const Parameters& parameters) {
-    auto sources = light_sources(inputs, parameters.transport);
+    auto sources = passes::shining_sources(inputs, parameters.transport);
     if (shares_light(parameters)) return sources;
     sources.environment = sources.emissive_meshes = false;
     std::erase_if(sources.lights, [&](int light) {

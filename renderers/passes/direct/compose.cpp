@@ -5,6 +5,7 @@
 
 #include "renderers/passes/direct/seen_light.h"
 #include "renderers/passes/gbuffer/glass.h"
+#include "renderers/passes/lights/shining.h"
 
 namespace ir::passes {
 namespace {
@@ -48,6 +49,7 @@ graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuff
                               graph::ImageRef indirect, const Transport& transport) {
     const auto paths = transport.paths;
     if (paths == Paths::ao) throw std::logic_error("compose_light: ambient occlusion is no radiance");
+    note_darkness(builder, transport);
     Parts parts{.geometric_normal = gbuffer.geometric_normal,
                 .seen = seen_light(builder, gbuffer, transport)};
     if (paths != Paths::direct) parts.indirect = indirect;

@@ -242,6 +242,19 @@ TEST(ReferenceLight, SaysWhatIsMissing) {
     EXPECT_FALSE(lit.notes("traced from the lights"));
 }
 
+TEST(Darkness, IsSaidByEveryMethodOfLight) {
+    for (const char* method : {"deep-screen-space", "ldm-indirect", "photon-mapping", "ssdo"}) {
+        auto dark = cornell({}, "builtin:plane");
+        dark.method = method;
+        dark.settings["paths"] = "full";
+        dark.replace_lights = true;
+        EXPECT_TRUE(Picture(dark).notes("nothing in the scene emits light")) << method;
+        dark.lights = {scene::Light{}};
+        dark.lights[0].position = {0, 2, 0};
+        EXPECT_FALSE(Picture(dark).notes("nothing in the scene emits light")) << method;
+    }
+}
+
 TEST(ReferenceLight, TellsSpeedAndError) {
     const Picture p(cornell(light("full", 32)));
     EXPECT_GT(p.report.counters.at("reference.trace_ms"), 0);

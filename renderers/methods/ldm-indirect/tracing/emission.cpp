@@ -3,6 +3,7 @@
 #include "renderers/methods/ldm-indirect/tracing/extended_emission.h"
 #include "renderers/methods/ldm-indirect/tracing/further_bounces.h"
 #include "renderers/methods/ldm-indirect/tracing/sending_surfaces.h"
+#include "renderers/passes/lights/shining.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -20,9 +21,7 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
                        const Parameters& parameters) {
     Primaries primaries;
     primaries.extended = extended_photons(builder.inputs(), parameters);
-    if (images.views_drawn == 0 && primaries.extended.count() == 0 &&
-        parameters.transport.paths != Transport::Paths::direct)
-        builder.note("nothing shines: there are no photons; add a light or an environment");
+    passes::note_darkness(builder, parameters.transport);
     primaries.from_images = static_cast<std::uint64_t>(images.layers) *
                             static_cast<std::uint64_t>(images.resolution) *
                             static_cast<std::uint64_t>(images.resolution);

@@ -6,6 +6,7 @@
 #include "renderers/methods/photon-mapping/emission/traced.h"
 #include "renderers/methods/photon-mapping/emission/views.h"
 #include "renderers/methods/photon-mapping/emission/weights.h"
+#include "renderers/passes/lights/shining.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -49,8 +50,7 @@ SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scen
     const bool has_maps = parameters.first_hit == FirstHit::rsm;
     const auto sources = find_sources(builder.inputs(), parameters, texels(parameters.rsm_resolution));
     auto points = declare_points(builder, sources, parameters);
-    if (points.count == 0)
-        builder.note("nothing shines: there are no photons; add a light or an environment");
+    passes::note_darkness(builder, parameters.transport);
 
     std::optional<MappedEmission> mapped;
     std::optional<TracedEmission> traced;
