@@ -36,10 +36,6 @@ struct TraceLine {
     IR_FIELDS(start, end, role, distance, map, side, photon)
 };
 
-std::array<float, 3> components(const glm::vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 /// The brightest that did not come directly: of the maps chosen, if one of theirs is there.
 const FoundPhoton* brightest(std::span<const FoundPhoton> found, ldm::MapRange chosen) {
     const FoundPhoton* any = nullptr;
