@@ -27,7 +27,7 @@ Scatterer make_scatterer(vec3 n, vec3 geometric_n, vec3 base_colour, float metal
     if (model == SCATTERING_LAMBERT) return s;
     s.is_layered = model == SCATTERING_GLTF;
     s.specular = s.is_layered ? 1.0 : metallic;
-    s.f0 = s.is_layered ? mix(vec3(dielectric_f0(ior)), base_colour, metallic) : base_colour;
+    s.f0 = s.is_layered ? layered_f0(ior, base_colour, metallic) : base_colour;
     s.diffuse = (1.0 - metallic) * base_colour;
     s.alpha = roughness * roughness;
     return s;

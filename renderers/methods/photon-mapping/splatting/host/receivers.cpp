@@ -72,8 +72,7 @@ TexelReceiver TexelReceivers::receiver_at(const passes::Surface& s, float ior, g
                                           float least_alpha) const {
     TexelReceiver r{};
     r.n = s.shading_normal_ws, r.geometric_n = s.geometric_normal_ws, r.v = v;
-    r.f0 = is_layered_ ? glm::mix(glm::vec3(passes::dielectric_f0(ior)), s.base_colour, s.metallic)
-                       : s.base_colour;
+    r.f0 = is_layered_ ? passes::layered_f0(ior, s.base_colour, s.metallic) : s.base_colour;
     r.n_dot_v = std::max(glm::dot(r.n, v), passes::min_view_cosine);
     r.alpha = std::max(s.roughness * s.roughness, least_alpha);
     r.part = (1 - s.transmission * (1 - s.metallic)) * (is_layered_ ? 1 : s.metallic);
