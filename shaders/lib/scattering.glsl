@@ -1,6 +1,6 @@
 // Scattering by what is opaque of surfaces, with sampling: passes::Bsdf (renderers/passes/scattering/bsdf.h) for rays
-// on the device; lib/glass.glsl has the rest. Directions are unit vectors that point away from the surface; cosines are taken with the shading
-// normal; directions above one of the two normals and below the other do not count.
+// on the device; lib/glass.glsl has the rest. Directions are unit vectors that point away from the surface; cosines
+// are taken with the shading normal; directions above one of the two normals and below the other do not count.
 
 #include "lib/brdf.glsl"
 #include "lib/luminance.glsl"

@@ -120,9 +120,10 @@ std::vector<OutputDescription> trace_outputs() {
          .kind = OutputKind::line_set,
          .unit = "m",
          .doc =
-             "Of the photon that adds most to the picked pixel, along the map chosen if there is one: from where it was "
-             "split to where it landed, and to what an exact ray hits. distance: m. Where the first is much "
-             "shorter, the map stopped it too early, as a self-hit does; where it is longer, it let it pass.",
+             "Of the photon that adds most to the picked pixel, along the map chosen if there is one: from "
+             "where it was split to where it landed, and to what an exact ray hits. distance: m. Where the "
+             "first is much shorter, the map stopped it too early, as a self-hit does; where it is "
+             "longer, it let it pass.",
          .categories = {{"role",
                          {{as_traced, "as it was traced", tints::sky},
                           {by_a_ray, "by an exact ray", tints::green}}},
