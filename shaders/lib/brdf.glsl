@@ -54,6 +54,11 @@ float dielectric_f0(float ior) {
     return ratio * ratio;
 }
 
+/// The same of the interface of a layered material.  [glTF2 B.3.5]
+vec3 layered_f0(float ior, vec3 base_colour, float metallic) {
+    return mix(vec3(dielectric_f0(ior)), base_colour, metallic);
+}
+
 /// Of the refracted ray, by Snell's law; 0 for total internal reflection. `eta` as below.
 float refracted_cosine(float cosine, float eta) {
     float squared_sine = (1.0 - cosine * cosine) / (eta * eta);
@@ -93,7 +98,7 @@ vec3 gltf_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
     if (dot(n, l) <= 0.0) return vec3(0);
     vec3 h = normalize(l + v);
     float alpha = max(surface.roughness * surface.roughness, MIRROR_ALPHA);
-    vec3 f0 = mix(vec3(dielectric_f0(surface.ior)), surface.base_colour, surface.metallic);
+    vec3 f0 = layered_f0(surface.ior, surface.base_colour, surface.metallic);
     vec3 fresnel = schlick_fresnel(f0, clamp(dot(v, h), 0.0, 1.0));
     vec3 diffuse = (1.0 - fresnel) * (1.0 - surface.metallic) * surface.base_colour / PI;
     return diffuse + fresnel * gltf_microfacets(alpha, n, l, v, h);

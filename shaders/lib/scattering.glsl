@@ -1,6 +1,6 @@
 // Scattering by what is opaque of surfaces, with sampling: passes::Bsdf (renderers/passes/scattering/bsdf.h) for rays
-// on the device; lib/glass.glsl has the rest. Directions are unit vectors that point away from the surface; cosines are taken with the shading
-// normal; directions above one of the two normals and below the other do not count.
+// on the device; lib/glass.glsl has the rest. Directions are unit vectors that point away from the surface; cosines
+// are taken with the shading normal; directions above one of the two normals and below the other do not count.
 
 #include "lib/brdf.glsl"
 #include "lib/luminance.glsl"
@@ -27,7 +27,7 @@ Scatterer make_scatterer(vec3 n, vec3 geometric_n, vec3 base_colour, float metal
     if (model == SCATTERING_LAMBERT) return s;
     s.is_layered = model == SCATTERING_GLTF;
     s.specular = s.is_layered ? 1.0 : metallic;
-    s.f0 = s.is_layered ? mix(vec3(dielectric_f0(ior)), base_colour, metallic) : base_colour;
+    s.f0 = s.is_layered ? layered_f0(ior, base_colour, metallic) : base_colour;
     s.diffuse = (1.0 - metallic) * base_colour;
     s.alpha = roughness * roughness;
     return s;

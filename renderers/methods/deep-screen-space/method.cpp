@@ -136,6 +136,14 @@ void note_reach(graph::GraphBuilder& builder, const Parameters& parameters) {
                  " times; what is farther sends and occludes nothing.");
 }
 
+void note_glass(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters) {
+    if (!has_open_glass(builder.inputs(), parameters))
+        passes::note_opaque_glass(builder, gbuffer, "surfels");
+    else if (has_closed_glass(builder.inputs()))
+        passes::note_opaque_glass(builder, gbuffer,
+                                  "surfels where a texture says its transmission or where it shines");
+}
+
 passes::DirectLightOptions direct_options(const Parameters& parameters) {
     if (parameters.transport.paths == Paths::ao) return passes::lit_options(parameters.light);
     return {.extended = passes::extended_light_options(parameters.light, parameters.transport)};
@@ -157,8 +165,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         passes::lit(builder, gbuffer, direct, picture, parameters.ambient);
     else {
         passes::compose_light(builder, gbuffer, direct, picture, parameters.transport);
-        if (!has_open_glass(builder.inputs(), parameters))
-            passes::note_opaque_glass(builder, gbuffer, "surfels");
+        note_glass(builder, gbuffer, parameters);
     }
     note_reach(builder, parameters);
 }

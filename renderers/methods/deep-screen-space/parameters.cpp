@@ -6,6 +6,7 @@
 #include "renderers/core/constants.h"
 #include "renderers/methods/deep-screen-space/splatting/host/host_glass.h"
 #include "renderers/passes/direct/lit.h"
+#include "shaders/lib/material.glsl.h"
 
 namespace ir::methods::deep_screen_space {
 
@@ -42,6 +43,14 @@ bool has_open_glass(const graph::FrameInputs& inputs, const Parameters& paramete
            std::ranges::any_of(inputs.world->ranges, [&](const scene::MaterialRange& range) {
                return open_glass(inputs.scene->materials[static_cast<std::size_t>(range.material)]) > 0;
            });
+}
+
+bool has_closed_glass(const graph::FrameInputs& inputs) {
+    return std::ranges::any_of(inputs.world->ranges, [&](const scene::MaterialRange& range) {
+        const auto& m = inputs.scene->materials[static_cast<std::size_t>(range.material)];
+        const float part = m.unlit ? 0 : m.transmission * (1 - m.metallic);
+        return part > passes::mostly_glass && open_glass(m) == 0;
+    });
 }
 
 float highlight_share(const Parameters& parameters) {

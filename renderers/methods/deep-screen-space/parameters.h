@@ -96,6 +96,9 @@ inline bool sends_highlights(const Parameters& parameters) {
 /// Whether rays pass glass, and there is some: light with visibility, of materials that are glass at all.
 bool has_open_glass(const graph::FrameInputs& inputs, const Parameters& parameters);
 
+/// Whether a material is mostly glass, and yet no ray passes it, whatever the parameters.
+bool has_closed_glass(const graph::FrameInputs& inputs);
+
 /// Part of the solid angle 1 / density of a ray over which highlights are averaged with visibility: that
 /// which as many rays share as should meet one, of those that the reconstruction of a pixel gathers. 0: they
 /// are not.

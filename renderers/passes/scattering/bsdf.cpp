@@ -239,7 +239,7 @@ Bsdf::Bsdf(const Surface& surface, const scene::Material& material, Transport::M
     const auto base_colour = surface.base_colour;
     is_layered_ = model == Transport::Materials::gltf;
     specular_ = is_layered_ ? 1 : metallic;
-    f0_ = is_layered_ ? glm::mix(glm::vec3(dielectric_f0(material.ior)), base_colour, metallic) : base_colour;
+    f0_ = is_layered_ ? layered_f0(material.ior, base_colour, metallic) : base_colour;
     diffuse_ = (1 - metallic) * base_colour;
     alpha_ = surface.roughness * surface.roughness;
     transmission_ = surface.transmission * (1 - metallic);

@@ -14,7 +14,7 @@ inline float keep_interface(Surface& surface, float ior, Transport::Materials mo
     const float opaque = 1 - surface.transmission * (1 - surface.metallic);
     const float part = model == Transport::Materials::metalness_blend ? opaque * surface.metallic : opaque;
     if (model == Transport::Materials::gltf)
-        surface.base_colour = glm::mix(glm::vec3(dielectric_f0(ior)), surface.base_colour, surface.metallic);
+        surface.base_colour = layered_f0(ior, surface.base_colour, surface.metallic);
     surface.metallic = 1;
     surface.transmission = 0;
     return part;

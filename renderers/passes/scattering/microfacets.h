@@ -53,6 +53,11 @@ inline float dielectric_f0(float ior) {
     return ratio * ratio;
 }
 
+/// The same of the interface of a layered material.  [glTF2 B.3.5]
+inline glm::vec3 layered_f0(float ior, glm::vec3 base_colour, float metallic) {
+    return glm::mix(glm::vec3(dielectric_f0(ior)), base_colour, metallic);
+}
+
 /// Reflectance of a smooth interface for unpolarised light, (r_s² + r_p²)/2, and the cosine of the refracted
 /// ray; 1 and 0 for total internal reflection. `eta`: index behind the interface over that in front of it;
 /// an index of 0 reflects everything.  [glTF2 KHR_materials_ior]

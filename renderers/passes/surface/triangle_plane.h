@@ -1,8 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/glm.hpp>
+
+#include "renderers/scene/world.h"
 
 namespace ir::passes {
 
@@ -19,6 +23,18 @@ inline glm::vec3 triangle_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     const auto normal = glm::cross(first * (1 / longest), second * (1 / longest));
     const float size = glm::length(normal);
     return size > 0 ? normal / size : glm::vec3(0);
+}
+
+/// In the order of its winding.
+inline std::array<glm::vec3, 3> triangle_corners(const scene::World& world, std::size_t triangle) {
+    const auto corner = [&](std::size_t i) { return world.positions[world.indices[3 * triangle + i]]; };
+    return {corner(0), corner(1), corner(2)};
+}
+
+/// As above, of a triangle of the world.
+inline glm::vec3 triangle_normal(const scene::World& world, std::size_t triangle) {
+    const auto corners = triangle_corners(world, triangle);
+    return triangle_normal(corners[0], corners[1], corners[2]);
 }
 
 }  // namespace ir::passes

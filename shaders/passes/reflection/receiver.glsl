@@ -21,7 +21,7 @@ Receiver receiver_at(ivec2 pixel, vec3 n, vec3 v) {
     r.roughness = material.y;
     r.opaque = 1.0 - albedo.a * (1.0 - material.x);
 #if MATERIALS == 0
-    r.f0 = mix(vec3(dielectric_f0(materials[index].ior)), albedo.rgb, material.x);
+    r.f0 = layered_f0(materials[index].ior, albedo.rgb, material.x);
 #else
     r.f0 = albedo.rgb;
 #endif

@@ -25,7 +25,7 @@ void add_quad(scene::Scene& scene, int material, glm::vec3 centre, glm::vec2 hal
     scene.nodes.push_back(node);
 }
 
-enum class Pane { none, thin, thick };
+enum class Pane { none, thin, thick, thin_beside_one_that_shines };
 
 /// A red wall of 3 m before nothing, lit from the side, so that the pane's shadow falls beside it; the pane
 /// stands 2 m before it, over its right half and beyond. What is small and far away makes the bounds the
@@ -50,6 +50,11 @@ scene::Scene wall_behind(Pane pane) {
     add_quad(scene, 0, {4, 3, 3.5f}, {0.1f, 0.1f});
     if (pane != Pane::none) add_quad(scene, 1, {0.75f, 0, 2}, {0.6f, 0.6f});
     if (pane == Pane::thick) add_quad(scene, 1, {0.75f, 0, 1.9f}, {0.6f, 0.6f}, false);
+    if (pane == Pane::thin_beside_one_that_shines) {
+        scene.materials.push_back(scene.materials[1]);
+        scene.materials[2].emission = glm::vec3(1);
+        add_quad(scene, 2, {-0.75f, 0, 2}, {0.1f, 0.1f});
+    }
     scene::Light light;
     light.type = scene::LightType::directional;
     light.direction = glm::normalize(glm::vec3(-2, 0, -1));
@@ -194,6 +199,7 @@ TEST_F(GlassBefore, MethodsSayWhereItStopsTheirIndirectLight) {
     EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin, opaque), 1);
     EXPECT_EQ(count("deep-screen-space", "indirect", Pane::none, opaque), 0);
     EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin), 0) << "rays go through it";
+    EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin_beside_one_that_shines), 1);
     EXPECT_EQ(count("deep-screen-space", "indirect", Pane::thin, {{"visibility", false}}), 1);
     EXPECT_EQ(count("ldm-indirect", "indirect", Pane::thin), 1);
     EXPECT_EQ(count("ldm-indirect", "direct", Pane::thin), 0);

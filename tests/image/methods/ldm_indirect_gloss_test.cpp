@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/engine/pictures.h"
 #include "ldm_ao_fixture.h"
@@ -82,8 +83,12 @@ TEST_F(LdmIndirectGloss, ThreadsChangeNothingAndNothingIsThereWithoutIt) {
     }
 }
 
-/// Of the still life's metals, where all neighbours are of the same one: W/(m² sr) in all.
-double light_of_metals(const std::string& method, const Settings& settings) {
+struct StillLife {
+    Image radiance;
+    std::optional<Image> material;  ///< "gbuffer.material"; the reference has none
+};
+
+StillLife still_life(const std::string& method, const Settings& settings) {
     engine::Experiment e;
     e.scene = "builtin:still-life";
     e.camera_name = "table";
@@ -96,9 +101,11 @@ double light_of_metals(const std::string& method, const Settings& settings) {
     graph::FrameOptions options;
     options.wanted = {"gbuffer.material"};
     execution.run_frame(options);
-    const auto picture = main_result(execution);
-    static Image material;  // the reference has none
-    if (const auto found = execution.graph().read_image("gbuffer.material")) material = *found;
+    return {main_result(execution), execution.graph().read_image("gbuffer.material")};
+}
+
+/// Of the still life's metals, where all neighbours are of the same one: W/(m² sr) in all.
+double light_of_metals(const Image& picture, const Image& material) {
     double sum = 0;
     int pixels = 0;
     for (int y = 1; y + 1 < picture.height; ++y)
@@ -117,10 +124,14 @@ double light_of_metals(const std::string& method, const Settings& settings) {
 // Metals reflect what they see, with several bounces: exact rays are unbiased, and maps are near. Without
 // gloss they are black.
 TEST(LdmIndirectGlossPicture, MetalsAreAsBrightAsTheReferenceSays) {
-    const auto rays = light_of_metals("ldm-indirect", gloss("lobe", "rays", 32)),
-               maps = light_of_metals("ldm-indirect", gloss("lobe", "maps", 32)),
-               none = light_of_metals("ldm-indirect", gloss("none", "maps")),
-               truth = light_of_metals("reference", {{"samples", std::int64_t{128}}});
+    const auto by_rays = still_life("ldm-indirect", gloss("lobe", "rays", 32));
+    ASSERT_TRUE(by_rays.material);
+    const auto light = [&](const StillLife& picture) {
+        return light_of_metals(picture.radiance, *by_rays.material);
+    };
+    const auto rays = light(by_rays), maps = light(still_life("ldm-indirect", gloss("lobe", "maps", 32))),
+               none = light(still_life("ldm-indirect", gloss("none", "maps"))),
+               truth = light(still_life("reference", {{"samples", std::int64_t{128}}}));
     std::printf("light of metals over the reference's: rays %.3f, maps %.3f, none %.3f\n", rays / truth,
                 maps / truth, none / truth);
     EXPECT_NEAR(rays / truth, 1, 0.08);

@@ -1,6 +1,7 @@
 // What a mirror floor shows of a ceiling that a lamp lights: a closed form.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -52,7 +53,8 @@ class LdmIndirectMirror : public PassTest {
             inputs.processor = Processor::host;
             graph::FrameOptions options;
             options.wanted = {key, "gbuffer.position", "gbuffer.geometric_normal"};
-            run_method(*method, completed(method->description.parameters, settings), inputs, options);
+            report_ =
+                run_method(*method, completed(method->description.parameters, settings), inputs, options);
         }
         return read(key);
     }
@@ -88,7 +90,14 @@ class LdmIndirectMirror : public PassTest {
         return sum / count;
     }
 
+    std::ptrdiff_t notes(const std::string& text) const {
+        return std::ranges::count_if(report_.messages, [&](const Message& message) {
+            return message.text.find(text) != std::string::npos;
+        });
+    }
+
   private:
+    FrameReport report_;
     Shot shot_{hall(0.1f), looking(eye, {0, 0, 0}), 48, 32};
 };
 
@@ -128,6 +137,17 @@ TEST_F(LdmIndirectMirror, AsksTheMapOfANearDirection) {
     }
     for (const float angle : look({{"gloss_tracer", std::string("rays")}}, "gloss.error").pixels)
         EXPECT_EQ(angle, 0);
+}
+
+// Interfaces see surfaces, and no ray meets a lamp without extent.
+TEST_F(LdmIndirectMirror, SaysThatDirectPhotonsHaveNoHighlights) {
+    const auto count = [&](const char* paths, const char* direct) {
+        look({{"paths", std::string(paths)}, {"direct", std::string(direct)}}, "gloss.radiance");
+        return notes("direct=photons is diffuse");
+    };
+    EXPECT_EQ(count("full", "photons"), 1);
+    EXPECT_EQ(count("full", "rasterisation"), 0);
+    EXPECT_EQ(count("indirect", "photons"), 0);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class IndirectTracingOnHost : public IndirectTracingTest {
     }
 
     using Key = std::pair<std::uint32_t, std::uint32_t>;  // source; map, or direct
-    static Key key(const li::Photon& photon) { return {photon.source, photon.leg & ~(0x3fu << 18)}; }
+    static Key key(const li::Photon& photon) { return {photon.source, way(photon)}; }
 
     /// Direct photons come first, then those of each source by map.
     static void expect_order(const std::vector<li::Photon>& photons) {

@@ -25,7 +25,7 @@ class IndirectTracers : public IndirectTracingTest {
         trace(shot, settings);
         expect_balanced(settings.contains("tracer") ? std::get<std::string>(settings.at("tracer")) : "");
         Photons result;
-        for (const auto& photon : photons()) result[{photon.source, photon.leg & ~(0x3fu << 18)}] = photon;
+        for (const auto& photon : photons()) result[{photon.source, way(photon)}] = photon;
         return result;
     }
     /// Part of the photons of both that landed at the same place within so many metres.

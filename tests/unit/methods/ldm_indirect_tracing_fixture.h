@@ -147,7 +147,13 @@ class IndirectTracingTest : public PassTest {
         return glm::normalize(n);
     }
     /// What of its footprint is said to lie beyond its surface.
-    static double part_beyond(const li::Photon& photon) { return (photon.leg >> 18 & 63) / 64.0; }
+    static double part_beyond(const li::Photon& photon) {
+        return (photon.leg >> li::leg_beyond_shift & li::leg_beyond) / 64.0;
+    }
+    /// Its leg without that part.
+    static std::uint32_t way(const li::Photon& photon) {
+        return photon.leg & ~(li::leg_beyond << li::leg_beyond_shift);
+    }
     static glm::dvec3 flux(const li::EnergyRow& row) { return {row.flux[0], row.flux[1], row.flux[2]}; }
 
     /// Whether what was emitted is found again, in every channel, and photons stored hold what the table

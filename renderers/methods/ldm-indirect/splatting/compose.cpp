@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <optional>
 
 #include "renderers/methods/ldm-indirect/stages.h"
 #include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/direct/seen_light.h"
 #include "renderers/passes/gbuffer/glass.h"
+#include "renderers/passes/lights/punctual.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -67,7 +69,14 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
     const auto radiance = builder.output("radiance", {.format = gl::Format::rgba32f}),
                indirect = builder.output("indirect.radiance", {.format = gl::Format::rgba32f});
     auto receivers = parameters.receivers;
-    if (gloss) receivers.receiver = passes::Receiver::diffuse;
+    if (gloss) {
+        receivers.receiver = passes::Receiver::diffuse;
+        if (by_photons && paths != Paths::indirect &&
+            std::ranges::any_of(builder.inputs().world->lights, passes::is_punctual))
+            builder.note(
+                "direct=photons is diffuse: what is seen has no highlights of point, spot and directional "
+                "lights; direct=rasterisation has them");
+    }
     const passes::Reflection reflection{.scene = scene,
                                         .gbuffer = gbuffer,
                                         .light = {splat.irradiance, splat.direction, true},

@@ -11,10 +11,6 @@ namespace {
 
 using passes::ldm::Direction;
 
-std::array<float, 3> components(glm::dvec3 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 glm::dvec3 vector(const std::array<float, 3>& v) {
     return {v[0], v[1], v[2]};
 }

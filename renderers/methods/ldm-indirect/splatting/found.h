@@ -15,6 +15,12 @@
 
 namespace ir::methods::ldm_indirect {
 
+/// A vector as records of explanations hold it.
+template <class T>
+std::array<float, 3> components(const glm::vec<3, T>& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
 /// As the buffer PixelSum of explain.comp.
 struct PixelSum {
     std::uint32_t pixel_x, pixel_y, photons;

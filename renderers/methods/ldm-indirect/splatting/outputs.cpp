@@ -44,12 +44,11 @@ std::vector<OutputDescription> explanations() {
          .label = "Photons that light the pixel",
          .kind = OutputKind::glyphs,
          .unit = "m",
-         .doc =
-             "Footprints, as splatted, that cover the picked pixel's point, the largest contribution "
-             "first. contribution: RGB, W/m², to the splatted irradiance. flux: W. map, side: what "
-             "direction it came along; directly from the light, the map is 65535. source: texel of the lights' images. path_length: m, from the light. "
-             "distance: m, from the pixel's point to the footprint's middle. photon: its place in the "
-             "photon buffer.",
+         .doc = "Footprints, as splatted, that cover the picked pixel's point, the largest contribution "
+                "first. contribution: RGB, W/m², to the splatted irradiance. flux: W. map, side: what "
+                "direction it came along; directly from the light, the map is 65535. source: texel of the "
+                "lights' images. path_length: m, from the light. distance: m, from the pixel's point to the "
+                "footprint's middle. photon: its place in the photon buffer.",
          .categories = {side_categories()},
          .when_empty = no_surface,
          .explains = true},

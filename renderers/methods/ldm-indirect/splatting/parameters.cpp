@@ -5,28 +5,27 @@ namespace {
 
 void add_ways(ParameterTable<Parameters>& table) {
     table
-        .add(
-            &Parameters::splatting,
-            {.key = "splatting",
-             .label = "Splatting",
-             .doc = "How footprints are added up. The picture is the same but for rounding.",
-             .citation = "Aalund15 §4.2",
-             .choices =
-                 {{"quads", "Quads",
-                   "As published: photons are drawn as points, a geometry shader makes rectangles of "
-                   "them, and blending adds."},
-                  {"tiles", "Tiles",
-                   "Compute shaders list the photons of each tile of 16 × 16 pixels in order, and "
-                   "pixels add up their tile's. The host has a body for these alone."},
-                  {"image-atomics", "Image atomics",
-                   "A compute shader adds stored photons to pixels by atomic additions, whose order, "
-                   "and rounding, differ from run to run."},
-                  {"one-pass", "While tracing",
-                   "The compute shader that traces photons through the maps adds them by atomic "
-                   "additions, and stores none; as published slower: without a graphics card it may take minutes. On the device alone. What looks "
-                   "at photons has them traced again."}},
-             .effect = Effect::cost,
-             .on_change = OnChange::reallocate})
+        .add(&Parameters::splatting,
+             {.key = "splatting",
+              .label = "Splatting",
+              .doc = "How footprints are added up. The picture is the same but for rounding.",
+              .citation = "Aalund15 §4.2",
+              .choices =
+                  {{"quads", "Quads",
+                    "As published: photons are drawn as points, a geometry shader makes rectangles of "
+                    "them, and blending adds."},
+                   {"tiles", "Tiles",
+                    "Compute shaders list the photons of each tile of 16 × 16 pixels in order, and "
+                    "pixels add up their tile's. The host has a body for these alone."},
+                   {"image-atomics", "Image atomics",
+                    "A compute shader adds stored photons to pixels by atomic additions, whose order, "
+                    "and rounding, differ from run to run."},
+                   {"one-pass", "While tracing",
+                    "The compute shader that traces photons through the maps adds them by atomic "
+                    "additions, and stores none. As published it is slower; without a graphics card it may "
+                    "take minutes. On the device alone. What looks at photons has them traced again."}},
+              .effect = Effect::cost,
+              .on_change = OnChange::reallocate})
         .add(&Parameters::direct,
              {.key = "direct",
               .label = "Direct light",

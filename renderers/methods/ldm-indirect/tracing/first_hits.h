@@ -9,7 +9,7 @@
 
 namespace ir::methods::ldm_indirect {
 
-/// m: maps do not see what lies nearer to a surface. Two texels.
+/// m: maps do not see what lies nearer to a surface: less than some texels.
 float narrow_gap(const passes::ldm::Maps& maps);
 /// m: rays start so far from their surface, because images of lights know places to rounding only.
 float ray_start(const passes::ldm::Maps& maps);

@@ -36,10 +36,6 @@ struct TraceLine {
     IR_FIELDS(start, end, role, distance, map, side, photon)
 };
 
-std::array<float, 3> components(const glm::vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 /// The brightest that did not come directly: of the maps chosen, if one of theirs is there.
 const FoundPhoton* brightest(std::span<const FoundPhoton> found, ldm::MapRange chosen) {
     const FoundPhoton* any = nullptr;
@@ -124,9 +120,10 @@ std::vector<OutputDescription> trace_outputs() {
          .kind = OutputKind::line_set,
          .unit = "m",
          .doc =
-             "Of the photon that adds most to the picked pixel, along the map chosen if there is one: from where it was "
-             "split to where it landed, and to what an exact ray hits. distance: m. Where the first is much "
-             "shorter, the map stopped it too early, as a self-hit does; where it is longer, it let it pass.",
+             "Of the photon that adds most to the picked pixel, along the map chosen if there is one: from "
+             "where it was split to where it landed, and to what an exact ray hits. distance: m. Where the "
+             "first is much shorter, the map stopped it too early, as a self-hit does; where it is "
+             "longer, it let it pass.",
          .categories = {{"role",
                          {{as_traced, "as it was traced", tints::sky},
                           {by_a_ray, "by an exact ray", tints::green}}},

@@ -152,8 +152,9 @@ std::vector<OutputDescription> tracing_outputs() {
          .doc =
              "The stored photons as they are splatted, 80 bytes each, with half of their differentials as "
              "axes. leg: bits 0-15 map; bit 16: 1 along its direction, 0 against it; bit 17: directly "
-             "from the light; bits 24-31: light, 254 an emissive mesh, 255 the environment. flux: W. normal: of the receiver, octahedral in 2 x 16 "
-             "bits."}};
+             "from the light; bits 18-23: 64ths of the footprint that lie beyond its surface; bits 24-31: "
+             "light, 254 an emissive mesh, 255 the environment. flux: W. normal: of the receiver, octahedral "
+             "in 2 x 16 bits."}};
     return joined({outputs,
                    energy_outputs(),
                    bounce_outputs(),

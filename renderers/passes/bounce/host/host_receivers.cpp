@@ -60,7 +60,7 @@ HostLobes HostReceivers::lobes_of(glm::vec3 colour, float metallic, float ior) c
     using Materials = Transport::Materials;
     if (model_ == Materials::lambert) return {colour, glm::vec3(0), 0};
     if (model_ == Materials::metalness_blend) return {(1 - metallic) * colour, colour, metallic};
-    return {(1 - metallic) * colour, glm::mix(glm::vec3(dielectric_f0(ior)), colour, metallic), 1};
+    return {(1 - metallic) * colour, layered_f0(ior, colour, metallic), 1};
 }
 
 float HostReceivers::ior_of(float stored_material) const {

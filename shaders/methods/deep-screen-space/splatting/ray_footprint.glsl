@@ -1,12 +1,13 @@
-// What of a sender one ray stands for. Include passes/scene/hit_surface.glsl before it.
+// What of a sender one ray stands for. Include passes/scene/hit_triangle.glsl before it.
 
 uniform float highlight_share;  // of the solid angle 1 / density; 0: rays stand for points
 
 /// Largest turn of vertex normals along an edge of the triangle, rad/m.
 float triangle_curvature(uint triangle) {
+    uvec3 first = hit_corners(triangle);
     float largest = 0.0;
     for (uint i = 0u; i < 3u; ++i) {
-        uint a = 4u * hit_indices[3u * triangle + i], b = 4u * hit_indices[3u * triangle + (i + 1u) % 3u];
+        uint a = first[i], b = first[(i + 1u) % 3u];
         vec3 turn = hit_vertices[b + 1u].xyz - hit_vertices[a + 1u].xyz, way = hit_vertices[b].xyz - hit_vertices[a].xyz;
         largest = max(largest, length(turn) / max(length(way), 1e-6));
     }

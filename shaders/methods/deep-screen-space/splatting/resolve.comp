@@ -63,8 +63,7 @@ uniform sampler2DArray distances;
 
 /// A surfel of no size where a ray met a triangle.
 Surfel point_of(uint triangle, vec3 position_ws) {
-    uvec3 first = 4u * uvec3(hit_indices[3u * triangle], hit_indices[3u * triangle + 1u],
-                             hit_indices[3u * triangle + 2u]);
+    uvec3 first = hit_corners(triangle);
     vec3 a = hit_vertices[first.x].xyz, ab = hit_vertices[first.y].xyz - a, ac = hit_vertices[first.z].xyz - a;
     vec3 n = cross(ab, ac), ap = position_ws - a;
     vec2 weights = clamp(vec2(dot(cross(ap, ac), n), dot(cross(ab, ap), n)) / dot(n, n), 0.0, 1.0);

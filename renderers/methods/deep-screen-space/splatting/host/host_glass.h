@@ -50,10 +50,7 @@ class HostGlass {
                        .w) < part;
     }
     float slope(std::uint32_t triangle, glm::vec3 direction_ws) const {
-        const auto corner = [&](std::size_t i) {
-            return world_.positions[world_.indices[3 * std::size_t{triangle} + i]];
-        };
-        return glm::dot(passes::triangle_normal(corner(0), corner(1), corner(2)), direction_ws);
+        return glm::dot(passes::triangle_normal(world_, triangle), direction_ws);
     }
 
     /// The first hit that `is_passed` does not say of that the ray goes on behind it; the one behind

@@ -38,10 +38,7 @@ Winners::Sender Winners::sender(std::uint32_t winner, glm::vec3 direction_ws, fl
     const glm::vec3 x_ws(positions_[ray % pixels()]);
     if (winner & exact_hit) {
         const auto triangle = winner & ~exact_hit;
-        const auto corner = [&](std::size_t i) {
-            return world_.positions[world_.indices[3 * std::size_t{triangle} + i]];
-        };
-        const auto a = corner(0), b = corner(1), c = corner(2);
+        const auto [a, b, c] = passes::triangle_corners(world_, triangle);
         const auto position_ws = x_ws + distance_m * direction_ws;
         return {.triangle = triangle,
                 .is_exact = true,

@@ -168,7 +168,7 @@ float Curve::ideal_area_of(const Patch& patch) const {
 }
 
 glm::vec3 Curve::normal(std::uint32_t triangle) const {
-    return passes::triangle_normal(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
+    return passes::triangle_normal(world_, triangle);
 }
 
 }  // namespace ir::methods::deep_screen_space

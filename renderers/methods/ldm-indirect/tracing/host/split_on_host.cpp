@@ -320,10 +320,7 @@ class HostSplit {
 
     static Arrival arrival_of_ray(const scene::World& world, const Source& s, const glm::vec3& direction,
                                   const passes::Hit& hit) {
-        const auto corner = [&](std::size_t k) {
-            return world.positions[world.indices[3 * std::size_t{hit.triangle} + k]];
-        };
-        const auto normal = passes::triangle_normal(corner(0), corner(1), corner(2));
+        const auto normal = passes::triangle_normal(world, hit.triangle);
         Arrival a;
         a.origin = s.position_ws;
         a.direction = direction;

@@ -72,8 +72,7 @@ TexelReceiver TexelReceivers::receiver_at(const passes::Surface& s, float ior, g
                                           float least_alpha) const {
     TexelReceiver r{};
     r.n = s.shading_normal_ws, r.geometric_n = s.geometric_normal_ws, r.v = v;
-    r.f0 = is_layered_ ? glm::mix(glm::vec3(passes::dielectric_f0(ior)), s.base_colour, s.metallic)
-                       : s.base_colour;
+    r.f0 = is_layered_ ? passes::layered_f0(ior, s.base_colour, s.metallic) : s.base_colour;
     r.n_dot_v = std::max(glm::dot(r.n, v), passes::min_view_cosine);
     r.alpha = std::max(s.roughness * s.roughness, least_alpha);
     r.part = (1 - s.transmission * (1 - s.metallic)) * (is_layered_ ? 1 : s.metallic);
@@ -87,7 +86,9 @@ TexelReceivers::Added TexelReceivers::added_by(const HostKernel& kernel, const T
     const auto& l = kernel.to_light_ws;
     glm::vec3 irradiance(kernel.added[0], kernel.added[1], kernel.added[2]);
     if (directional_) irradiance *= directional_factor(max_stretch_, l, r.n, r.geometric_n);
-    const auto h = glm::normalize(l + r.v);
+    // Opposite directions have no half vector: as at normal incidence, as receiver.glsl has it.
+    const auto between = l + r.v;
+    const auto h = glm::dot(between, between) > 0 ? glm::normalize(between) : r.v;
     const auto fresnel = passes::schlick_fresnel(r.f0, std::clamp(glm::dot(r.v, h), 0.0f, 1.0f));
     Added added{is_layered_ ? irradiance * (1.0f - fresnel) : irradiance, glm::vec3(0)};
     const float n_dot_l = glm::dot(r.n, l);
