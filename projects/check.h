@@ -12,8 +12,7 @@ namespace ir::projects {
 
 /// Everything that a user should know about a project, most serious first: missing scenes and references to
 /// nothing (errors), changed scenes, unknown keys and methods, an older schema, newer method versions, stale
-/// results. With
-/// `known` no scene is read (see status() in scene_files.h).
+/// results. With `known` no scene is read (see status() in scene_files.h).
 std::vector<Message> check(const ReadProject& read, const std::filesystem::path& project_folder,
                            const Registry& registry, const ContentHashes* known = nullptr);
 

@@ -66,15 +66,16 @@ std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep,
     return points;
 }
 
-void check_sweep(const Project& project, const Sweep& sweep, const Registry& registry) {
+std::size_t check_sweep(const Project& project, const Sweep& sweep, const Registry& registry) {
     auto experiment = effective(base_of(project, sweep, registry));
     experiment.notes.clear();  // may be long, and are copied for each value
-    count_points(sweep);
+    const auto count = count_points(sweep);
     for (const auto& axis : sweep.axes) {
         for (const auto& value : axis.values)
             with_value(project, sweep, experiment, axis.key, value, registry);
         experiment = with_value(project, sweep, experiment, axis.key, axis.values.front(), registry);
     }
+    return count;
 }
 
 std::string sweep_path(const std::string& sweep) {

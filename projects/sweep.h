@@ -20,9 +20,9 @@ inline constexpr std::size_t max_sweep_points = 100'000;
 /// that the method refuses, and beyond max_sweep_points.
 std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep, const Registry& registry);
 
-/// Throws UsageError as sweep_points() does, but looks at each value once, beside the first values of the
-/// axes before: it takes no longer than the axes are.
-void check_sweep(const Project& project, const Sweep& sweep, const Registry& registry);
+/// How many points sweep_points() makes. Throws UsageError as it does, but looks at each value once, beside
+/// the first values of the axes before: it takes no longer than the axes are.
+std::size_t check_sweep(const Project& project, const Sweep& sweep, const Registry& registry);
 
 /// Where a window puts what a sweep renders, relative to results/, '/' as separator. An
 /// empty id gives the folder of all sweeps.

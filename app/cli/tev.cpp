@@ -1,3 +1,4 @@
+// `interreflect-cli tev`: pictures with all their layers in a running tev.
 #include <map>
 #include <utility>
 

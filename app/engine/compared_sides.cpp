@@ -163,12 +163,6 @@ void add_scene(const Side& image, const Side& reference, std::vector<Mismatch>& 
     add_moment(a, b, result);
 }
 
-bool is_exr(const std::string& file) {
-    auto extension = std::filesystem::path(file).extension().string();
-    for (char& letter : extension) letter = static_cast<char>(std::tolower(letter));
-    return extension == ".exr";
-}
-
 bool same_size(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height;
 }
@@ -203,10 +197,12 @@ Side side_of(const std::string& name, Image image, std::vector<ImageLayer> layer
 }
 
 Side load_side(const std::string& file, const std::string& layer) {
-    auto image = read_image(file, layer);
     ImageAttributes attributes;
-    std::vector<ImageLayer> layers;
-    if (is_exr(file)) layers = read_exr(file, &attributes);
+    auto layers = read_layers(file, &attributes);
+    const auto is_wanted = [&](const ImageLayer& each) { return layer.empty() || each.name == layer; };
+    const auto found = std::find_if(layers.begin(), layers.end(), is_wanted);
+    // Without such a layer read_image() says which there are.
+    auto image = found == layers.end() ? read_image(file, layer) : found->image;
     return side_of(file, std::move(image), std::move(layers), std::move(attributes), layer);
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 #include <utility>
 
 #include "renderers/core/bytes_text.h"
 #include "renderers/core/markup.h"
 #include "renderers/plot/placed_pipeline.h"
+#include "renderers/plot/svg.h"
 
 namespace ir {
 namespace {
@@ -15,9 +17,7 @@ namespace {
 constexpr double border = 12, header_height = 44, heading_font = 14;
 
 std::string coordinate(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", value);
-    return text;
+    return svg_number(value, 1);
 }
 
 class PipelineDrawing {
@@ -28,15 +28,8 @@ class PipelineDrawing {
     std::string svg() {
         const auto width = coordinate(std::max(placed_.width, 560.0) + 2 * border);
         const auto height = coordinate(placed_.height + header_height + 2 * border);
-        out_.open("svg",
-                  {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"viewBox", "0 0 " + width + " " + height},
-                   {"width", width},
-                   {"height", height},
-                   {"role", "img"},
-                   {"aria-label", pipeline_.title + ": passes and buffers of a frame"},
-                   {"font-family", "system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif"},
-                   {"font-size", coordinate(PlacedPipeline::font)}});
+        open_svg(out_, width, height, pipeline_.title + ": passes and buffers of a frame",
+                 coordinate(PlacedPipeline::font));
         out_.empty("rect", {{"width", width}, {"height", height}, {"fill", style_.background}});
         draw_header();
         out_.open("g", {{"transform", "translate(" + coordinate(border) + " " +

@@ -49,6 +49,9 @@ class Placing {
         set(graph_.get(), "nslimit", "4");
         set(graph_.get(), "nslimit1", "4");
     }
+    ~Placing() { gvFreeLayout(context_.get(), graph_.get()); }
+    Placing(const Placing&) = delete;
+    Placing& operator=(const Placing&) = delete;
 
     PlacedPipeline place() {
         add_nodes();
@@ -60,7 +63,6 @@ class Placing {
         placed_.height = GD_bb(graph_.get()).UR.y;
         for (std::size_t i = 0; i < nodes_.size(); ++i) take_box(i);
         for (auto* edge : edges_) placed_.lines.push_back(line_of(edge));
-        gvFreeLayout(context_.get(), graph_.get());
         return std::move(placed_);
     }
 

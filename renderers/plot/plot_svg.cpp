@@ -1,10 +1,13 @@
 #include "renderers/plot/plot_svg.h"
 
-#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "renderers/core/markup.h"
 #include "renderers/plot/plot_drawing.h"
 #include "renderers/plot/plot_style.h"
+#include "renderers/plot/svg.h"
 
 namespace ir {
 namespace {
@@ -13,9 +16,7 @@ constexpr double font = 12, title_font = 14;
 constexpr double half_height = font / 3;  ///< of small letters, from their feet
 
 std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f", value);
-    return text;
+    return svg_number(value, 2);
 }
 
 std::string joined(const std::vector<double>& numbers) {
@@ -108,14 +109,7 @@ std::string plot_svg(const PlotData& data, int width, int height, bool is_file) 
     const auto& style = PlotStyle::paper();
     Markup out;
     SvgCanvas canvas(out);
-    out.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                     {"viewBox", "0 0 " + w + " " + h},
-                     {"width", w},
-                     {"height", h},
-                     {"role", "img"},
-                     {"aria-label", data.title + ": " + data.y.title + " over " + data.x.title},
-                     {"font-family", "system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif"},
-                     {"font-size", number(font)}});
+    open_svg(out, w, h, data.title + ": " + data.y.title + " over " + data.x.title, number(font));
     if (is_file) canvas.box({0, 0, double(width), double(height)}, {style.background, "ground"});
     PlotDrawing(data, style, width, height, is_file, canvas).draw(canvas);
     return out.close().str() + (is_file ? "\n" : "");

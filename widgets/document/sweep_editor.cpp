@@ -145,7 +145,7 @@ QString SweepEditor::change_axes(const QString& field, const std::function<void(
         try {  // what the method would refuse is refused now
             Sweep changed = projects::edits::item_of<Sweep>(project, id);
             change(changed.axes);
-            projects::sweep_points(project, changed, *registry);
+            projects::check_sweep(project, changed, *registry);
         } catch (const Error& error) {
             *refused = QString::fromUtf8(error.what());
             throw;
@@ -200,7 +200,7 @@ void SweepEditor::show_axis() {
 
 void SweepEditor::show_count(const ShownProject& shown) {
     try {
-        const auto count = projects::sweep_points(shown.project, sweep_, shown.registry).size();
+        const auto count = projects::check_sweep(shown.project, sweep_, shown.registry);
         count_->setText(count == 1 ? tr("1 point") : tr("%1 points").arg(count));
     } catch (const Error& error) {
         count_->setText(QString::fromUtf8(error.what()));

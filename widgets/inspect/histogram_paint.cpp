@@ -111,7 +111,7 @@ void HistogramView::paint_labels(QPainter& painter) const {
     // Zero is where signed quantities turn over.
     if (histogram_.axis.low >= 0 || histogram_.axis.high <= 0) return;
     const double zero = x_of(0);
-    painter.setPen(QPen(QColor(150, 150, 150), 1, Qt::DotLine));
+    painter.setPen(QPen(theme_colours().dim, 1, Qt::DotLine));
     painter.drawLine(QPointF(zero, box.top()), QPointF(zero, box.bottom()));
     if (zero < line.left() + 60 || zero > line.right() - 60) return;
     painter.drawText(QRectF(zero - 20, line.top(), 40, line.height()), Qt::AlignHCenter | Qt::AlignTop,

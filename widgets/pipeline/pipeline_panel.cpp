@@ -131,8 +131,6 @@ void PipelinePanel::step(int by) {
 void PipelinePanel::set_fields(const PipelineFields& fields) {
     fields_ = fields;
     const bool has_frame = fields.why_empty.isEmpty();
-    pages_->setCurrentIndex(has_frame ? 0 : 1);
-    empty_->setText(fields.why_empty);
     for (auto* button : {back_, forward_, fit_, export_}) button->setEnabled(has_frame);
     whole_->setEnabled(has_frame && !fields.step.empty());
     const auto names = passes();
@@ -144,6 +142,9 @@ void PipelinePanel::set_fields(const PipelineFields& fields) {
                                                .arg(QString::fromStdString(fields.step)));
     where_->setToolTip(where_->text());
     view_->set_pipeline(fields.pipeline, fields.pictures);
+    const auto& why_not = has_frame ? view_->problem() : fields.why_empty;
+    pages_->setCurrentIndex(why_not.isEmpty() ? 0 : 1);
+    empty_->setText(why_not);
     view_->set_marked(QString::fromStdString(fields.step), QString::fromStdString(fields.shown));
     traced_->setVisible(fields.traced.has_value());
     if (fields.traced)

@@ -76,12 +76,14 @@ PipelineView::PipelineView(QWidget* parent) : QGraphicsView(parent), style_(&win
 void PipelineView::set_pipeline(const Pipeline& pipeline, const Pictures& pictures) {
     pictures_ = pictures;
     const bool is_known = has_same_shape(pipeline, wanted_);
+    if (!is_known) problem_.clear();
     wanted_ = pipeline;
     if (has_same_shape(pipeline, shown_)) {
         shown_ = pipeline;
         return painted_->update();
     }
-    if (!is_known || !job_.is_running()) place();
+    // Each frame asks: what cannot be laid out is not tried, nor told, again.
+    if (!is_known || (!job_.is_running() && problem_.isEmpty())) place();
 }
 
 void PipelineView::place() {
@@ -92,7 +94,7 @@ void PipelineView::place() {
                 show_placed(pipeline, std::move(placed));
             };
         } catch (const Error& error) {
-            return [this, text = QString::fromUtf8(error.what())] { emit failed(text); };
+            return [this, pipeline, text = QString::fromUtf8(error.what())] { tell_problem(pipeline, text); };
         }
     });
 }
@@ -107,6 +109,12 @@ void PipelineView::show_placed(const Pipeline& pipeline, PlacedPipeline placed) 
     scene()->setSceneRect(item->boundingRect());
     item->update();
     if (is_first && !shown_.nodes.empty()) verticalScrollBar()->setValue(verticalScrollBar()->minimum());
+}
+
+void PipelineView::tell_problem(const Pipeline& pipeline, const QString& problem) {
+    if (!has_same_shape(pipeline, wanted_)) return;  // it is not asked for any more
+    problem_ = problem;
+    emit failed(problem);
 }
 
 void PipelineView::set_marked(const QString& pass, const QString& buffer) {

@@ -23,6 +23,8 @@ class PipelineView : public QGraphicsView {
     /// The pass after which buffers are shown (empty: the whole frame), and the buffer that a view shows.
     void set_marked(const QString& pass, const QString& buffer);
     bool is_placing() const { return job_.is_running(); }
+    /// Why what was asked for last cannot be laid out; empty: it can, or nobody knows yet.
+    const QString& problem() const { return problem_; }
     /// Where a pass or buffer is drawn, in the viewport's coordinates; empty: nowhere.
     QRect place_of(const QString& key) const;
     void scroll_to(const QString& key);
@@ -60,6 +62,7 @@ class PipelineView : public QGraphicsView {
     Found row_of(const QString& key) const;
     void place();
     void show_placed(const Pipeline& pipeline, PlacedPipeline placed);
+    void tell_problem(const Pipeline& pipeline, const QString& problem);
     void paint_line(QPainter& painter, std::size_t edge) const;
     void paint_row(QPainter& painter, const Pipeline::Node& node, const Pipeline::Row& row,
                    const PlacedPipeline::Box& box, bool is_later) const;
@@ -68,7 +71,7 @@ class PipelineView : public QGraphicsView {
     Pipeline wanted_, shown_;
     PlacedPipeline placed_;
     Pictures pictures_;
-    QString pass_, buffer_;
+    QString pass_, buffer_, problem_;
     QGraphicsItem* painted_ = nullptr;
     QPoint pressed_, dragged_;
     bool is_dragging_ = false;

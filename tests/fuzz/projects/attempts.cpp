@@ -57,8 +57,9 @@ void use(const Project& project) {
     }
     for (const auto& sweep : project.sweeps) {
         try {
-            check_sweep(project, sweep, registry());
-            sweep_points(project, sweep, registry());
+            const auto count = check_sweep(project, sweep, registry());
+            require(sweep_points(project, sweep, registry()).size() == count,
+                    "other points than were counted");
         } catch (const UsageError& error) {
             require_one_line(error.what());
         }

@@ -132,6 +132,15 @@ TEST_F(Compare, NumbersThatAreNotFiniteAreNullWithAReason) {
     }
 }
 
+TEST_F(Compare, AnExrFileIsKnownByItsContentNotItsName) {
+    const Image none(32, 20, 1, 0.0f);
+    write("a.exr", picture());
+    write("invalid.exr", picture(), {}, {{"valid", {"Y"}, none}});
+    fs::rename(folder_ / "invalid.exr", folder_ / "invalid.picture");
+    const auto metrics = nlohmann::json::parse(compare("invalid.picture", "a.exr", "--json").out)["metrics"];
+    EXPECT_TRUE(metrics["rmse"].is_null()) << "its layer of valid pixels counts";
+}
+
 TEST_F(Compare, CountsOnlyARectangleOrAMask) {
     write("a.exr", picture(0.1f));
     write("b.exr", picture());

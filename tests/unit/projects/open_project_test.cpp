@@ -388,6 +388,7 @@ TEST(Sweeps, AreTheProductOfTheirAxes) {
     const auto project = sample_project();
     const auto points = sweep_points(project, project.sweeps[0], registry());
     ASSERT_EQ(points.size(), 6u);
+    EXPECT_EQ(check_sweep(project, project.sweeps[0], registry()), 6u);
     EXPECT_EQ(points[0].coordinates, Json({{"samples", 1}, {"seed", 1}}));
     EXPECT_EQ(points[1].coordinates, Json({{"samples", 1}, {"seed", 2}}));
     EXPECT_EQ(points[4].experiment.values.at("samples"), Value{std::int64_t{16}});
@@ -409,6 +410,7 @@ TEST(Sweeps, RefuseWhatCannotRun) {
         Sweep sweep = project.sweeps[0];
         sweep.axes.push_back(axis);
         EXPECT_THROW(sweep_points(project, sweep, registry()), UsageError) << axis.key;
+        EXPECT_THROW(check_sweep(project, sweep, registry()), UsageError) << axis.key;
     };
     refused({"smaples", {1}});
     refused({"density", {-1}});
