@@ -7,6 +7,7 @@
 #include "app/engine/from_project.h"
 #include "projects/document_fields.h"
 #include "projects/light_spec.h"
+#include "renderers/core/describe.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {
@@ -20,14 +21,25 @@ std::uint64_t parse_seed(const std::string& text) {
     return seed;
 }
 
+std::string key_of(const std::string& set) {
+    const auto equals = set.find('=');
+    if (equals == std::string::npos) throw UsageError("--set '" + set + "' is not of the form key=value");
+    return set.substr(0, equals);
+}
+
 void set(Settings& values, const MethodDescription& method, const std::vector<std::string>& sets) {
     for (const auto& text : sets) {
-        const auto equals = text.find('=');
-        if (equals == std::string::npos)
-            throw UsageError("--set '" + text + "' is not of the form key=value");
-        const auto key = text.substr(0, equals);
-        values[key] = parameter_named(method.parameters, key).parse(text.substr(equals + 1));
+        const auto key = key_of(text);
+        values[key] = parameter_named(method.parameters, key).parse(text.substr(key.size() + 1));
     }
+}
+
+/// The condition that keeps the parameter from having an effect: its own, or that of what it depends on.
+const Condition* unmet(const std::vector<ParameterDescription>& parameters, const std::string& key,
+                       const Settings& settings) {
+    for (const auto* p = find(parameters, key); p; p = find(parameters, p->active_when.key))
+        if (!is_active(*p, settings)) return &p->active_when;
+    return nullptr;
 }
 
 glm::dvec3 parse_point(const std::string& text, const std::string& option) {
@@ -107,6 +119,19 @@ void apply(const ExperimentFlags& flags, projects::Project& project, projects::E
     if (!flags.seed.empty()) experiment.seed = parse_seed(flags.seed);
     if (flags.frames) experiment.frames = *flags.frames;
     if (flags.time) experiment.time = *flags.time;
+}
+
+std::vector<Message> notes_of(const ExperimentFlags& flags, const engine::Experiment& experiment) {
+    const auto& parameters = engine::registry().at(experiment.method).parameters;
+    const auto settings = completed(parameters, experiment.settings);
+    std::vector<Message> notes;
+    for (const auto& text : flags.sets)
+        if (const auto* condition = unmet(parameters, key_of(text), settings))
+            notes.push_back({Severity::note, "render",
+                             "--set " + text + " does nothing here, it counts only where " +
+                                 condition_text(*condition) + " (it is " +
+                                 to_string(settings.at(condition->key)) + ")"});
+    return notes;
 }
 
 }  // namespace ir::cli

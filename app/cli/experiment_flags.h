@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/engine/experiment.h"
 #include "projects/document.h"
+#include "renderers/core/report.h"
 
 namespace ir::cli {
 
@@ -23,5 +25,8 @@ void add_experiment_flags(CLI::App& command, ExperimentFlags& flags);
 /// Changes an experiment of `project`; a camera of the command line becomes one of the project. Throws
 /// UsageError.
 void apply(const ExperimentFlags& flags, projects::Project& project, projects::Experiment& experiment);
+
+/// Notes on each `--set` that does nothing under the experiment's other settings.
+std::vector<Message> notes_of(const ExperimentFlags& flags, const engine::Experiment& experiment);
 
 }  // namespace ir::cli

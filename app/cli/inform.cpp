@@ -83,26 +83,29 @@ void add_list(CLI::App& app, Run& run) {
 
 void add_describe(CLI::App& app, Run& run) {
     struct Flags {
-        std::string method;
+        std::string method, key;
         bool json = false, markdown = false, glsl = false;
     };
     auto flags = std::make_shared<Flags>();
     auto* command = app.add_subcommand("describe", "A method's parameters and outputs");
     command->add_option("METHOD", flags->method, method_doc)->required();
+    auto* key =
+        command->add_option("KEY", flags->key, "Key of one parameter, output or selector: only this one");
     auto* formats = command->add_option_group("format");
     formats->add_flag("--json", flags->json, "As JSON");
     formats->add_flag("--markdown", flags->markdown, "As a page of the manual (default)");
-    formats->add_flag("--glsl", flags->glsl, "As the block that its shaders see");
+    formats->add_flag("--glsl", flags->glsl, "As the block that its shaders see")->excludes(key);
     formats->require_option(0, 1);
     command->callback([flags, &run] {
         run = [flags] {
             const auto& method = engine::registry().at(flags->method);
+            const auto& key = flags->key;
             if (flags->json)
-                std::cout << describe_json(method) << "\n";
+                std::cout << (key.empty() ? describe_json(method) : describe_json(method, key)) << "\n";
             else if (flags->glsl)
                 std::cout << gl::parameter_glsl(method.parameters, defaults(method.parameters));
             else
-                std::cout << describe_markdown(method);
+                std::cout << (key.empty() ? describe_markdown(method) : describe_markdown(method, key));
             return static_cast<int>(done);
         };
     });

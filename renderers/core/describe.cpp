@@ -4,8 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "renderers/core/error.h"
 #include "renderers/core/light_use.h"
 #include "renderers/core/transport.h"
+#include "renderers/core/words.h"
 
 namespace ir {
 namespace {
@@ -113,14 +115,11 @@ std::string allowed_text(const ParameterDescription& p) {
 constexpr const char* explains_text = " Explains the pixel or items that are picked.";
 
 /// " Only where `key` is a, b and `other` is c."; empty without a condition.
-std::string condition_text(const std::vector<Condition>& conditions) {
+std::string condition_sentence(const std::vector<Condition>& conditions) {
     std::string text;
-    for (const auto& condition : conditions) {
-        if (condition.key.empty()) continue;
-        text += (text.empty() ? " Only where `" : " and `") + condition.key + "` is";
-        for (const auto& value : condition.values)
-            text += (&value == &condition.values.front() ? " " : ", ") + to_string(value);
-    }
+    for (const auto& condition : conditions)
+        if (const auto one = condition_text(condition); !one.empty())
+            text += (text.empty() ? " Only where " : " and ") + one;
     return text.empty() ? text : text + ".";
 }
 
@@ -137,7 +136,7 @@ std::string missing_light_text(const MethodDescription& method) {
     std::string text;
     for (const auto& missing : method.missing_light)
         text += "- " + texts_of(missing.kinds) + ": " + texts_of(missing.parts) + "." +
-                condition_text(missing.active_when) + "\n";
+                condition_sentence(missing.active_when) + "\n";
     if (text.empty()) return text;
     const auto* paths = find(method.parameters, "paths");
     const bool only_lit = paths && paths->supported == std::vector<std::string>{"ao"};
@@ -155,7 +154,78 @@ std::string count_text(const SelectorDescription& selector) {
     return selector.parameter.empty() ? std::to_string(selector.count) : selector.parameter;
 }
 
+Json json_of(const SelectorDescription& selector) {
+    return {{"key", selector.key},
+            {"label", selector.label},
+            {"doc", selector.doc},
+            {"count", count_text(selector)}};
+}
+
+/// What follows the doc of a parameter and of its choices.
+std::string further_text(const ParameterDescription& p) {
+    std::string text = condition_sentence({p.active_when});
+    if (p.coarse) text += " In coarse pictures " + coarse_text(p) + ".";
+    return p.citation.empty() ? text : text + " [" + p.citation + "]";
+}
+
+const char* changes_text(const ParameterDescription& p) {
+    return p.effect == Effect::image ? "image" : "cost";
+}
+
+std::string what_it_shows(const OutputDescription& output) {
+    return "**" + output.label + ".** " + full_doc(output) + condition_sentence({output.active_when}) +
+           (output.explains ? explains_text : "");
+}
+
+std::string items_text(const SelectorDescription& selector) {
+    return "0 … `" + count_text(selector) + "` − 1, or all";
+}
+
+std::string markdown_of(const ParameterDescription& p) {
+    std::string text = "**" + p.label + ".** " + p.doc + further_text(p) +
+                       "\n\n- default: " + to_string(p.default_value) + "\n- allowed: " + allowed_text(p) +
+                       "\n- changes: " + changes_text(p) + "\n";
+    for (const auto& choice : p.choices)
+        if (!choice.doc.empty()) text += "- `" + choice.key + "`: " + choice.doc + "\n";
+    return text;
+}
+
+std::string markdown_of(const OutputDescription& output) {
+    return what_it_shows(output) + "\n\n- kind: " + to_string(output.kind) +
+           "\n- semantic: " + to_string(output.semantic) +
+           (output.unit.empty() ? "" : "\n- unit: " + output.unit) + "\n";
+}
+
+std::string markdown_of(const SelectorDescription& selector) {
+    return "**" + selector.label + ".** " + selector.doc + "\n\n- items: " + items_text(selector) + "\n";
+}
+
+/// What `text_of` gives for the one item of the method with this key.
+template <class TextOf>
+std::string text_of_one(const MethodDescription& method, const std::string& key, TextOf text_of) {
+    const auto in = [&](const auto& items) -> std::string {
+        for (const auto& item : items)
+            if (item.key == key) return text_of(item);
+        return {};
+    };
+    for (const auto& text : {in(method.parameters), in(method.outputs), in(method.selectors)})
+        if (!text.empty()) return text;
+    auto known = words_of(method.parameters, &ParameterDescription::key);
+    for (const auto& output : method.outputs) known.push_back(output.key);
+    for (const auto& selector : method.selectors) known.push_back(selector.key);
+    throw UsageError("method '" + method.id + "' has no parameter, output or selector '" + key + "'" +
+                     known_are(key, known));
+}
+
 }  // namespace
+
+std::string condition_text(const Condition& condition) {
+    if (condition.key.empty()) return {};
+    std::string text = "`" + condition.key + "` is";
+    for (const auto& value : condition.values)
+        text += (&value == &condition.values.front() ? " " : ", ") + to_string(value);
+    return text;
+}
 
 std::string describe_json(const MethodDescription& method) {
     Json json{{"id", method.id},           {"title", method.title},   {"version", method.version},
@@ -174,11 +244,7 @@ std::string describe_json(const MethodDescription& method) {
     if (method.is_reference) json["is_reference"] = true;
     if (!method.variance.empty()) json["variance"] = method.variance;
     json["selectors"] = Json::array();
-    for (const auto& selector : method.selectors)
-        json["selectors"].push_back({{"key", selector.key},
-                                     {"label", selector.label},
-                                     {"doc", selector.doc},
-                                     {"count", count_text(selector)}});
+    for (const auto& selector : method.selectors) json["selectors"].push_back(json_of(selector));
     return json.dump(2);
 }
 
@@ -194,28 +260,33 @@ std::string describe_markdown(const MethodDescription& method) {
     text += "## Parameters\n\n| key | default | allowed | changes | what it does |\n|---|---|---|---|---|\n";
     for (const auto& p : method.parameters) {
         text += "| `" + p.key + "` | " + to_string(p.default_value) + " | " + allowed_text(p) + " | " +
-                (p.effect == Effect::image ? "image" : "cost") + " | **" + p.label + ".** " + p.doc;
+                changes_text(p) + " | **" + p.label + ".** " + p.doc;
         for (const auto& choice : p.choices)
             if (!choice.doc.empty() && (p.supported.empty() || p.supported.size() > 1))
                 text += " `" + choice.key + "`: " + choice.doc;
-        text += condition_text({p.active_when});
-        if (p.coarse) text += " In coarse pictures " + coarse_text(p) + ".";
-        if (!p.citation.empty()) text += " [" + p.citation + "]";
-        text += " |\n";
+        text += further_text(p) + " |\n";
     }
     text += "\n## Outputs\n\n| key | kind | semantic | unit | what it shows |\n|---|---|---|---|---|\n";
     for (const auto& o : method.outputs)
         text += "| `" + o.key + "` | " + to_string(o.kind) + " | " + to_string(o.semantic) + " | " + o.unit +
-                " | **" + o.label + ".** " + full_doc(o) + condition_text({o.active_when}) +
-                (o.explains ? explains_text : "") + " |\n";
+                " | " + what_it_shows(o) + " |\n";
     if (method.selectors.empty()) return text;
     text +=
         "\n## Selectors\n\nWhat can be looked at one by one.\n\n| key | items | what is chosen "
         "|\n|---|---|---|\n";
     for (const auto& selector : method.selectors)
-        text += "| `" + selector.key + "` | 0 … `" + count_text(selector) + "` − 1, or all | **" +
-                selector.label + ".** " + selector.doc + " |\n";
+        text += "| `" + selector.key + "` | " + items_text(selector) + " | **" + selector.label + ".** " +
+                selector.doc + " |\n";
     return text;
+}
+
+std::string describe_json(const MethodDescription& method, const std::string& key) {
+    return text_of_one(method, key, [](const auto& item) { return json_of(item).dump(2); });
+}
+
+std::string describe_markdown(const MethodDescription& method, const std::string& key) {
+    return text_of_one(method, key,
+                       [](const auto& item) { return "# `" + item.key + "`\n\n" + markdown_of(item); });
 }
 
 }  // namespace ir

@@ -165,6 +165,33 @@ TEST_F(Cli, ComparesAndFailsAboveALimit) {
     expect_refused("compare " + file("a.exr") + " " + file("c.exr"), 3, "24");
 }
 
+TEST_F(Cli, DescribesOneParameterOutputOrSelector) {
+    const auto parameter = run("describe ldm-ao exact_texels");
+    EXPECT_EQ(parameter.out.rfind("# `exact_texels`\n", 0), 0u) << parameter.out;
+    EXPECT_NE(parameter.out.find("Only where `exact` is near."), std::string::npos) << parameter.out;
+    EXPECT_EQ(parameter.out.find("max_distance"), std::string::npos) << parameter.out;
+    const auto json = nlohmann::json::parse(run("describe ldm-ao exact --json").out);
+    EXPECT_EQ(json["key"], "exact");
+    EXPECT_NE(run("describe ldm-ao valid").out.find("semantic: "), std::string::npos);
+    expect_refused("describe ldm-ao exact_texel", 2, "did you mean 'exact_texels'");
+    expect_refused("describe ldm-ao exact --glsl", 2, "--glsl");
+}
+
+TEST_F(Cli, SaysWhichSettingsDoNothing) {
+    const auto idle = run(small("ldm-ao", "idle.exr") + "--set exact_texels=8");
+    ASSERT_EQ(idle.status, 0) << idle.err;
+    EXPECT_NE(idle.err.find("--set exact_texels=8 does nothing here"), std::string::npos) << idle.err;
+    const auto used = run(small("ldm-ao", "used.exr") + "--set exact=near --set exact_texels=8");
+    ASSERT_EQ(used.status, 0) << used.err;
+    EXPECT_EQ(used.err.find("does nothing"), std::string::npos) << used.err;
+    // A chain: no gloss, so nothing looks through maps, so what is near does not matter.
+    const auto chain = run(small("ldm-indirect", "chain.exr") +
+                           "--set directions=8 --set resolution=32 --set emission=4 --set gloss=none "
+                           "--set gloss_tracer=maps --set gloss_near=2");
+    ASSERT_EQ(chain.status, 0) << chain.err;
+    EXPECT_NE(chain.err.find("--set gloss_near=2 does nothing here"), std::string::npos) << chain.err;
+}
+
 TEST_F(Cli, GrowsBuffersThatStartAThousandTimesTooSmall) {
     const auto settings = std::string(
         "--processor gl --set directions=16 --set resolution=48 --set progressive=true --frames 3 --json ");
