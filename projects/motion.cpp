@@ -133,6 +133,13 @@ std::vector<const Motion*> motions_of(const Project& project, const Experiment& 
     return found;
 }
 
+double moves_until(const Project& project, const Experiment& experiment) {
+    double end = 0;
+    for (const auto* motion : motions_of(project, experiment))
+        if (is_moving(*motion)) end = std::max(end, motion->keys.back().time);
+    return end;
+}
+
 Camera camera_at(const Project& project, const Camera& camera, double time) {
     Camera result = camera;
     const auto* motion = camera.scene_camera.empty() ? motion_of_camera(project, camera.id) : nullptr;

@@ -26,6 +26,9 @@ const Motion* motion_of_part(const Project& project, const std::string& scene, i
 /// All that count for an experiment as it runs: its camera's, its lights', its scene's parts'.
 std::vector<const Motion*> motions_of(const Project& project, const Experiment& experiment);
 
+/// Seconds: the last key of those that move; 0: none does. What the scene's files animate does not count.
+double moves_until(const Project& project, const Experiment& experiment);
+
 /// The camera with its motion applied at `time` (seconds). Cameras of the scene's file come back as they are.
 Camera camera_at(const Project& project, const Camera& camera, double time);
 /// The light as a key says; what the key does not say stays.

@@ -32,6 +32,7 @@ void add_list(CLI::App& app, Run& run);
 void add_describe(CLI::App& app, Run& run);
 void add_scene(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
+void add_film(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
 void add_profile(CLI::App& app, Run& run);
 void add_rerun(CLI::App& app, Run& run);

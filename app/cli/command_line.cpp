@@ -70,6 +70,7 @@ void add_commands(CLI::App& app, Run& run) {
     add_describe(app, run);
     add_scene(app, run);
     add_render(app, run);
+    add_film(app, run);
     add_compare(app, run);
     add_profile(app, run);
     add_rerun(app, run);

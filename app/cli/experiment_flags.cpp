@@ -121,9 +121,10 @@ void apply(const ExperimentFlags& flags, projects::Project& project, projects::E
     if (flags.time) experiment.time = *flags.time;
 }
 
-std::vector<Message> notes_of(const ExperimentFlags& flags, const engine::Experiment& experiment) {
-    const auto& parameters = engine::registry().at(experiment.method).parameters;
-    const auto settings = completed(parameters, experiment.settings);
+std::vector<Message> notes_of(const ExperimentFlags& flags, const std::string& method,
+                              const Settings& given) {
+    const auto& parameters = engine::registry().at(method).parameters;
+    const auto settings = completed(parameters, given);
     std::vector<Message> notes;
     for (const auto& text : flags.sets)
         if (const auto* condition = unmet(parameters, key_of(text), settings))

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/engine/experiment.h"
 #include "projects/document.h"
 #include "renderers/core/report.h"
 
@@ -26,7 +25,8 @@ void add_experiment_flags(CLI::App& command, ExperimentFlags& flags);
 /// UsageError.
 void apply(const ExperimentFlags& flags, projects::Project& project, projects::Experiment& experiment);
 
-/// Notes on each `--set` that does nothing under the experiment's other settings.
-std::vector<Message> notes_of(const ExperimentFlags& flags, const engine::Experiment& experiment);
+/// Notes on each `--set` that does nothing under the other settings.
+std::vector<Message> notes_of(const ExperimentFlags& flags, const std::string& method,
+                              const Settings& settings);
 
 }  // namespace ir::cli

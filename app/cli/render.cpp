@@ -106,7 +106,8 @@ int render_scene(const RenderFlags& flags) {
              "method '" + experiment.method + "' does not use the environment that --env gives"});
     for (auto& warning : inspection_warnings(inspection, experiment))
         report.messages.push_back(std::move(warning));
-    for (auto& note : notes_of(flags.experiment, experiment)) report.messages.push_back(std::move(note));
+    for (auto& note : notes_of(flags.experiment, experiment.method, experiment.settings))
+        report.messages.push_back(std::move(note));
     engine::require_matches("--dump", flags.dumps, report);
     if (!flags.quiet) note_lists(flags.dumps, report);
     engine::write_picture(flags.out, execution, flags.dumps);

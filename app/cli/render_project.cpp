@@ -74,7 +74,8 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     auto& report = run.report;
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
-    for (auto& note : notes_of(job.changes, resolved)) report.messages.push_back(std::move(note));
+    for (auto& note : notes_of(job.changes, resolved.method, resolved.settings))
+        report.messages.push_back(std::move(note));
     engine::require_matches("--dump", job.dumps, report);
     engine::write_picture(with(".exr"), execution, job.dumps);
     engine::write_picture(with(".png"), execution, {});

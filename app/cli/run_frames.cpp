@@ -21,7 +21,11 @@ graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<s
 
 void print_messages(const engine::Execution& execution, const FrameReport& report) {
     for (const auto& warning : execution.scene().warnings) std::cerr << "warning: " << warning.text << "\n";
-    for (const auto& message : report.messages)
+    print_messages(report.messages);
+}
+
+void print_messages(const std::vector<Message>& messages) {
+    for (const auto& message : messages)
         std::cerr << (message.severity == Severity::note ? "note: " : "warning: ") << message.text << "\n";
 }
 

@@ -32,6 +32,7 @@ auto under_progress(ProgressLine& line, const std::string& unwritten, Work work)
 
 /// Loader warnings and frame messages, one line each, to standard error.
 void print_messages(const engine::Execution& execution, const FrameReport& report);
+void print_messages(const std::vector<Message>& messages);
 /// A note of explanations that the patterns match and that are no images, which no file can hold.
 void note_lists(const std::vector<std::string>& patterns, const FrameReport& report);
 

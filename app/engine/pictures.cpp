@@ -59,6 +59,12 @@ Image main_result(const Execution& execution) {
     return execution.graph().read_image(main_key(execution)).value_or(Image());
 }
 
+Image displayed_result(const Execution& execution) {
+    const auto result = main_result(execution);
+    Image colours;  // a result's fourth channel is no opacity
+    return values_of(result, Semantic::radiance, colours);
+}
+
 std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std::string>& patterns) {
     std::vector<ImageLayer> result;
     const auto& graph = execution.graph();
@@ -169,8 +175,7 @@ void write_picture(const std::filesystem::path& file, const Execution& execution
         write_exr(file, layers(execution, dumps), attributes(execution));
         return;
     }
-    Image colours;  // a result's fourth channel is no opacity
-    write_png(file, values_of(main_result(execution), Semantic::radiance, colours));
+    write_png(file, displayed_result(execution));
 }
 
 }  // namespace ir::engine

@@ -10,6 +10,8 @@ namespace ir::engine {
 std::string main_key(const Execution& execution);
 /// Empty before the first frame.
 Image main_result(const Execution& execution);
+/// The same with three channels or one, for a PNG.
+Image displayed_result(const Execution& execution);
 /// Default layer with the main result, "valid", its variance, and each resource that matches a pattern:
 /// images as they are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel per
 /// field, at most 4096 wide.

@@ -135,11 +135,6 @@ class FrameRun {
         }
     }
 
-    static void add_message(std::vector<Message>& messages, const Message& message) {
-        const auto same = [&](const Message& known) { return known.text == message.text; };
-        if (std::none_of(messages.begin(), messages.end(), same)) messages.push_back(message);
-    }
-
     /// Before the next frame would make what a crash takes with it too large.
     bool is_checkpoint_due() const {
         if (!keeps() || checkpoints_.seconds <= 0 || execution_.is_done() ||
@@ -190,6 +185,11 @@ class FrameRun {
 };
 
 }  // namespace
+
+void add_message(std::vector<Message>& messages, const Message& message) {
+    const auto same = [&](const Message& known) { return known.text == message.text; };
+    if (std::none_of(messages.begin(), messages.end(), same)) messages.push_back(message);
+}
 
 std::string samples_text(const Execution& execution, const FrameReport& report) {
     auto text = std::to_string(execution.samples()) + " of " + std::to_string(execution.samples_requested()) +

@@ -21,6 +21,9 @@ inline constexpr const char* rate_figure = "samples_per_second";
 /// "12 of 64 samples, 3.21 M samples/s"; the report is of run_frames().
 std::string samples_text(const Execution& execution, const FrameReport& report);
 
+/// Adds a message that is not there yet.
+void add_message(std::vector<Message>& messages, const Message& message);
+
 /// Cancelled, and the samples that were there could not be kept: what() says how many, and why.
 class NotKept : public Cancelled {
   public:

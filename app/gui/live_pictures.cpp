@@ -97,10 +97,7 @@ double LivePictures::moves_until(const std::string& id) const {
     const auto* chosen = session_.experiment(id);
     if (!chosen) return 0;
     const auto run = projects::effective(*chosen);
-    double end = scene_end(run.scene);
-    for (const auto* motion : projects::motions_of(session_.document(), run))
-        if (projects::is_moving(*motion)) end = std::max(end, motion->keys.back().time);
-    return end;
+    return std::max(scene_end(run.scene), projects::moves_until(session_.document(), run));
 }
 
 double LivePictures::scene_end(const std::string& id) const {

@@ -1,0 +1,207 @@
+#include "app/engine/film.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <glm/gtc/quaternion.hpp>
+#include <sstream>
+#include <thread>
+
+#include "app/engine/from_project.h"
+#include "app/engine/pictures.h"
+#include "app/engine/run_frames.h"
+#include "projects/motion.h"
+#include "projects/samples.h"
+#include "renderers/core/error.h"
+
+extern char** environ;
+
+namespace ir::engine {
+namespace {
+
+constexpr int per_second = 30;  // 1 / projects::frame_seconds
+static_assert(per_second * projects::frame_seconds == 1);
+constexpr int max_pictures = 100'000;
+
+std::filesystem::path program_in_path(const std::string& name) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        const auto file = std::filesystem::path(folder) / name;
+        if (::access(file.c_str(), X_OK) == 0) return file;
+    }
+    return {};
+}
+
+Experiment resolved(const FilmSubject& subject) {
+    return from_project(subject.project, subject.experiment, subject.folder);
+}
+
+/// Seconds between the first picture and the last, or of the turn.
+double seconds_of(const FilmSubject& subject, const scene::Scene& scene, const Film& film) {
+    const auto run = projects::effective(subject.experiment);
+    if (film.until > 0) return film.until - run.time;
+    if (film.turntable > 0) return film.turntable;
+    return std::max(double(scene.duration()), projects::moves_until(subject.project, run)) - run.time;
+}
+
+/// One turn about the target, counter-clockwise seen from above, in `pictures` equal steps.
+projects::Motion turn_of(const scene::Camera& camera, double from, int pictures) {
+    projects::Motion motion;
+    const auto axis = glm::normalize(glm::dvec3(camera.up));
+    for (int i = 0; i <= pictures; ++i) {
+        const double angle = 2 * glm::pi<double>() * i / pictures;
+        projects::Motion::Key key;
+        key.time = from + i * projects::frame_seconds;
+        key.target = camera.target;
+        key.up = camera.up;
+        key.eye = key.target + glm::angleAxis(angle, axis) * (glm::dvec3(camera.eye) - key.target);
+        motion.keys.push_back(key);
+    }
+    motion.loop = true;
+    return motion;
+}
+
+/// Lets the camera of the experiment turn from `start` on.
+void add_turn(Experiment& experiment, const scene::Scene& scene, double start, double seconds) {
+    if (!experiment.camera) {
+        const auto* named = scene.find_camera(experiment.camera_name);
+        experiment.camera = named ? *named : scene.cameras.front();
+        experiment.camera_name.clear();
+    }
+    const int pictures = std::max(1, int(std::lround(seconds * per_second)));
+    experiment.camera_motion = turn_of(*experiment.camera, start, pictures);
+}
+
+std::filesystem::path picture_file(const std::filesystem::path& folder, int number) {
+    char name[16];
+    std::snprintf(name, sizeof name, "%04d.png", number);
+    return folder / name;
+}
+
+/// Runs a program and waits for it; a cancelled one is ended. Throws Error where it fails.
+void run_program(std::vector<std::string> words, const CancelToken* cancel) {
+    std::vector<char*> arguments;
+    for (auto& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    if (::posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
+        throw Error(words.front() + " cannot be started");
+    int status = 0;
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+        if (cancel && cancel->is_cancelled()) {
+            ::kill(child, SIGTERM);
+            ::waitpid(child, &status, 0);
+            throw Cancelled();
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    if (status != 0) throw Error(words.front() + " failed; its own words stand above");
+}
+
+/// The video is there whole or not at all.
+void encode(const std::filesystem::path& folder, const std::filesystem::path& video,
+            const CancelToken* cancel) {
+    const auto partial =
+        video.parent_path() / ("." + video.stem().string() + ".partial" + video.extension().string());
+    std::vector<std::string> words{program_in_path("ffmpeg").string(),
+                                   "-y",
+                                   "-nostdin",
+                                   "-loglevel",
+                                   "error",
+                                   "-framerate",
+                                   std::to_string(per_second),
+                                   "-start_number",
+                                   "1",
+                                   "-i",
+                                   (folder / "%04d.png").string()};
+    // Common players want colours at half the resolution, and for that even sides.
+    if (video.extension() != ".gif")
+        for (const char* word : {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"})
+            words.emplace_back(word);
+    words.push_back("file:" + partial.string());
+    std::error_code ignored;
+    try {
+        run_program(words, cancel);
+        std::filesystem::rename(partial, video);
+    } catch (...) {
+        std::filesystem::remove(partial, ignored);
+        throw;
+    }
+}
+
+}  // namespace
+
+bool is_video(const std::filesystem::path& file) {
+    const auto ending = file.extension().string();
+    return !ending.empty() && (std::string(video_endings) + ",").find(ending + ",") != std::string::npos;
+}
+
+int check_film(Machine& machine, const FilmSubject& subject, const Film& film) {
+    if (is_video(film.out) && program_in_path("ffmpeg").empty())
+        throw UsageError(film.out.string() +
+                         ": videos are made by ffmpeg, which is not in PATH; install it, or " +
+                         "give a folder, which gets PNG files");
+    const auto run = resolved(subject);
+    const double seconds = seconds_of(subject, *machine.scenes().load(run.composition()), film);
+    const bool is_turn = film.until <= 0 && film.turntable > 0;
+    if (film.until > 0 && seconds < 0)
+        throw UsageError("the film ends before it begins, at " + to_string(Value{run.time}) + " s");
+    if (film.until <= 0 && !is_turn && seconds <= 0)
+        throw UsageError("nothing moves from " + to_string(Value{run.time}) +
+                         " s on; give --turntable SECONDS, --until SECONDS, or the project a motion");
+    // A turn's last picture is the one before its first.
+    const double pictures = std::floor(seconds * per_second + 1e-6) + (is_turn ? 0 : 1);
+    if (pictures > max_pictures)
+        throw UsageError("the film has " + to_string(Value{pictures}) + " pictures; at most " +
+                         std::to_string(max_pictures) + " are allowed");
+    return std::max(1, int(pictures));
+}
+
+FrameReport make_film(Machine& machine, const FilmSubject& subject, const Film& film,
+                      const std::filesystem::path& folder, const graph::FrameOptions& options) {
+    const int pictures = check_film(machine, subject, film);
+    const auto first = resolved(subject);
+    const auto scene = machine.scenes().load(first.composition());
+    // A picture that adds up samples is of one moment, at which the project says where everything is.
+    const auto at = [&](double time) {
+        auto experiment = subject.experiment;
+        experiment.time = time;
+        auto run = from_project(subject.project, experiment, subject.folder, first.environment);
+        if (film.turntable > 0) {
+            run.camera = first.camera;
+            add_turn(run, *scene, first.time, film.turntable);
+        }
+        return run;
+    };
+    Execution execution(machine, at(first.time));
+    FrameReport total;
+    for (const auto& warning : execution.scene().warnings)
+        total.messages.push_back({Severity::warning, "scene", warning.text});
+    for (int i = 0; i < pictures; ++i) {
+        auto one = options;
+        if (options.progress)
+            one.progress = [&, i](const std::string& what, double part) {
+                options.progress(
+                    "picture " + std::to_string(i + 1) + " of " + std::to_string(pictures) + ", " + what,
+                    (i + part) / pictures);
+            };
+        if (execution.accumulates()) execution.update(at(first.time + i * projects::frame_seconds));
+        auto report = execution.accumulates() ? run_frames(execution, one) : execution.run_frame(one);
+        for (const auto& message : report.messages) add_message(total.messages, message);
+        report.messages = std::move(total.messages);
+        report.wall_ms += total.wall_ms;
+        total = std::move(report);
+        write_png(picture_file(folder, i + 1), displayed_result(execution), film.exposure);
+    }
+    if (is_video(film.out)) encode(folder, film.out, options.cancel);
+    return total;
+}
+
+}  // namespace ir::engine

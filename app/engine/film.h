@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/engine/execution.h"
+
+namespace ir::engine {
+
+/// Pictures of an experiment from its time on, projects::frame_seconds after one another, as files.
+struct Film {
+    std::filesystem::path out;  ///< a folder, which gets 0001.png, 0002.png, …, or a video
+    double until = 0;           ///< seconds of the last picture; 0: as long as something moves
+    double turntable = 0;       ///< seconds of one turn of the camera about its target; 0: it does not turn
+    double exposure = 0;        ///< stops
+};
+
+/// Endings of videos, with commas between them.
+inline constexpr const char* video_endings = ".mp4, .webm, .mkv, .mov, .gif";
+/// Whether the name has one of them: ffmpeg makes such a file.
+bool is_video(const std::filesystem::path& file);
+
+/// An experiment of a project in its folder.
+struct FilmSubject {
+    const projects::Project& project;
+    const projects::Experiment& experiment;
+    const std::filesystem::path& folder;
+};
+
+/// Throws UsageError, before anything is rendered: a video without ffmpeg, nothing that moves, no time.
+/// Returns the number of pictures.
+int check_film(Machine& machine, const FilmSubject& subject, const Film& film);
+
+/// Renders all pictures. Where a method has a history each goes on from the one before; where samples add up
+/// each has all samples of the experiment. A video's pictures are put into `folder`, which is there. The
+/// report is that of the last picture, with the messages of the scene and of all. Throws as run_frames,
+/// from_project and check_film, and Error where ffmpeg fails.
+FrameReport make_film(Machine& machine, const FilmSubject& subject, const Film& film,
+                      const std::filesystem::path& folder, const graph::FrameOptions& options);
+
+}  // namespace ir::engine
