@@ -27,7 +27,6 @@ namespace {
 
 constexpr int per_second = 30;  // 1 / projects::frame_seconds
 static_assert(per_second * projects::frame_seconds == 1);
-constexpr int max_pictures = 100'000;
 
 std::filesystem::path program_in_path(const std::string& name) {
     const char* path = std::getenv("PATH");
@@ -41,14 +40,6 @@ std::filesystem::path program_in_path(const std::string& name) {
 
 Experiment resolved(const FilmSubject& subject) {
     return from_project(subject.project, subject.experiment, subject.folder);
-}
-
-/// Seconds between the first picture and the last, or of the turn.
-double seconds_of(const FilmSubject& subject, const scene::Scene& scene, const Film& film) {
-    const auto run = projects::effective(subject.experiment);
-    if (film.until > 0) return film.until - run.time;
-    if (film.turntable > 0) return film.turntable;
-    return std::max(double(scene.duration()), projects::moves_until(subject.project, run)) - run.time;
 }
 
 /// One turn about the target, counter-clockwise seen from above, in `pictures` equal steps.
@@ -143,25 +134,33 @@ bool is_video(const std::filesystem::path& file) {
     return !ending.empty() && (std::string(video_endings) + ",").find(ending + ",") != std::string::npos;
 }
 
+int count_pictures(const Film& film, double begin, double moves_until) {
+    const bool is_turn = film.until <= 0 && film.turntable > 0;
+    const double seconds = is_turn ? film.turntable : (film.until > 0 ? film.until : moves_until) - begin;
+    if (seconds < 0 || (film.until <= 0 && seconds == 0)) return 0;
+    // A turn's last picture is the one before its first.
+    const double pictures = std::floor(seconds * per_second + 1e-6) + (is_turn ? 0 : 1);
+    return int(std::clamp<double>(pictures, 1, max_film_pictures + 1));
+}
+
 int check_film(Machine& machine, const FilmSubject& subject, const Film& film) {
     if (is_video(film.out) && program_in_path("ffmpeg").empty())
         throw UsageError(film.out.string() +
-                         ": videos are made by ffmpeg, which is not in PATH; install it, or " +
-                         "give a folder, which gets PNG files");
-    const auto run = resolved(subject);
-    const double seconds = seconds_of(subject, *machine.scenes().load(run.composition()), film);
-    const bool is_turn = film.until <= 0 && film.turntable > 0;
-    if (film.until > 0 && seconds < 0)
+                         ": videos are made by ffmpeg, which is not in PATH; install it, or give a folder, "
+                         "which gets PNG files");
+    const auto run = projects::effective(subject.experiment);
+    const auto scene = machine.scenes().load(resolved(subject).composition());
+    const int pictures = count_pictures(
+        film, run.time, std::max(double(scene->duration()), projects::moves_until(subject.project, run)));
+    if (pictures == 0 && film.until > 0)
         throw UsageError("the film ends before it begins, at " + to_string(Value{run.time}) + " s");
-    if (film.until <= 0 && !is_turn && seconds <= 0)
+    if (pictures == 0)
         throw UsageError("nothing moves from " + to_string(Value{run.time}) +
                          " s on; give --turntable SECONDS, --until SECONDS, or the project a motion");
-    // A turn's last picture is the one before its first.
-    const double pictures = std::floor(seconds * per_second + 1e-6) + (is_turn ? 0 : 1);
-    if (pictures > max_pictures)
-        throw UsageError("the film has " + to_string(Value{pictures}) + " pictures; at most " +
-                         std::to_string(max_pictures) + " are allowed");
-    return std::max(1, int(pictures));
+    if (pictures > max_film_pictures)
+        throw UsageError("the film has more than " + std::to_string(max_film_pictures) +
+                         " pictures; make it shorter");
+    return pictures;
 }
 
 FrameReport make_film(Machine& machine, const FilmSubject& subject, const Film& film,

@@ -20,6 +20,11 @@ inline constexpr const char* video_endings = ".mp4, .webm, .mkv, .mov, .gif";
 /// Whether the name has one of them: ffmpeg makes such a file.
 bool is_video(const std::filesystem::path& file);
 
+inline constexpr int max_film_pictures = 100'000;
+/// Of an experiment that begins at `begin` and moves until `moves_until`, seconds. 0: nothing moves. At most
+/// one more than the maximum.
+int count_pictures(const Film& film, double begin, double moves_until);
+
 /// An experiment of a project in its folder.
 struct FilmSubject {
     const projects::Project& project;

@@ -27,10 +27,13 @@ const QString toggle_prefix = QStringLiteral("dock-");
 
 struct Layout {
     const char* name;
-    QStringList docks;  ///< that are shown
+    QStringList docks;            ///< that are shown
+    const char* title = nullptr;  ///< in menus; null: only by its name
+    widgets::ViewArea::Arrangement views = widgets::ViewArea::Arrangement::one;
 };
 
 const QList<Layout>& layouts() {
+    constexpr auto two_views = widgets::ViewArea::Arrangement::side_by_side;
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
@@ -38,15 +41,18 @@ const QList<Layout>& layouts() {
           "pipeline"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
-        {"compare", {"display", "metrics"}},
+        {"compare", {"display", "metrics"}, QT_TR_NOOP("Compare"), two_views},
         {"results", {"results"}},
-        {"plots", {"plots"}},
-        {"sweeps", {"sweeps"}},
+        {"plots", {"plots"}, QT_TR_NOOP("Plots")},
+        {"sweeps", {"sweeps"}, QT_TR_NOOP("Sweeps")},
         {"timeline", {"timeline"}},
         {"benchmarks", {"benchmarks"}},
         {"profile", {"profile"}},
-        {"pipeline", {"pipeline"}},
-        {"inspect", {"display", "inspector", "buffers", "explain"}},
+        {"pipeline", {"pipeline"}, QT_TR_NOOP("Passes and filters")},
+        {"inspect",
+         {"display", "inspector", "buffers", "explain"},
+         QT_TR_NOOP("Maps and photons"),
+         two_views},
         {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
     };
@@ -184,10 +190,27 @@ QStringList DockLayout::names() {
     return names;
 }
 
+QList<std::pair<QString, QString>> DockLayout::titles() {
+    QList<std::pair<QString, QString>> titles;
+    for (const auto& layout : layouts())
+        if (layout.title) titles.append({QLatin1String(layout.name), tr(layout.title)});
+    return titles;
+}
+
+void DockLayout::load(const QByteArray& state) {
+    hidden_ = state;
+    if (!is_hidden_) window_.restoreState(state, dock_version);
+}
+
+void DockLayout::hide_all() const {
+    for (auto* each : docks()) each->hide();
+}
+
 void DockLayout::apply(const QString& name) {
     for (const auto& layout : layouts()) {
         if (name != QLatin1String(layout.name)) continue;
-        restore_default();
+        arrange();
+        views_.arrange(layout.views);
         for (auto* each : docks()) each->setVisible(layout.docks.contains(each->objectName()));
         if (QStringList{"plots", "sweeps", "benchmarks", "profile", "pipeline"}.contains(name))
             window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);

@@ -5,6 +5,7 @@
 #include <QRect>
 #include <QSize>
 #include <QStringList>
+#include <utility>
 
 class QAction;
 class QDockWidget;
@@ -47,8 +48,14 @@ class DockLayout : public QObject {
     /// The default arrangement, with one view.
     void restore_default();
     static QStringList names();
+    /// Names and titles of those that a menu offers.
+    static QList<std::pair<QString, QString>> titles();
     /// An arrangement by its name. Throws UsageError that lists the known ones.
     void apply(const QString& name);
+    /// The panels as they stand, and back.
+    QByteArray save() const { return arrangement(); }
+    void load(const QByteArray& state);
+    void hide_all() const;
     /// The welcome page stands alone; with a project the docks come back as they were.
     void show(bool shown);
     /// Arranges the window for what a screen has for windows. One that has less than min_size_for_all_panels

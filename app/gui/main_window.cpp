@@ -76,6 +76,9 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
       export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
       report_(*this, session_, notices_, actions_),
+      set_ups_(session_, live_, workspace_, actions_),
+      layouts_(*this, docks_, workspace_.area(), actions_, remember_),
+      film_(*this, session_, live_, workspace_, preferences_, notices_, actions_),
       figure_(*this, session_, workspace_, notices_, actions_),
       edits_(session_, *document_, actions_),
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
@@ -118,8 +121,6 @@ void MainWindow::add_actions() {
                                                    [this] { live_.render_again(); })});
     actions_.add("shaders", tr("Reload &shaders"), nullptr, {K(Qt::SHIFT | Qt::Key_F5)},
                  [this] { renderer_.reload_shaders(); });
-    actions_.add("layout-default", tr("Restore Default &Layout"), nullptr,
-                 {K(Qt::CTRL | Qt::SHIFT | Qt::Key_L)}, [this] { docks_.restore_default(); });
     actions_.add_switch("full-screen", tr("F&ull screen"), nullptr, {K(Qt::Key_F11)}, false,
                         [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     actions_.add("shortcuts", tr("&Keyboard shortcuts …"), nullptr, {K(Qt::Key_F1)},
@@ -197,7 +198,7 @@ void MainWindow::make_menus() {
     file->addMenu(files_.recent_menu());
     actions_.fill(file, "| save save-as |");
     actions_.fill(file->addMenu(tr("&Export")),
-                  "copy-view export-view export-buffer export-values | export-all | show-in-tev");
+                  "copy-view export-view export-buffer export-values | export-all film | show-in-tev");
     actions_.fill(file, "report figure | close quit");
     file->setToolTipsVisible(true);
     add_menu(
@@ -205,6 +206,9 @@ void MainWindow::make_menus() {
         "undo redo find | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
         "scene-add image-add bookmark comparison-add | light-here light-camera headlight | preferences")
         ->setToolTipsVisible(true);
+    auto* set_up = menuBar()->addMenu(tr("&Set up"));
+    actions_.fill(set_up, "set-up-occlusion set-up-light set-up-space stages");
+    set_up->setToolTipsVisible(true);
     auto* experiment = new QMenu(this);
     actions_.fill(experiment,
                   "experiment-add experiment-duplicate experiment-rename experiment-remove | "
@@ -230,7 +234,9 @@ void MainWindow::make_menus() {
                             "views-1 views-2 views-2-stacked views-3 views-4 | "
                             "view-open view-close view-next view-previous |");
     docks_.fill(window);
-    actions_.fill(window, "| layout-default full-screen");
+    window->addSeparator();
+    window->addMenu(layouts_.menu());
+    actions_.fill(window, "pictures-alone full-screen");
     add_menu(tr("&Help"), "manual shortcuts about");
 }
 

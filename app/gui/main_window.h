@@ -8,8 +8,10 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/figure_controller.h"
 #include "app/gui/file_controller.h"
+#include "app/gui/film_controller.h"
 #include "app/gui/finder.h"
 #include "app/gui/frame_lists.h"
+#include "app/gui/layout_controller.h"
 #include "app/gui/light_controller.h"
 #include "app/gui/light_mover.h"
 #include "app/gui/light_offer.h"
@@ -24,6 +26,7 @@
 #include "app/gui/result_controller.h"
 #include "app/gui/scene_dock.h"
 #include "app/gui/sweeps_dock.h"
+#include "app/gui/set_up_controller.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
 #include "widgets/panels/manual_window.h"
@@ -146,6 +149,9 @@ class MainWindow : public QMainWindow {
     FileController files_;
     ExportController export_;
     ReportController report_;
+    SetUpController set_ups_;
+    LayoutController layouts_;
+    FilmController film_;
     FigureController figure_;
     EditController edits_;
     ResultController result_actions_;

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QDesktopServices>
 #include <QFileDialog>
-#include <QProgressDialog>
 #include <QUrl>
 
 #include "app/gui/dialog_folder.h"
@@ -23,7 +22,7 @@ report::Work half(const report::Work& work, double from) {
 }  // namespace
 
 ReportController::ReportController(QWidget& window, Session& session, Notices& notices, Actions& actions)
-    : window_(window), session_(session), notices_(notices) {
+    : window_(window), session_(session), notices_(notices), job_(window, notices, tr("Report"), "report") {
     action_ = actions.add("report", tr("&Report …"), nullptr, {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_R)},
                           [this] {
                               const auto file = ask_for_file(text_of(session_.document().name));
@@ -32,12 +31,10 @@ ReportController::ReportController(QWidget& window, Session& session, Notices& n
     action_->setData(
         tr("One HTML file of the kept results: pictures to wipe and flip, metrics, plots, settings"));
     follow(session_, this, &ReportController::update);
+    connect(&job_, &FileJob::changed, this, &ReportController::update);
+    connect(&job_, &FileJob::written, this,
+            [](const QString& file) { QDesktopServices::openUrl(QUrl::fromLocalFile(file)); });
     update();
-}
-
-ReportController::~ReportController() {
-    cancel_.cancel();
-    if (thread_.joinable()) thread_.join();
 }
 
 void ReportController::update() {
@@ -78,50 +75,9 @@ ReportController::Maker ReportController::of_sweep(const std::filesystem::path& 
 }
 
 void ReportController::write_to(const QString& file, const Maker& make) {
-    if (is_writing()) return;
-    if (thread_.joinable()) thread_.join();
-    cancel_.reset();
-    dialog_ = new QProgressDialog(tr("Reading …"), tr("Cancel"), 0, 1000, &window_);
-    dialog_->setObjectName(QStringLiteral("report-progress"));
-    dialog_->setWindowTitle(tr("Report"));
-    dialog_->setAutoClose(false);
-    dialog_->setAutoReset(false);
-    connect(dialog_, &QProgressDialog::canceled, this, [this] { cancel_.cancel(); });
-    update();
-    thread_ = std::thread([this, file, make] { run(file, make); });
-}
-
-/// On the report's thread.
-void ReportController::run(const QString& file, const Maker& make) {
-    QString error;
-    bool cancelled = false;
-    try {
-        make(file.toStdString(), {&cancel_, [this](const std::string& what, double fraction) {
-                                      QMetaObject::invokeMethod(
-                                          this, [this, what, fraction] { show_progress(what, fraction); });
-                                  }});
-    } catch (const Cancelled&) {
-        cancelled = true;
-    } catch (const std::exception& failure) {
-        error = QString::fromUtf8(failure.what());
-    }
-    QMetaObject::invokeMethod(this, [this, file, error, cancelled] { finish(file, error, cancelled); });
-}
-
-void ReportController::show_progress(const std::string& what, double fraction) {
-    if (!dialog_ || dialog_->wasCanceled()) return;
-    dialog_->setLabelText(text_of(what));
-    dialog_->setValue(int(1000 * fraction));
-}
-
-void ReportController::finish(const QString& file, const QString& error, bool cancelled) {
-    dialog_->deleteLater();
-    dialog_ = nullptr;
-    update();
-    if (cancelled) return notices_.say(tr("Cancelled the report"));
-    if (!error.isEmpty()) return notices_.fail(QStringLiteral("file"), "report", error);
-    notices_.say(tr("Wrote %1").arg(file));
-    QDesktopServices::openUrl(QUrl::fromLocalFile(file));
+    job_.start(file, [file, make](const CancelToken& cancel, const ProgressCallback& progress) {
+        make(file.toStdString(), {&cancel, progress});
+    });
 }
 
 }  // namespace ir::gui

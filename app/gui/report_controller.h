@@ -4,15 +4,11 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <thread>
 
 #include "app/gui/actions.h"
-#include "app/gui/notices.h"
+#include "app/gui/file_job.h"
 #include "app/gui/session.h"
 #include "app/report/make_report.h"
-#include "renderers/core/progress.h"
-
-class QProgressDialog;
 
 namespace ir::gui {
 
@@ -21,7 +17,6 @@ class ReportController : public QObject {
     Q_OBJECT
   public:
     ReportController(QWidget& window, Session& session, Notices& notices, Actions& actions);
-    ~ReportController() override;
 
     /// Writes a report into a file, on the report's thread.
     using Maker = std::function<void(const std::string& file, const report::Work& work)>;
@@ -29,7 +24,7 @@ class ReportController : public QObject {
     void write_to(const QString& file);
     /// With another way to make it, for tests.
     void write_to(const QString& file, const Maker& make);
-    bool is_writing() const { return dialog_ != nullptr; }
+    bool is_writing() const { return job_.is_running(); }
     /// Of the lists and pictures that a sweep has left in a folder.
     static Maker of_sweep(const std::filesystem::path& folder);
     /// Asks where it is to be written.
@@ -38,18 +33,13 @@ class ReportController : public QObject {
   private:
     /// Empty: nowhere.
     QString ask_for_file(const QString& title);
-    void run(const QString& file, const Maker& make);
-    void show_progress(const std::string& what, double fraction);
-    void finish(const QString& file, const QString& error, bool cancelled);
     void update();
 
     QWidget& window_;
     Session& session_;
     Notices& notices_;
     QAction* action_;
-    CancelToken cancel_;
-    QProgressDialog* dialog_ = nullptr;  ///< while a report is written
-    std::thread thread_;
+    FileJob job_;
 };
 
 }  // namespace ir::gui

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -15,8 +16,56 @@
 #include "widgets/panels/controls.h"
 #include "widgets/panels/rows_panel.h"
 #include "widgets/pipeline/pixel_changes.h"
+#include "widgets/plot/plot_painter.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
+namespace {
+
+/// What the colours of passes and of buffers mean.
+class HeatLegend : public QWidget {
+  public:
+    HeatLegend() : style_(&window_style()) {
+        setObjectName(QStringLiteral("heat-legend"));
+        setToolTip(
+            tr("The stronger the colour, the larger is a pass's part of the frame's time, and a "
+               "buffer's of its memory"));
+        follow_theme(this, [this] {
+            style_ = &window_style();
+            update();
+        });
+    }
+    QSize sizeHint() const override {
+        int width = 0;
+        for (const auto& text : texts()) width += fontMetrics().horizontalAdvance(text) + bar_width + 3 * gap;
+        return {width, fontMetrics().height()};
+    }
+    QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
+
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        if (width() < sizeHint().width()) return;  // half of it would be no legend
+        QPainter painter(this);
+        int x = gap;
+        for (const bool is_pass : {true, false}) {
+            for (int i = 0; i < bar_width; ++i)
+                painter.fillRect(x + i, height() / 2 - 4, 1, 8,
+                                 colour_of(heat_colour(*style_, is_pass, double(i) / bar_width)));
+            x += bar_width + gap;
+            const auto text = texts()[is_pass ? 0 : 1];
+            painter.setPen(palette().color(QPalette::WindowText));
+            painter.drawText(QRect(x, 0, width(), height()), Qt::AlignLeft | Qt::AlignVCenter, text);
+            x += fontMetrics().horizontalAdvance(text) + 2 * gap;
+        }
+    }
+
+  private:
+    static constexpr int bar_width = 40, gap = 5;
+    static QStringList texts() { return {tr("time"), tr("memory")}; }
+    const PlotStyle* style_;
+};
+
+}  // namespace
 
 PipelinePanel::PipelinePanel(QWidget* parent)
     : QWidget(parent),
@@ -63,6 +112,7 @@ QWidget* PipelinePanel::make_bar() {
     whole_->setToolTip(tr("Buffers as the frame leaves them"));
     where_ = make_cut_label("step");
     row->addWidget(where_, 1);
+    row->addWidget(new HeatLegend);
     skipped_ = new QCheckBox(tr("Skipped"));
     skipped_->setObjectName(QStringLiteral("skipped"));
     skipped_->setToolTip(tr("Also passes and buffers that nobody looks at"));

@@ -22,7 +22,7 @@
 namespace ir::widgets {
 namespace {
 
-constexpr double edge_room = 12, least_scale = 0.1, most_scale = 4, wheel_factor = 1.2;
+constexpr double edge_room = 12, least_scale = 0.1, most_scale = 4, wheel_factor = 1.2, least_legible = 0.7;
 
 class PaintedPipeline : public QGraphicsItem {
   public:
@@ -108,7 +108,13 @@ void PipelineView::show_placed(const Pipeline& pipeline, PlacedPipeline placed) 
     item->set_size({placed_.width, placed_.height});
     scene()->setSceneRect(item->boundingRect());
     item->update();
-    if (is_first && !shown_.nodes.empty()) verticalScrollBar()->setValue(verticalScrollBar()->minimum());
+    if (is_first && !shown_.nodes.empty()) begin();
+}
+
+void PipelineView::begin() {
+    const double scale = std::clamp(viewport()->width() / scene()->sceneRect().width(), least_legible, 1.0);
+    setTransform(QTransform::fromScale(scale, scale));
+    verticalScrollBar()->setValue(verticalScrollBar()->minimum());
 }
 
 void PipelineView::tell_problem(const Pipeline& pipeline, const QString& problem) {

@@ -62,6 +62,8 @@ class PipelineView : public QGraphicsView {
     Found row_of(const QString& key) const;
     void place();
     void show_placed(const Pipeline& pipeline, PlacedPipeline placed);
+    /// At the top, as wide as there is room for as long as texts can be read.
+    void begin();
     void tell_problem(const Pipeline& pipeline, const QString& problem);
     void paint_line(QPainter& painter, std::size_t edge) const;
     void paint_row(QPainter& painter, const Pipeline::Node& node, const Pipeline::Row& row,

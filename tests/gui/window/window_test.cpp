@@ -4,8 +4,10 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QSignalSpy>
@@ -356,6 +358,49 @@ TEST_F(WindowTest, LayoutsAreNamed) {
     EXPECT_TRUE(window.findChild<QDockWidget*>("inspector")->isVisible());
     EXPECT_FALSE(window.findChild<QDockWidget*>("timings")->isVisible());
     EXPECT_THROW(window.docks().apply("nonsense"), UsageError);
+}
+
+TEST_F(WindowTest, OwnLayoutsAreKeptByName) {
+    open_scene();
+    auto& layouts = *window.findChild<LayoutController*>();
+    const auto is_shown = [this](const char* dock) {
+        return window.findChild<QDockWidget*>(dock)->isVisible();
+    };
+    window.action("layout-compare")->trigger();
+    ASSERT_EQ(window.workspace().area().open_views().size(), 2u);
+    window.action("dock-results")->trigger();
+    window.action("layout-keep")->trigger();
+    auto* dialog = window.findChild<QInputDialog*>("layout-name");
+    ASSERT_TRUE(dialog);
+    dialog->setTextValue("  Mine & yours ");
+    dialog->accept();
+    EXPECT_EQ(layouts.names(), QStringList("Mine & yours"));
+    window.action("layout-default")->trigger();
+    ASSERT_FALSE(is_shown("results"));
+    ASSERT_EQ(window.workspace().area().open_views().size(), 1u);
+    emit layouts.menu()->aboutToShow();
+    QAction* own = nullptr;
+    for (auto* action : layouts.menu()->actions())
+        if (action->text() == "Mine && yours") own = action;
+    ASSERT_TRUE(own);
+    own->trigger();
+    EXPECT_TRUE(is_shown("results"));
+    EXPECT_TRUE(is_shown("metrics"));
+    EXPECT_FALSE(is_shown("parameters"));
+    EXPECT_EQ(window.workspace().area().open_views().size(), 2u);
+    layouts.remove("Mine & yours");
+    EXPECT_TRUE(layouts.names().isEmpty());
+}
+
+TEST_F(WindowTest, PicturesAloneAndBack) {
+    open_scene();
+    auto* alone = window.action("pictures-alone");
+    alone->trigger();
+    for (auto* dock : window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        EXPECT_FALSE(dock->isVisible()) << dock->objectName().toStdString();
+    alone->trigger();
+    EXPECT_TRUE(window.findChild<QDockWidget*>("parameters")->isVisible());
+    EXPECT_TRUE(window.findChild<QDockWidget*>("results")->isHidden());
 }
 
 TEST_F(WindowTest, KeysBringACoveredPanelForwardAndHideTheOneInFront) {

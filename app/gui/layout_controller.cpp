@@ -1,0 +1,126 @@
+#include "app/gui/layout_controller.h"
+
+#include <QAction>
+#include <QInputDialog>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+
+#include "widgets/views/view_area.h"
+
+namespace ir::gui {
+namespace {
+
+const QString group = QStringLiteral("window/layouts"), prefix = QStringLiteral("layout-");
+constexpr int max_name = 60;
+constexpr auto modifiers = Qt::CTRL | Qt::ALT | Qt::SHIFT;
+
+}  // namespace
+
+LayoutController::LayoutController(QMainWindow& window, DockLayout& docks, widgets::ViewArea& views,
+                                   Actions& actions, bool remember)
+    : QObject(&window),
+      window_(window),
+      docks_(docks),
+      views_(views),
+      actions_(actions),
+      remember_(remember),
+      menu_(new QMenu(tr("&Layouts"), &window)) {
+    actions_.add("layout-default", tr("&Default layout"), nullptr,
+                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)}, [this] { docks_.restore_default(); });
+    int number = 0;
+    for (const auto& [name, title] : DockLayout::titles())
+        actions_.add(prefix + name, tr("Layout: %1").arg(title), nullptr,
+                     {QKeySequence(modifiers | Qt::Key(Qt::Key_1 + number++))},
+                     [this, name = name] { docks_.apply(name); });
+    actions_
+        .add("layout-keep", tr("&Keep this layout …"), nullptr, {QKeySequence(modifiers | Qt::Key_0)},
+             [this] { ask_for_name(); })
+        ->setData(tr("Panels and views as they stand, for all projects"));
+    actions_.add_switch("pictures-alone", tr("Pictures a&lone"), nullptr,
+                        {QKeySequence(Qt::SHIFT | Qt::Key_F11)}, false,
+                        [this](bool on) { show_pictures_alone(on); });
+    if (remember_) {
+        QSettings settings;
+        const int count = settings.beginReadArray(group);
+        for (int i = 0; i < count; ++i) {
+            settings.setArrayIndex(i);
+            const auto name = settings.value("name").toString();
+            if (!name.isEmpty())
+                own_[name] = {settings.value("docks").toByteArray(), settings.value("views").toByteArray()};
+        }
+    }
+    menu_->setToolTipsVisible(true);
+    connect(menu_, &QMenu::aboutToShow, this, &LayoutController::fill_menu);
+    fill_menu();
+}
+
+void LayoutController::keep(const QString& name) {
+    const auto clean = name.simplified().left(max_name);
+    if (clean.isEmpty()) return;
+    own_[clean] = {docks_.save(), views_.save()};
+    write();
+}
+
+void LayoutController::apply(const QString& name) {
+    const auto found = own_.constFind(name);
+    if (found == own_.constEnd()) return;
+    views_.restore(found->views);
+    docks_.load(found->docks);
+}
+
+void LayoutController::remove(const QString& name) {
+    own_.remove(name);
+    write();
+}
+
+void LayoutController::ask_for_name() {
+    auto* dialog = new QInputDialog(&window_);
+    dialog->setObjectName(QStringLiteral("layout-name"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Keep this layout"));
+    dialog->setLabelText(tr("Name; one that is there is replaced"));
+    dialog->setComboBoxEditable(true);
+    dialog->setComboBoxItems(names());
+    dialog->setTextValue({});
+    connect(dialog, &QInputDialog::textValueSelected, this, &LayoutController::keep);
+    dialog->open();
+}
+
+void LayoutController::show_pictures_alone(bool alone) {
+    if (!alone) return docks_.load(before_);
+    before_ = docks_.save();
+    docks_.hide_all();
+}
+
+void LayoutController::fill_menu() {
+    menu_->clear();
+    actions_.fill(menu_, "layout-default |");
+    for (const auto& [name, title] : DockLayout::titles()) menu_->addAction(actions_.find(prefix + name));
+    menu_->addSeparator();
+    for (const auto& name : own_.keys())
+        menu_->addAction(QString(name).replace('&', "&&"), this, [this, name] { apply(name); });
+    auto* removed = new QMenu(tr("&Remove"), menu_);
+    removed->setEnabled(!own_.isEmpty());
+    for (const auto& name : own_.keys())
+        removed->addAction(QString(name).replace('&', "&&"), this, [this, name] { remove(name); });
+    menu_->addAction(actions_.find("layout-keep"));
+    menu_->addMenu(removed);
+}
+
+void LayoutController::write() const {
+    if (!remember_) return;
+    QSettings settings;
+    settings.remove(group);
+    settings.beginWriteArray(group);
+    int i = 0;
+    for (auto own = own_.constBegin(); own != own_.constEnd(); ++own) {
+        settings.setArrayIndex(i++);
+        settings.setValue("name", own.key());
+        settings.setValue("docks", own->docks);
+        settings.setValue("views", own->views);
+    }
+    settings.endArray();
+}
+
+}  // namespace ir::gui

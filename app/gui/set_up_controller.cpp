@@ -1,0 +1,70 @@
+#include "app/gui/set_up_controller.h"
+
+#include <QAction>
+
+#include "app/gui/beside.h"
+#include "projects/set_up.h"
+
+namespace ir::gui {
+
+SetUpController::SetUpController(Session& session, LivePictures& live, Workspace& workspace, Actions& actions)
+    : session_(session), live_(live), workspace_(workspace) {
+    using K = QKeySequence;
+    const auto add = [&](const char* name, const QString& text, Qt::Key key, const char* paths,
+                         const QString& doc) {
+        adding_.push_back(actions.add(name, text, nullptr, {K(Qt::CTRL | Qt::ALT | key)},
+                                      [this, paths] { show_methods(paths); }));
+        adding_.back()->setData(doc);
+    };
+    add("set-up-occlusion", tr("Occlusion: all &methods and the truth"), Qt::Key_O, "ao",
+        tr("An experiment of each method at its defaults, and their reference, side by side"));
+    add("set-up-light", tr("&Light: all methods and the truth"), Qt::Key_G, "full",
+        tr("An experiment of each method at its defaults, and their reference, side by side"));
+    space_ = actions.add("set-up-space", tr("&What stands in space"), nullptr,
+                         {K(Qt::CTRL | Qt::ALT | Qt::Key_P)}, [this] { show_space(); });
+    space_->setData(tr("The method's points, lines and directions over its scene, beside the picture"));
+    follow(session_, this, &SetUpController::update);
+    update();
+}
+
+void SetUpController::update() {
+    const bool has_experiment = session_.has_project() && session_.experiment();
+    const auto none = has_experiment ? QString() : tr("There is no experiment to begin with.");
+    const bool is_fixed = has_experiment && session_.open_project().is_read_only();
+    for (auto* action : adding_)
+        set_reason(*action, is_fixed ? read_only_text(session_.open_project()) : none);
+    set_reason(*space_, none);
+}
+
+void SetUpController::show_methods(const std::string& paths) {
+    std::vector<std::string> shown;
+    session_.edit([&](const projects::Project& project) {
+        auto made = projects::methods_beside_truth(
+            project, session_.experiment()->id, paths, session_.registry(),
+            [this](const std::string& scene) { return live_.scene_end(scene) > 0; });
+        shown = std::move(made.experiments);
+        return made.edit ? std::move(made.edit) : projects::edits::group("Nothing", {});
+    });
+    session_.end_gesture();
+    if (shown.empty() || !session_.experiment(shown.back())) return;
+    auto& area = workspace_.area();
+    area.arrange(widgets::ViewArea::Arrangement::one);
+    widgets::ViewState state;
+    state.mode = widgets::ViewMode::stages;
+    state.a.owner = shown.front();
+    for (std::size_t i = 1; i < shown.size(); ++i) state.more.push_back({shown[i], {}});
+    workspace_.views().set_active_state(state);
+}
+
+void SetUpController::show_space() {
+    const std::string owner = session_.experiment()->id;
+    auto& views = workspace_.views();
+    std::vector<std::string> keys;
+    for (const auto& buffer : views.rules().spatial_buffers(owner))
+        if (!views.rules().is_explanation({owner, buffer.key})) keys.push_back(buffer.key);
+    workspace_.area().arrange(widgets::ViewArea::Arrangement::one);
+    views.show_owner(owner);
+    show_in_space(views, workspace_.area(), owner, keys);
+}
+
+}  // namespace ir::gui

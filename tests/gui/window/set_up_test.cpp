@@ -1,0 +1,39 @@
+#include <QAction>
+
+#include "tests/gui/window/window_fixture.h"
+
+namespace ir::gui {
+namespace {
+
+class SetUpWindowTest : public WindowTest {};
+
+TEST_F(SetUpWindowTest, WhatStandsInSpaceIsBesideThePicture) {
+    EXPECT_FALSE(window.action("set-up-space")->isEnabled());
+    open_scene();
+    trigger("set-up-space");
+    const auto views = window.workspace().area().open_views();
+    ASSERT_EQ(views.size(), 3u) << "the picture, what stands in the scene, and what stands on a sphere";
+    EXPECT_TRUE(window.views().state(views[0]).a.output.empty());
+    EXPECT_EQ(window.views().state(views[1]).a.output, "cloud");
+    EXPECT_EQ(window.views().state(views[2]).a.output, "ball");
+}
+
+TEST_F(SetUpWindowTest, AllMethodsAndTheTruthStandInOneRowAndGoWithOneUndo) {
+    open_scene();
+    const auto before = window.session().document().experiments.size();
+    trigger("set-up-light");
+    const auto state = window.views().active_state();
+    EXPECT_EQ(state.mode, widgets::ViewMode::stages);
+    ASSERT_EQ(state.more.size(), 1u);
+    EXPECT_EQ(window.session().experiment(state.a.owner)->method, "light");
+    EXPECT_EQ(window.session().experiment(state.a.owner)->reference, state.more.back().owner);
+    EXPECT_EQ(window.session().experiment(state.more.back().owner)->method, "truth");
+    ASSERT_EQ(window.session().document().experiments.size(), before + 2);
+    trigger("set-up-light");
+    EXPECT_EQ(window.session().document().experiments.size(), before + 2) << "they are there already";
+    trigger("undo");
+    EXPECT_EQ(window.session().document().experiments.size(), before);
+}
+
+}  // namespace
+}  // namespace ir::gui
