@@ -123,7 +123,6 @@ Ray go_on(inout Path path, HitSurface surface, Glass glass, vec3 from_ws) {
     Scattered scattered =
         scatter(scatterer, glass, from_ws, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
     if (bounce >= max_bounces && !scattered.is_specular) return no_ray();
-    correct_shading_normals(scattered, scatterer, from_ws);
     if (!(glass.is_sheet && scattered.is_specular && scattered.is_transmitted)) path.bits &= ~IS_SAMPLED;
     if (!scatter_path(path, scattered, power_of(path), surface_number, unit_float(words.w))) {
         count(bounce, TALLY_ABSORBED);

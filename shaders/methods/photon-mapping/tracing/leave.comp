@@ -37,7 +37,6 @@ Ray leave(uint index) {
     uvec4 words = random_words(path, 0u, DIRECTION);
     Scattered scattered =
         scatter(scatterer, arrived_from, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
-    correct_shading_normals(scattered, scatterer, arrived_from);
     // the roulette at the sample point divided the power by its probability already
     float passed =
         survival_probability(first_reflectance(surface.rgb, metalness_of(point), surface.a, materials));

@@ -45,18 +45,6 @@ uvec4 random_words(Path path, uint surface, uint purpose) {
     return pcg4d(uvec4(path.seed, frame_seed, (path.bits & 0xffff0000u) | surface, purpose));
 }
 
-/// Where interpolated or mapped normals lean away, light at grazing angles would be multiplied without bound.
-const float MAX_CORRECTION = 8.0;
-
-/// Of photons that come from `from`.
-void correct_shading_normals(inout Scattered scattered, Scatterer s, vec3 from) {
-    // what a mirror shows comes from above both normals
-    bool is_mirrored = scattered.is_specular && !scattered.is_transmitted;
-    scattered.weight *= is_mirrored && dot(s.n, from) <= 0.0
-                            ? 0.0
-                            : shading_normal_correction(s.n, s.geometric_n, from, scattered.direction_ws, MAX_CORRECTION);
-}
-
 /// How far the path may go on; 0: nowhere.
 float far_of(Path path) { return max_distance > 0.0 ? max_distance - path.distance : RAY_INFINITY; }
 
