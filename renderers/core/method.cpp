@@ -7,13 +7,22 @@
 
 namespace ir {
 
-bool is_active(const MethodDescription& method, const OutputDescription& output, const Settings& settings) {
-    const auto& condition = output.active_when;
+namespace {
+
+/// What depends on a parameter that has no effect is not there either.
+bool is_met(const MethodDescription& method, const Condition& condition, const Settings& settings) {
     const auto* parameter = find(method.parameters, condition.key);
     if (!parameter) return true;
     const auto given = settings.find(condition.key);
     const auto& value = given == settings.end() ? parameter->default_value : given->second;
-    return std::find(condition.values.begin(), condition.values.end(), value) != condition.values.end();
+    return std::find(condition.values.begin(), condition.values.end(), value) != condition.values.end() &&
+           is_met(method, parameter->active_when, settings);
+}
+
+}  // namespace
+
+bool is_active(const MethodDescription& method, const OutputDescription& output, const Settings& settings) {
+    return is_met(method, output.active_when, settings);
 }
 
 const OutputDescription* main_output(const MethodDescription& method, const Settings& settings) {

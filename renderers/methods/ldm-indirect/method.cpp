@@ -47,7 +47,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& given) {
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto photons = trace_photons(builder, scene, gbuffer, parameters);
     const auto splat = splat_photons(builder, gbuffer, photons, parameters);
-    const auto gloss = reflect_gloss(builder, gbuffer, photons, parameters);
+    const auto gloss = reflect_gloss(builder, scene, gbuffer, photons, parameters);
     compose(builder, scene, gbuffer, photons, splat, parameters, gloss);
     const auto pixel = explain(builder, gbuffer, photons, splat, parameters);
     show_effects(builder, gbuffer, photons, splat, pixel, parameters);

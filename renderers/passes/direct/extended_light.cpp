@@ -233,22 +233,22 @@ void sample_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, const 
         2);
 }
 
-bool has_wide_map(graph::GraphBuilder& builder, const ExtendedLightOptions& options) {
-    const auto& map = builder.inputs().scene->environment.map;
-    if (!options.environment || !map || std::max(map->width, map->height) <= max_texture_side) return false;
-    builder.note("the environment map has " + std::to_string(map->width) + " x " +
-                 std::to_string(map->height) + " texels, more than " + std::to_string(max_texture_side) +
+void note_wide_map(graph::GraphBuilder& builder) {
+    const auto& map = *builder.inputs().scene->environment.map;
+    builder.note("the environment map has " + std::to_string(map.width) + " x " + std::to_string(map.height) +
+                 " texels, more than " + std::to_string(max_texture_side) +
                  " a side: its light is sampled on the host");
-    return true;
 }
 
 SampledImages sample_sources(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                              const ExtendedLightOptions& options) {
     const auto images = declare_sampled_images(builder);
-    if (builder.inputs().processor == Processor::host || has_wide_map(builder, options))
-        sample_on_host(builder, gbuffer, images, options);
-    else
+    if (samples_on_device(builder.inputs(), options)) {
         sample_on_device(builder, scene, gbuffer, images, options);
+        return images;
+    }
+    if (builder.inputs().processor == Processor::gl) note_wide_map(builder);
+    sample_on_host(builder, gbuffer, images, options);
     return images;
 }
 
@@ -315,6 +315,12 @@ void note_left_out(graph::GraphBuilder& builder, const ExtendedSources& left_out
 
 }  // namespace
 
+bool samples_on_device(const graph::FrameInputs& inputs, const ExtendedLightOptions& options) {
+    const auto& map = inputs.scene->environment.map;
+    const bool is_wide = options.environment && map && std::max(map->width, map->height) > max_texture_side;
+    return inputs.processor == Processor::gl && !is_wide;
+}
+
 ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options) {
     ExtendedSources found;
     for (const auto& light : inputs.world->lights) found.flat_lights += scene::is_flat(light);
@@ -328,7 +334,7 @@ ExtendedSources extended_sources(const graph::FrameInputs& inputs, const Extende
 }
 
 graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedLightOptions& options) {
-    const std::string key = "direct.sources";
+    const std::string key = options.environment ? "direct.sources" : "direct.sources.placed";
     if (const auto found = graph::declared_object(builder, key)) return *found;
     auto fingerprint = builder.inputs().world_fingerprint;
     if (!fingerprint.empty())
@@ -343,7 +349,7 @@ graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedL
                         .fingerprint = fingerprint});
     const LightSampler::Options sampled{
         .punctual = false, .environment = options.environment, .emissive_meshes = options.emissive_meshes};
-    builder.pass("light sources", graph::Queue::cpu)
+    builder.pass(options.environment ? "light sources" : "placed light sources", graph::Queue::cpu)
         .reads(textures)
         .writes(result)
         .execute([=](graph::PassContext& context) {

@@ -30,6 +30,10 @@ struct ExtendedSources {
 };
 ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options);
 
+/// Whether light samples are taken on the device: it was chosen, and the environment's map is no wider than
+/// images of all devices may be.
+bool samples_on_device(const graph::FrameInputs& inputs, const ExtendedLightOptions& options);
+
 /// What rays ask of them, with either model of materials. It does not need scene and world once it is made.
 struct ExtendedEmitters {
     ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options,
@@ -40,8 +44,9 @@ struct ExtendedEmitters {
     SurfaceLookup surfaces;
     LightSampler lights;
 };
-/// Declares the object "direct.sources", an ExtendedEmitters, with the pass "light sources" (cpu); kept while
-/// the world stays. Who asks again in a frame gets the same: all options of a frame name the same sources.
+/// Declares the object "direct.sources" (without an environment "direct.sources.placed"), an
+/// ExtendedEmitters, with the pass "light sources" (cpu); kept while the world stays. Who asks again in a
+/// frame gets the same.
 graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedLightOptions& options);
 
 /// For methods with direct light; each is 0 where there is no such source.

@@ -1,6 +1,7 @@
 #include "renderers/passes/raytracing/device_bvh.h"
 
 #include "renderers/core/record.h"
+#include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
 
 namespace ir::passes {
@@ -43,14 +44,6 @@ graph::BufferRef declare_masks(graph::GraphBuilder& builder, std::uint64_t maske
         record_fields<BvhMask>(), masked);
 }
 
-/// The buffers of an earlier call for the same frame.
-int find_buffer(const graph::GraphBuilder& builder, const std::string& key) {
-    const auto& buffers = builder.buffers();
-    for (std::size_t i = 0; i < buffers.size(); ++i)
-        if (buffers[i].text.key == key) return static_cast<int>(i);
-    return -1;
-}
-
 template <class T>
 void fill(const graph::PassContext& context, graph::BufferRef ref, const std::vector<T>& data) {
     std::copy(data.begin(), data.end(), context.elements<T>(ref).begin());
@@ -71,10 +64,9 @@ void build(const graph::PassContext& context, const DeviceBvh& bvh) {
 }  // namespace
 
 DeviceBvh device_bvh(graph::GraphBuilder& builder) {
-    if (find_buffer(builder, "scene.bvh") >= 0)
-        return {{find_buffer(builder, "scene.bvh")},
-                {find_buffer(builder, "scene.bvh.triangles")},
-                {find_buffer(builder, "scene.bvh.masks")}};
+    if (const auto known = graph::declared_buffer(builder, "scene.bvh"))
+        return {*known, graph::declared_buffer(builder, "scene.bvh.triangles").value(),
+                graph::declared_buffer(builder, "scene.bvh.masks").value()};
     const auto& world = *builder.inputs().world;
     DeviceBvh result;
     result.nodes = declare_nodes(builder, world.triangles());

@@ -1,6 +1,7 @@
 #include "renderers/passes/scene/hit_surfaces.h"
 
 #include "renderers/core/record.h"
+#include "renderers/graph/declared.h"
 #include "renderers/passes/scene/texel_buffer.h"
 
 namespace ir::passes {
@@ -28,20 +29,12 @@ void upload_vertices(const graph::PassContext& context, graph::BufferRef to) {
     context.upload(to, std::as_bytes(std::span(vertices)));
 }
 
-graph::BufferRef declared(const graph::GraphBuilder& builder, const std::string& key) {
-    const auto& buffers = builder.buffers();
-    for (std::size_t i = 0; i < buffers.size(); ++i)
-        if (buffers[i].text.key == key) return {static_cast<int>(i)};
-    return {};
-}
-
 }  // namespace
 
 HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene) {
-    const auto known = declared(builder, "scene.hit_vertices");
-    if (known.index >= 0)
-        return {known, declared(builder, "scene.texels"), scene.indices, scene.triangle_materials,
-                scene.materials};
+    if (const auto known = graph::declared_buffer(builder, "scene.hit_vertices"))
+        return {*known, graph::declared_buffer(builder, "scene.texels").value(), scene.indices,
+                scene.triangle_materials, scene.materials};
     graph::BufferDesc desc;
     desc.text = {.key = "scene.hit_vertices", .label = "Vertices, each in one piece"};
     desc.name = "HitVertices";

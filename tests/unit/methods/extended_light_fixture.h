@@ -10,6 +10,61 @@
 
 namespace ir::test {
 
+/// How far the same picture by one body is from that by the other.
+struct Apart {
+    double part = 0;   ///< of the values: farther from the other's than a twentieth of their mean
+    double ratio = 0;  ///< of the sums
+};
+inline Apart apart(const Image& image, const Image& other) {
+    double sum = 0, other_sum = 0, far = 0;
+    for (const float value : image.pixels) sum += value;
+    const double tolerance = 0.05 * sum / static_cast<double>(image.pixels.size());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        other_sum += other.pixels[i];
+        far += std::abs(image.pixels[i] - other.pixels[i]) > tolerance;
+    }
+    return {far / static_cast<double>(image.pixels.size()), other_sum / sum};
+}
+
+/// A box without openings, with every source in it, a mirror, rough metal and a sheet of tinted glass.
+inline scene::Scene closed_room() {
+    SmallWorld small;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-1.0f, 1.0f}) {
+            glm::vec3 normal(0);
+            normal[axis] = -side;
+            small.square(-2.0f * normal + glm::vec3(0, 2, 0), normal, 2);
+        }
+    small.square({-0.8f, 0.8f, -1}, {0.5f, 0.5f, 0.7f}, 0.6f, static_cast<SmallWorld::Material>(2));
+    small.square({0.8f, 0.8f, -1}, {-0.5f, 0.5f, 0.7f}, 0.6f, static_cast<SmallWorld::Material>(3));
+    small.square({0.4f, 1, 0.3f}, {0, 1, 0.2f}, 0.5f, static_cast<SmallWorld::Material>(4));
+    small.square({-0.5f, 0.4f, 0.5f}, {0.3f, 1, 0}, 0.2f, static_cast<SmallWorld::Material>(5));
+    auto scene = small.scene();
+    scene.materials.resize(6);
+    for (auto& material : scene.materials) {
+        material.base_colour = {0.7f, 0.6f, 0.5f, 1};
+        material.metallic = 0;
+        material.roughness = 0.6f;
+    }
+    scene.materials[2].metallic = scene.materials[3].metallic = 1;
+    scene.materials[2].roughness = 0;
+    scene.materials[3].roughness = 0.25f;
+    scene.materials[4].transmission = 0.9f;
+    scene.materials[4].roughness = 0;
+    scene.materials[5].emission = {3, 2, 1};
+    scene.environment.constant = glm::vec3(5);
+    for (const auto type : {scene::LightType::rectangle, scene::LightType::disk}) {
+        scene::Light lamp;
+        lamp.type = type;
+        lamp.position = {type == scene::LightType::disk ? -1 : 1, 2.5f, 0};
+        lamp.direction = glm::normalize(glm::vec3(0.1f, -1, 0.2f));
+        lamp.size = {0.8f, 0.4f};
+        lamp.intensity = 5;
+        scene.lights.push_back(lamp);
+    }
+    return scene;
+}
+
 /// Light of sources with an extent, as the shared pass samples it and as the reference does.
 class ExtendedLightTest : public PassTest {
   protected:

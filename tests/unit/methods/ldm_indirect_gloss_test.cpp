@@ -1,15 +1,16 @@
-// What a mirror floor shows of a ceiling that a lamp lights: a closed form.
+// What a mirror floor shows of a ceiling that a lamp lights: a closed form. And gloss by either processor.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <map>
+#include <vector>
 
 #include "renderers/methods/all_methods.h"
 #include "renderers/passes/reflection/reflection.h"
 #include "renderers/passes/scattering/microfacets.h"
-#include "tests/unit/passes/pass_fixture.h"
-#include "tests/unit/passes/small_world.h"
+#include "tests/unit/methods/extended_light_fixture.h"
 
 namespace ir::test {
 namespace {
@@ -38,24 +39,27 @@ scene::Scene hall(float roughness) {
     return scene;
 }
 
+const graph::Method& ldm_indirect() {
+    const auto& all = methods::all_methods();
+    return **std::ranges::find_if(all, [](const auto* m) { return m->description.id == "ldm-indirect"; });
+}
+
 class LdmIndirectMirror : public PassTest {
   protected:
+    Processor body = Processor::host;
+
     Image look(const Settings& more, const char* key) {
-        for (const auto* method : methods::all_methods()) {
-            if (method->description.id != "ldm-indirect") continue;
-            Settings settings{
-                {"gloss", std::string("mirror")},   {"gloss_tracer", std::string("maps")},
-                {"gloss_samples", std::int64_t{1}}, {"materials", std::string("metalness-blend")},
-                {"paths", std::string("indirect")}, {"directions", std::int64_t{48}},
-                {"resolution", std::int64_t{100}},  {"emission", std::int64_t{4}}};
-            for (const auto& [name, value] : more) settings[name] = value;
-            auto inputs = shot_.inputs();
-            inputs.processor = Processor::host;
-            graph::FrameOptions options;
-            options.wanted = {key, "gbuffer.position", "gbuffer.geometric_normal"};
-            report_ =
-                run_method(*method, completed(method->description.parameters, settings), inputs, options);
-        }
+        Settings settings{{"gloss", std::string("mirror")},   {"gloss_tracer", std::string("maps")},
+                          {"gloss_samples", std::int64_t{1}}, {"materials", std::string("metalness-blend")},
+                          {"paths", std::string("indirect")}, {"directions", std::int64_t{48}},
+                          {"resolution", std::int64_t{100}},  {"emission", std::int64_t{4}}};
+        for (const auto& [name, value] : more) settings[name] = value;
+        auto inputs = shot_.inputs();
+        inputs.processor = body;
+        graph::FrameOptions options;
+        options.wanted = {key, "gbuffer.position", "gbuffer.geometric_normal"};
+        report_ = run_method(ldm_indirect(), completed(ldm_indirect().description.parameters, settings),
+                             inputs, options);
         return read(key);
     }
 
@@ -103,7 +107,10 @@ class LdmIndirectMirror : public PassTest {
 
 // On the plane of what a map's direction hits, the wished direction meets the right place.
 TEST_F(LdmIndirectMirror, ShowsTheCeilingWhereItIs) {
-    EXPECT_LT(error({{"gloss_tracer", std::string("rays")}}), 1e-3);
+    for (const auto processor : {Processor::gl, Processor::host}) {
+        body = processor;
+        EXPECT_LT(error({{"gloss_tracer", std::string("rays")}}), 1e-3) << to_string(processor);
+    }
     EXPECT_LT(error({}), 1e-3);
     const double coarse = error({{"gloss_landing", std::string("direction")}}),
                  fine =
@@ -116,12 +123,19 @@ TEST_F(LdmIndirectMirror, ShowsTheCeilingWhereItIs) {
 // ceiling reflects the lamp's, and that alone is missing from indirect light.
 TEST_F(LdmIndirectMirror, ThatIsSmoothIsNoBounce) {
     polish();
-    Settings settings{{"gloss", std::string("lobe")}, {"paths", std::string("full")}};
-    auto direct = look(settings, "gloss.radiance");
-    settings["paths"] = std::string("indirect");
-    const auto indirect = look(settings, "gloss.radiance");
-    for (std::size_t i = 0; i < direct.pixels.size(); ++i) direct.pixels[i] -= indirect.pixels[i];
-    EXPECT_LT(error(direct, 0), 1e-3);
+    const auto error_by = [&](const char* tracer) {
+        Settings settings{{"gloss", std::string("lobe")},
+                          {"gloss_tracer", std::string(tracer)},
+                          {"paths", std::string("full")}};
+        auto direct = look(settings, "gloss.radiance");
+        settings["paths"] = std::string("indirect");
+        const auto indirect = look(settings, "gloss.radiance");
+        for (std::size_t i = 0; i < direct.pixels.size(); ++i) direct.pixels[i] -= indirect.pixels[i];
+        return error(direct, 0);
+    };
+    EXPECT_LT(error_by("maps"), 1e-3);
+    body = Processor::gl;
+    EXPECT_LT(error_by("rays"), 1e-3);
 }
 
 // A region of 2N is at most 5.5/√(2N) wide, and its direction lies within it. Where that runs below the floor
@@ -148,6 +162,126 @@ TEST_F(LdmIndirectMirror, SaysThatDirectPhotonsHaveNoHighlights) {
     EXPECT_EQ(count("full", "photons"), 1);
     EXPECT_EQ(count("full", "rasterisation"), 0);
     EXPECT_EQ(count("indirect", "photons"), 0);
+}
+
+/// Where nothing has an interface the outputs are 0, and they are none where no light is reflected further.
+TEST_F(LdmIndirectMirror, OutputsAreThereWhereGlossIs) {
+    const auto& description = ldm_indirect().description;
+    for (const auto& output : description.outputs) {
+        if (!output.key.starts_with("gloss.")) continue;
+        const auto is_active_with = [&](const char* key, const char* value) {
+            return is_active(description, output,
+                             completed(description.parameters, {{key, std::string(value)}}));
+        };
+        EXPECT_TRUE(is_active_with("paths", "full")) << output.key;
+        EXPECT_FALSE(is_active_with("paths", "direct")) << output.key;
+        EXPECT_FALSE(is_active_with("gloss", "none")) << output.key;
+        ASSERT_TRUE(is_active_with("materials", "lambert")) << output.key;
+        for (const float value : look({{"materials", std::string("lambert")}}, output.key.c_str()).pixels)
+            ASSERT_EQ(value, 0) << output.key;
+    }
+}
+
+/// Exact rays draw the same random numbers on either processor.
+class LdmIndirectGlossOnBoth : public PassTest {
+  protected:
+    static scene::Scene room_with_lamps() {
+        auto scene = closed_room();
+        scene::Light lamp;
+        lamp.position = {0.5f, 3, 0.8f};
+        lamp.intensity = 4;
+        scene.lights.push_back(lamp);
+        lamp.type = scene::LightType::spot;
+        lamp.position = {-0.5f, 2.5f, 1.2f};
+        lamp.direction = glm::normalize(glm::vec3(0.4f, -1, -1));
+        scene.lights.push_back(lamp);
+        return scene;
+    }
+    FrameReport render(const Shot& shot, Processor processor, Settings more, int frames = 1,
+                       const char* wanted = "*") {
+        Settings settings{{"directions", std::int64_t{4}},
+                          {"resolution", std::int64_t{20}},
+                          {"emission", std::int64_t{2}},
+                          {"light_samples", std::int64_t{1}}};
+        settings.merge(more);
+        graph().reset_history();
+        FrameReport report;
+        for (int frame = 0; frame < frames; ++frame) {
+            auto inputs = shot.inputs();
+            inputs.processor = processor;
+            inputs.frame = frame;
+            graph::FrameOptions options;
+            options.wanted = {wanted};
+            report = run_method(ldm_indirect(), completed(ldm_indirect().description.parameters, settings),
+                                inputs, options);
+        }
+        return report;
+    }
+    void expect_both_agree(const Shot& shot, const Settings& settings, int frames = 1) {
+        std::map<std::string, Image> device;
+        render(shot, Processor::gl, settings, frames);
+        for (const auto* key : {"gloss.radiance", "gloss.distance"}) device[key] = read(key);
+        render(shot, Processor::host, settings, frames);
+        for (const auto& [key, image] : device) {
+            const auto difference = apart(image, read(key));
+            EXPECT_LT(difference.part, 0.01) << key;
+            EXPECT_NEAR(difference.ratio, 1, 5e-3) << key;
+        }
+    }
+};
+
+/// With all kinds of sources and materials, glass among them, and many bounces.
+TEST_F(LdmIndirectGlossOnBoth, SeeTheSame) {
+    const Shot shot(room_with_lamps(), looking({0, 1.6f, 1.9f}, {0, 1, -1}), 32, 24);
+    expect_both_agree(
+        shot, {{"max_bounces", std::int64_t{2}}, {"gloss_samples", std::int64_t{2}}, {"progressive", true}},
+        2);
+    expect_both_agree(shot, {{"materials", std::string("metalness-blend")},
+                             {"gloss", std::string("mirror")},
+                             {"gloss_samples", std::int64_t{1}},
+                             {"paths", std::string("indirect")}});
+}
+
+/// Nor without any light, where programs that sample it are none of the pass's.
+TEST_F(LdmIndirectGlossOnBoth, SeeNothingInTheDark) {
+    auto scene = room_with_lamps();
+    scene.lights.clear();
+    scene.environment = {};
+    for (auto& material : scene.materials) material.emission = glm::vec3(0);
+    scene.materials[2].unlit = true;
+    scene.materials[2].base_colour = {0.5f, 0.25f, 1, 1};
+    expect_both_agree({std::move(scene), looking({0, 1.6f, 1.9f}, {0, 1, -1}), 40, 32}, {});
+}
+
+/// With the device chosen nothing of a picture that point lights light goes over the host but what is made
+/// once of the scene.
+TEST_F(LdmIndirectGlossOnBoth, NothingOfThePictureIsReadBack) {
+    auto scene = closed_room();
+    scene.environment = {};
+    for (auto& material : scene.materials) material.emission = glm::vec3(0);
+    scene::Light lamp;
+    lamp.position = {0.5f, 3, 0.8f};
+    scene.lights = {lamp};
+    const Shot shot(std::move(scene), looking({0, 1.6f, 1.9f}, {0, 1, -1}), 40, 32);
+    const auto report = render(shot, Processor::gl, {}, 1, "radiance");
+    for (const auto& pass : report.passes)
+        if (pass.queue == "cpu" && !pass.culled) {
+            EXPECT_EQ(pass.name, "device BVH");
+        }
+}
+
+/// Gloss wants the environment as a source, direct light by maps does not, and other sources shine, too.
+TEST_F(LdmIndirectGlossOnBoth, TheEnvironmentIsNotSampledForItWhereMapsHaveItsLight) {
+    const Shot shot(closed_room(), looking({0, 1.6f, 1.9f}, {0, 1, -1}), 40, 32);
+    for (const auto processor : {Processor::gl, Processor::host}) {
+        std::vector<Image> direct;
+        for (const auto* gloss : {"none", "lobe"}) {
+            render(shot, processor, {{"environment_by", std::string("maps")}, {"gloss", std::string(gloss)}},
+                   1, "direct.extended");
+            direct.push_back(read("direct.extended"));
+        }
+        EXPECT_EQ(direct[0].pixels, direct[1].pixels) << to_string(processor);
+    }
 }
 
 }  // namespace

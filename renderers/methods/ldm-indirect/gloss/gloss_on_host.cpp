@@ -26,13 +26,10 @@ namespace ir::methods::ldm_indirect {
 namespace {
 
 namespace ldm = passes::ldm;
-using Materials = Transport::Materials;
 
 /// How far before and behind a map's hit its surface is looked for, in texels: as far as depths of
 /// neighbouring texels count as one surface (landing=plane); and about an entry, at its texel's centre.
 constexpr float reach_texels = 3, entry_texels = 0.25f;
-/// Smooth mirrors do not count as bounces. A path meets so many at most beside these.
-constexpr int most_mirrors = 4;
 /// Items of work that are no maps, of each event of the paths.
 constexpr std::int64_t parts = 64;
 /// Of as many samples of a pixel the paths go on together, so that maps are built once for them.
@@ -54,7 +51,7 @@ struct Path {
 struct GlossResources {
     passes::GBuffer gbuffer;
     graph::ObjectRef bvh, surfaces;
-    graph::ImageRef radiance, error, distance;
+    GlossImages images;
     std::optional<graph::ObjectRef> sources = {}, meshlets = {}, cube = {};
     graph::CounterRef lost = {};
 };
@@ -359,15 +356,15 @@ class Reflections {
     }
 
     void write(const graph::PassContext& context, const GlossResources& r) const {
-        std::ranges::copy(errors_, context.pixels<float>(r.error).begin());
-        std::ranges::copy(met_at_, context.pixels<float>(r.distance).begin());
-        const auto out = context.pixels<glm::vec4>(r.radiance);
+        std::ranges::copy(errors_, context.pixels<float>(r.images.error).begin());
+        std::ranges::copy(met_at_, context.pixels<float>(r.images.distance).begin());
+        const auto out = context.pixels<glm::vec4>(r.images.radiance);
         const auto part = 1 / static_cast<float>(parameters_.gloss.samples);
         for (std::size_t i = 0; i < out.size(); ++i) out[i] = glm::vec4(part * sums_[i], 1);
         if (!parameters_.progressive || !context.has_previous() ||
             !passes::stands_still(context.inputs(), passes::Watched::surfaces_and_lights))
             return;
-        const auto before = context.previous_contents<glm::vec4>(r.radiance);
+        const auto before = context.previous_contents<glm::vec4>(r.images.radiance);
         for (std::size_t i = 0; i < out.size(); ++i) {
             const float frames = before[i].a;
             out[i] =
@@ -393,24 +390,15 @@ class Reflections {
     std::uint32_t lost_ = 0;
 };
 
-/// Whether interfaces look at the scene instead of reflecting the splatted light.
-bool has_gloss(const Parameters& parameters) {
-    return parameters.gloss.kind != Gloss::none && parameters.transport.paths != Transport::Paths::direct &&
-           parameters.transport.materials != Materials::lambert;
-}
-
 }  // namespace
 
-std::optional<graph::ImageRef> reflect_gloss(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
-                                             const Photons& photons, const Parameters& parameters) {
-    if (!has_gloss(parameters)) return {};
+void reflect_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                     const ldm::MapsPointer& maps, const GlossImages& images, const Parameters& parameters) {
     const auto light = passes::extended_light_options(parameters.light, parameters.transport);
     GlossResources r{.gbuffer = gbuffer,
                      .bvh = passes::bvh(builder),
                      .surfaces = passes::host_surfaces(builder, parameters.transport.normal_maps),
-                     .radiance = builder.output("gloss.radiance", {.format = gl::Format::rgba32f}),
-                     .error = builder.output("gloss.error", {.format = gl::Format::r32f}),
-                     .distance = builder.output("gloss.distance", {.format = gl::Format::r32f})};
+                     .images = images};
     r.lost = builder.counter({.key = "gloss.lost",
                               .label = "Gloss lost",
                               .doc = "Paths that end where a map has a node and no surface is near."});
@@ -421,18 +409,18 @@ std::optional<graph::ImageRef> reflect_gloss(graph::GraphBuilder& builder, const
     // A frame has one cube: that of the photons, if they have it.
     const auto cube = parameters.tracer == Tracer::cube ? parameters.cube : passes::CubeOptions{};
     if (parameters.gloss.tracer == GlossTracer::cube) r.cube = passes::layered_depth_cube(builder, cube);
-    const auto reflections = std::make_shared<Reflections>(photons.maps, parameters, builder.inputs());
+    const auto reflections = std::make_shared<Reflections>(maps, parameters, builder.inputs());
     auto pass = builder.pass("gloss", graph::Queue::cpu);
-    pass.reads(r.bvh, r.surfaces).writes(r.radiance, r.error, r.distance).counts(r.lost);
+    if (parameters.gloss.tracer == GlossTracer::rays) pass.has_two_bodies();
+    pass.reads(r.bvh, r.surfaces).writes(images.radiance, images.error, images.distance).counts(r.lost);
     for (const auto& optional : {r.sources, r.meshlets, r.cube})
         if (optional) pass.reads(*optional);
-    if (parameters.progressive) pass.reads_previous(r.radiance);
+    if (parameters.progressive) pass.reads_previous(images.radiance);
     passes::GBufferSurfaces::declare_reads(pass, gbuffer);
     pass.execute_sliced(
         reflections->items(),
         [=](graph::PassContext& context, graph::Slice slice) { reflections->run(context, r, slice); },
         reflections->first_slice());
-    return r.radiance;
 }
 
 }  // namespace ir::methods::ldm_indirect

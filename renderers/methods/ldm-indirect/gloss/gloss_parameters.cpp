@@ -31,18 +31,22 @@ ParameterTable<GlossParameters> gloss_parameters() {
               .active_when = only_indirect,
               .since_version = since,
               .value_in_older_projects = std::string("none")})
-        .add(&GlossParameters::tracer,
-             {.key = "gloss_tracer",
-              .label = "Tracer of gloss",
-              .doc = "What finds what interfaces look at. All are on the processor.",
-              .citation = "Aalund15 §6",
-              .choices = {{"maps", "Maps", "The map whose region has the direction, along its own."},
-                          {"cube", "Layered depth cube",
-                           "Rays march through three maps along the axes, at 512 texels, or through those of "
-                           "`tracer`. [Lischinski98]"},
-                          {"rays", "Exact rays", "Embree: right, and faster than the others."}},
-              .active_when = with_gloss,
-              .since_version = since})
+        .add(
+            &GlossParameters::tracer,
+            {.key = "gloss_tracer",
+             .label = "Tracer of gloss",
+             .doc =
+                 "What finds what interfaces look at. Exact rays have a body for either processor; the others "
+                 "are on the host.",
+             .citation = "Aalund15 §6",
+             .choices = {{"maps", "Maps", "The map whose region has the direction, along its own."},
+                         {"cube", "Layered depth cube",
+                          "Rays march through three maps along the axes, at 512 texels, or through those of "
+                          "`tracer`. [Lischinski98]"},
+                         {"rays", "Exact rays",
+                          "By Embree, or by the device's hierarchy: right, and faster than the others."}},
+             .active_when = with_gloss,
+             .since_version = since})
         .add(&GlossParameters::landing,
              {.key = "gloss_landing",
               .label = "Landing of gloss",
@@ -81,7 +85,7 @@ std::vector<OutputDescription> gloss_outputs() {
              .semantic = Semantic::radiance,
              .unit = "W/(m² sr)",
              .doc = "What interfaces reflect of the scene, but for direct light: that of lights is in the "
-                    "direct light. A: frames in the mean.",
+                    "direct light. 0 of Lambert surfaces. A: frames in the mean.",
              .active_when = with_gloss},
             {.key = "gloss.error",
              .label = "Angle to the map's direction",

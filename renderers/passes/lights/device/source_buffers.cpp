@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "renderers/core/record.h"
+#include "renderers/graph/declared.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/lights/environment_light.h"
 #include "renderers/passes/lights/flat_light.h"
@@ -135,10 +137,36 @@ void upload_sources(const graph::PassContext& context, const SourceBuffers& to,
     put(to.environment_columns, made.environment().columns);
 }
 
+/// Keys begin with it. Pictures may have light with and without that of the environment.
+std::string prefix_of(const LightSampler::Options& options) {
+    return options.environment ? "light." : "light.placed.";
+}
+
+/// Those of an earlier call for the same frame.
+std::optional<SourceBuffers> declared_sources(const graph::GraphBuilder& builder, const std::string& prefix) {
+    if (!graph::declared_buffer(builder, prefix + "sources")) return {};
+    const auto buffer = [&](const char* part) {
+        return graph::declared_buffer(builder, prefix + part).value();
+    };
+    const auto image = [&](const char* part) {
+        return graph::declared_image(builder, prefix + part).value();
+    };
+    return SourceBuffers{.totals = buffer("sources"),
+                         .nodes = buffer("nodes"),
+                         .lamps = buffer("lamps"),
+                         .triangles = buffer("triangles"),
+                         .numbers = buffer("numbers"),
+                         .environment_rows = buffer("environment_rows"),
+                         .environment_map = image("environment_map"),
+                         .environment_columns = image("environment_columns")};
+}
+
 }  // namespace
 
 SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::Options& options,
                              std::uint64_t max_triangles) {
+    const auto prefix = prefix_of(options);
+    if (const auto known = declared_sources(builder, prefix)) return *known;
     const auto& inputs = builder.inputs();
     std::string fingerprint;
     if (!inputs.world_fingerprint.empty())
@@ -146,14 +174,14 @@ SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::O
                       (options.environment ? " environment" : "");
     const auto buffer = [&](const std::string& part, const std::string& label,
                             std::vector<graph::Field> fields, std::uint64_t elements) {
-        return builder.buffer({.text = {.key = "light." + part, .label = label},
+        return builder.buffer({.text = {.key = prefix + part, .label = label},
                                .fields = std::move(fields),
                                .elements = std::max<std::uint64_t>(1, elements),
                                .fingerprint = fingerprint});
     };
     const auto image = [&](const std::string& part, const std::string& label, gl::Format format, int width,
                            int height) {
-        return builder.image({.text = {.key = "light." + part, .label = label},
+        return builder.image({.text = {.key = prefix + part, .label = label},
                               .format = format,
                               .extent = graph::Extent::fixed(width, height),
                               .fingerprint = fingerprint});
@@ -179,7 +207,7 @@ SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::O
     result.environment_columns =
         image("environment_columns", "Distribution over the texels of the environment's rows",
               gl::Format::r32f, std::max(1, width), std::max(1, height));
-    builder.pass("upload light sources")
+    builder.pass(options.environment ? "upload light sources" : "upload placed light sources")
         .writes(result.totals, result.nodes, result.lamps, result.triangles, result.numbers,
                 result.environment_rows, result.environment_map, result.environment_columns)
         .execute([=](graph::PassContext& context) { upload_sources(context, result, options); });

@@ -27,8 +27,9 @@ struct SourceBuffers {
     }
 };
 
-/// Declares "light.sources" and its like with the pass "upload light sources", once per world and options.
-/// `options` without lights that have no extent; `max_triangles` may be emissive.
+/// Declares "light.sources" and its like with the pass "upload light sources", once per world and options;
+/// who asks again in a frame gets the same. `options` without lights that have no extent; `max_triangles` may
+/// be emissive.
 SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::Options& options,
                              std::uint64_t max_triangles);
 

@@ -3,7 +3,7 @@
 layout(local_size_x = 64) in;
 
 #include "lib/luminance.glsl"
-#include "passes/direct/device/samples.glsl"
+#include "passes/direct/device/seen_surface.glsl"
 
 layout(std430) buffer GroupLight { vec4 group_light[]; };
 /// How many groups each pixel has, and which frame was the last that added some.

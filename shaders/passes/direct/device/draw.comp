@@ -1,21 +1,29 @@
-// Draws the rays of one sample of each pixel of a band: passes::LightEstimate
-// (renderers/passes/direct/light_estimate.h).
+// Draws the rays of one sample of each pixel of a band, or of the surface that its ray met (HITS):
+// passes::LightEstimate (renderers/passes/direct/light_estimate.h).
 layout(local_size_x = 64) in;
 
 #include "lib/floats.glsl"
 #include "passes/direct/device/samples.glsl"
 #include "passes/lights/light_sampler.glsl"
 #include "passes/raytracing/rays.glsl"
+#ifdef HITS
+#include "passes/direct/device/hit_scatterer.glsl"
+#else
+#include "passes/direct/device/seen_surface.glsl"
+#endif
 
+#ifdef HITS
+layout(std430) buffer Rays { Ray rays[]; };
+layout(std430) readonly buffer Hits { RayHit hits[]; };
+#else
 layout(std430) writeonly buffer Rays { Ray rays[]; };
+#endif
 layout(std430) writeonly buffer LightPaths { LightPath light_paths[]; };
 
 uniform uint seed_low, seed_high;  // of the frame
 uniform uint group, number;  // which of the pixel's independent randomisations, and of its samples
 uniform bool mirrors;     // show the sources that they reflect
 uniform bool any_hit;     // nothing lets light through
-uniform vec3 eye_ws;
-uniform vec3 view_axis_ws;  // of an orthographic view; 0 for a perspective one
 
 // Pairs of numbers of a sample.
 const uint OF_CHOICES = 0u, OF_SOURCE = 1u, OF_DIRECTION = 2u;
@@ -54,11 +62,14 @@ void main() {
     Ray source_ray = no_ray(), drawn_ray = no_ray();
     LightPath drawn = LightPath(vec3(0), 0.0);
     vec3 radiance = vec3(0);
+#ifdef HITS
+    SeenSurface surface = surface_of_hit(rays[ray_of_hit(place)], hits[ray_of_hit(place)]);
+#else
     SeenSurface surface = seen_surface(pixel);
+#endif
     if (surface.exists) {
-        vec3 wo = view_axis_ws == vec3(0) ? normalize(eye_ws - surface.position_ws) : -view_axis_ws;
         vec3 origin_ws = offset_origin(surface.position_ws, surface.geometric_n);
-        SeenScatterer seen = seen_from(surface.scatterer, wo);
+        SeenScatterer seen = seen_from(surface.scatterer, surface.wo);
         // Each frame and group has numbers of its own; within a group samples are stratified.
         uvec2 key = sum64(pixel_key(uvec2(seed_low, seed_high), uvec2(pixel)), uvec2(group, 0u));
         vec2 choices = path_pair(key, number, OF_CHOICES);

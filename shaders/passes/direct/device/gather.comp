@@ -1,4 +1,4 @@
-// Adds what the rays of a sample brought to the pixels of a band. PANES: rays that met a sheet of clear glass go on
+// Adds what the rays of a sample brought to the pixels of a band, or to what their rays met (HITS). PANES: rays that met a sheet of clear glass go on
 // behind it, weakened: passes::Panes (renderers/passes/direct/panes.h).
 layout(local_size_x = 64) in;
 
@@ -6,8 +6,11 @@ layout(local_size_x = 64) in;
 #include "passes/direct/device/samples.glsl"
 #include "passes/lights/light_pdfs.glsl"
 #include "passes/raytracing/rays.glsl"
-#ifdef PANES
-#include "passes/scene/hit_surface.glsl"
+#if defined(HITS) || defined(PANES)
+#include "passes/direct/device/hit_scatterer.glsl"
+#endif
+#ifndef HITS
+#include "passes/direct/device/seen_surface.glsl"
 #endif
 
 #ifdef PANES
@@ -65,12 +68,8 @@ vec3 met_at_end(LightPath path, Ray ray, RayHit hit, vec3 origin_ws, vec3 n) {
 vec3 passed_by(RayHit hit, HitSurface s, vec3 direction_ws) {
     uint number = emissive_number(hit);
     if (number != 0xffffffffu && emission_at(emissive_triangles[number], vec2(hit.u, hit.v)) != vec3(0)) return vec3(0);
-    if (s.is_unlit) return vec3(0);
-    Scatterer scatterer = make_scatterer(s.shading_normal_ws, s.geometric_normal_ws, s.base_colour, s.metallic,
-                                         s.roughness, s.ior, MATERIALS);
-    Glass glass = make_glass(s.transmission * (1.0 - s.metallic), s.ior, hit_materials[s.material].thickness,
-                             s.base_colour, s.is_front);
-    return passed_straight(scatterer, glass, -direction_ws);
+    SeenSurface pane = scatterer_of(s, direction_ws);
+    return pane.exists ? passed_straight(pane.scatterer, pane.glass, pane.wo) : vec3(0);
 }
 
 /// Whether the ray goes on behind a pane.
@@ -120,7 +119,11 @@ void main() {
     uint place = gl_GlobalInvocationID.x;
     ivec2 pixel;
     if (!pixel_of(place, pixel)) return;
+#ifdef HITS
+    SeenSurface surface = surface_of_hit(rays[ray_of_hit(place)], hits[ray_of_hit(place)]);
+#else
     SeenSurface surface = seen_surface(pixel);
+#endif
     if (!surface.exists) return;
     vec3 origin_ws = offset_origin(surface.position_ws, surface.geometric_n);
     vec3 light = of_source(place) + of_direction(direction_ray(place), origin_ws, surface.geometric_n);
