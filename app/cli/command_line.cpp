@@ -9,6 +9,7 @@
 #include "app/engine/interruption.h"
 #include "app/engine/run_frames.h"
 #include "app/engine/version.h"
+#include "renderers/core/reason.h"
 #include "renderers/core/words.h"
 
 namespace ir::cli {
@@ -109,8 +110,8 @@ int run_command_line(int argc, char** argv) {
     app.set_version_flag("--version", "interreflect-cli " + engine::version_and_commit());
     app.require_subcommand(1);
     Run run;
-    add_commands(app, run);
     try {
+        add_commands(app, run);
         refuse_empty_words(app, {argv + std::min(argc, 1), argv + argc});
         app.parse(argc, argv);
         if (writes(app)) engine::watch_interruptions();
@@ -142,10 +143,8 @@ int run_command_line(int argc, char** argv) {
         return fail("interrupted", engine::interruption_status());
     } catch (const Cancelled&) {
         return fail("interrupted", engine::interruption_status());
-    } catch (const std::bad_alloc&) {
-        return fail("out of memory; lower the image size or the method's sizes", failed);
     } catch (const std::exception& error) {
-        return fail(error.what(), failed);
+        return fail(reason_of(error), failed);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/engine/live_session.h"
 #include "app/engine/pictures.h"
+#include "renderers/core/error.h"
 #include "renderers/image/atlas.h"
 #include "renderers/image/channels.h"
 
@@ -131,10 +132,14 @@ ProbeResult LiveSession::probe(const ProbeRequest& request) const {
     const auto* main = find_resource(report, engine::main_key(*execution));
     if (!main || main->width < 1 || main->height < 1) return result;
     machine_.context().make_current();
-    for (const auto& resource : report.resources)
-        if (resource.width > 0)
-            result.rows.push_back(probe_row(execution->graph(), resource, execution->method().variance,
-                                            request.pixels, main->width, main->height));
+    try {
+        for (const auto& resource : report.resources)
+            if (resource.width > 0)
+                result.rows.push_back(probe_row(execution->graph(), resource, execution->method().variance,
+                                                request.pixels, main->width, main->height));
+    } catch (const Error&) {
+        result.rows.clear();  // the context is lost
+    }
     return result;
 }
 

@@ -6,8 +6,13 @@
 #include "app/engine/live_session.h"
 #include "app/engine/render_queue.h"
 #include "app/engine/thread_priority.h"
+#include "renderers/core/reason.h"
 
 namespace ir::engine {
+namespace {
+/// Whoever's picture takes the context with it each time is told so.
+constexpr int most_losses = 3;
+}  // namespace
 
 struct RenderThread::State {
     Machine::Options options;
@@ -15,8 +20,10 @@ struct RenderThread::State {
     RenderQueue queue;
     std::unique_ptr<Machine> machine;
     std::unique_ptr<LiveSession> session;
+    int losses = 0;  ///< of the context, since a picture was done
     std::thread thread;
 
+    bool is_lost() const { return machine->context().is_lost(); }
     void render_loop();
     bool render_start();
     void render_work(const RenderQueue::Work& work);
@@ -102,7 +109,12 @@ void RenderThread::State::render_loop() {
         const auto work = queue.take();
         if (work.stop) break;
         render_work(work);
-        if (!machine->context().is_lost()) continue;
+        if (!is_lost()) continue;
+        if (++losses > most_losses) {
+            tell(callbacks.on_no_device,
+                 "the OpenGL context is lost again and again; start the program again");
+            break;
+        }
         tell(callbacks.on_messages,
              std::vector<Message>{
                  {Severity::warning, "gl", "the OpenGL context was lost and is made anew", {}}});
@@ -155,12 +167,15 @@ void RenderThread::State::render_frame(const RenderQueue::Job& job) {
         const auto outcome = result.finished      ? Outcome::finished
                              : result.drafts_left ? Outcome::drafts
                                                   : Outcome::more;
+        if (result.finished) losses = 0;
         tell(callbacks.on_result, std::move(result));
         if (queue.finish(job, outcome)) tell(callbacks.on_failure, tag, "cancelled", true);
     } catch (const Cancelled&) {
         if (queue.finish(job, Outcome::failed)) tell(callbacks.on_failure, tag, "cancelled", true);
     } catch (const std::exception& error) {
-        if (queue.finish(job, Outcome::failed)) tell(callbacks.on_failure, tag, error.what(), false);
+        // Where the context is lost all is rendered again.
+        if (queue.finish(job, Outcome::failed) && !is_lost())
+            tell(callbacks.on_failure, tag, reason_of(error), false);
     }
 }
 
@@ -172,7 +187,7 @@ void RenderThread::State::render_scene(const std::vector<scene::Part>& parts) {
             summary.variants.push_back(machine->scenes().load(part.source)->variants);
         tell(callbacks.on_scene, std::move(summary));
     } catch (const std::exception& error) {
-        tell(callbacks.on_failure, "scene", error.what(), false);
+        tell(callbacks.on_failure, "scene", reason_of(error), false);
     }
 }
 
@@ -181,7 +196,7 @@ void RenderThread::State::render_export(const ExportRequest& request) {
     try {
         session->export_layers(request);
     } catch (const std::exception& error) {
-        failure = error.what();
+        failure = reason_of(error);
     }
     tell(callbacks.on_exported, request.tag, request.file, failure);
 }
@@ -191,7 +206,7 @@ void RenderThread::State::render_keep(const KeepRequest& request) {
     try {
         result.key = session->keep(request);
     } catch (const std::exception& error) {
-        result.error = error.what();
+        result.error = reason_of(error);
     }
     tell(callbacks.on_kept, std::move(result));
 }

@@ -84,6 +84,7 @@ class GlDevice final : public Device {
         api_.GetTextureSubImage(image, level, 0, 0, layer, shape.level_width(level),
                                 shape.level_height(level), 1, format.format, format.type,
                                 static_cast<GLsizei>(to.size()), to.data());
+        check_that_it_was_read();
     }
 
     void read_texel(Name image, const ImageShape& shape, int level, int layer, int x, int y,
@@ -91,6 +92,7 @@ class GlDevice final : public Device {
         const auto& format = info(shape.format);
         api_.GetTextureSubImage(image, level, x, y, layer, 1, 1, 1, format.format, format.type,
                                 static_cast<GLsizei>(to.size()), to.data());
+        check_that_it_was_read();
     }
 
     void write_image(Name image, const ImageShape& shape, int level, int layer,
@@ -110,6 +112,7 @@ class GlDevice final : public Device {
         if (to.empty()) return;
         api_.GetNamedBufferSubData(buffer, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(to.size()),
                                    to.data());
+        check_that_it_was_read();
     }
 
     void write_buffer(Name buffer, std::uint64_t offset, std::span<const std::byte> from) override {
@@ -147,6 +150,12 @@ class GlDevice final : public Device {
     std::vector<Message> take_messages() override { return context_.take_messages(); }
 
   private:
+    /// Calls of a lost context do nothing and say nothing: what they read is no picture and no number.
+    void check_that_it_was_read() const {
+        if (context_.is_lost())
+            throw Error("the OpenGL context was lost: the device or its driver was reset; try again");
+    }
+
     void clear_errors() const {
         while (api_.GetError() != GL_NO_ERROR && !context_.is_lost()) {
         }

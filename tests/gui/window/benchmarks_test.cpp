@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "renderers/core/error.h"
+#include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
 #include "tests/unit/scarce_disk.h"
 #include "widgets/panels/empty_tree_view.h"
@@ -68,7 +69,7 @@ class BenchmarksWindowTest : public testing::Test {
         ASSERT_TRUE(window.open_path("builtin:cornell"));
         window.docks().apply("benchmarks");
         window.benchmarks().choose("photon-mapping");
-        QTest::qWait(50);
+        test::handle_events();
     }
     void TearDown() override {
         fake.allowed = 1000;

@@ -9,6 +9,7 @@
 #include "renderers/core/error.h"
 #include "renderers/image/exr.h"
 #include "tests/fake_tev.h"
+#include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
 #include "tests/unit/scarce_disk.h"
 
@@ -27,7 +28,7 @@ class InspectWindowTest : public WindowTest {
         auto* dock = window.findChild<QDockWidget*>(name);
         dock->show();
         dock->raise();
-        QTest::qWait(50);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window.docks().is_seen(name); }));
     }
     QPoint place_of(QPoint pixel) {
         auto& view = window.view();
@@ -79,7 +80,7 @@ TEST_F(InspectWindowTest, PanelsThatAreNotSeenAskForNothing) {
     renderer.probes.clear();
     move_to({12, 7});
     move_to({13, 7});
-    QTest::qWait(50);
+    test::handle_events();
     EXPECT_TRUE(renderer.probes.empty());
 }
 

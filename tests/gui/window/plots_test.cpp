@@ -14,6 +14,7 @@
 
 #include "app/gui/export_plot.h"
 #include "renderers/core/error.h"
+#include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
 #include "tests/unit/scarce_disk.h"
 
@@ -81,7 +82,7 @@ class PlotsWindowTest : public WindowTest {
         dock->show();
         dock->raise();
         window.resizeDocks({dock}, {360}, Qt::Vertical);
-        QTest::qWait(50);
+        test::handle_events();
     }
     PlotsDock& plots() { return window.plots(); }
     widgets::PlotPanel& panel() { return plots().panel(); }
@@ -312,11 +313,10 @@ TEST_F(PlotsWindowTest, ExportsAreTheStudysNumbersAndAPicture) {
 TEST_F(PlotsWindowTest, APlotInTheTreeBringsTheDockForward) {
     add_plot();
     window.findChild<QDockWidget*>("messages")->raise();
-    QTest::qWait(20);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().visibleRegion().isEmpty(); }));
     emit window.document().tree().item_activated(
         {widgets::ItemKind::plot, QString::fromStdString(plot().id)});
-    QTest::qWait(20);
-    EXPECT_FALSE(panel().visibleRegion().isEmpty());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !panel().visibleRegion().isEmpty(); }));
     press("plot-edit");
     EXPECT_EQ(window.document().tree().selected().id.toStdString(), plot().id);
 }

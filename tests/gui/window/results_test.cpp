@@ -7,6 +7,7 @@
 
 #include "projects/scene_files.h"
 #include "renderers/image/exr.h"
+#include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
 
 namespace ir::gui {
@@ -55,7 +56,7 @@ class ResultsWindowTest : public WindowTest {
         auto* dock = window.findChild<QDockWidget*>("results");
         dock->show();
         dock->raise();
-        QTest::qWait(20);
+        test::handle_events();
     }
     Workspace& workspace() { return window.workspace(); }
     ViewModel& views() { return window.views(); }

@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
+#include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
 
 namespace ir::gui {
@@ -186,7 +187,7 @@ TEST_F(ViewsTest, UndockedAndRedockedEveryViewKeepsItsPicture) {
         ASSERT_TRUE(QTest::qWaitForWindowExposed(dock));
         EXPECT_EQ(middle(), docked) << number;
         dock->setFloating(false);
-        QTest::qWait(50);
+        test::handle_events();
         EXPECT_EQ(middle(), docked) << number;
         EXPECT_EQ(view.image().pixels, before.pixels);
     }

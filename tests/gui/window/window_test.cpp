@@ -23,6 +23,7 @@
 #include "app/gui/main_window.h"
 #include "projects/lock.h"
 #include "renderers/core/error.h"
+#include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
 #include "widgets/space/layer_panel.h"
 
@@ -215,7 +216,7 @@ TEST_F(WindowTest, TheRemainingTimeIsThatOfTheFramesThatAreMissing) {
     renderer.hold = true;
     window.action("rerun")->trigger();
     emit renderer.progressed(id, "", 0.9);  // it goes on from there
-    QTest::qWait(1500);
+    QTest::qWait(1500);                     // the estimate begins after a second
     emit renderer.progressed(id, "painting", 0.925);
     const auto* bar = window.statusBar()->findChild<QProgressBar*>();
     ASSERT_TRUE(QTest::qWaitFor([&] { return bar->value() == 925; }, 5000));
@@ -411,7 +412,7 @@ TEST_F(WindowTest, KeysBringACoveredPanelForwardAndHideTheOneInFront) {
     const auto is_seen = [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); };
     const auto press = [this] {
         QTest::keyClick(&window, Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
-        QTest::qWait(20);
+        test::handle_events();
     };
     ASSERT_TRUE(settle());
     ASSERT_TRUE(is_seen(buffers));
@@ -435,11 +436,11 @@ TEST_F(WindowTest, ThePictureHasHalfOfTheWindowsHeight) {
     window.resize(1440, 900);
     open_scene();
     window.action("layout-default")->trigger();
-    QTest::qWait(50);
+    test::handle_events();
     EXPECT_EQ(window.height(), 900);
     EXPECT_GE(window.workspace().area().height(), window.height() / 2);
     window.findChild<QDockWidget*>("plots")->raise();
-    QTest::qWait(50);
+    test::handle_events();
     EXPECT_GE(window.workspace().area().height(), window.height() / 2);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that what the documentation promises names tests, and that these exist: each line of the tables under
-"tests" in docs/security.md and docs/reproducibility.md.
+"tests" in the pages below.
 
 Usage: check_promises.py ROOT
 """
@@ -8,7 +8,7 @@ import re
 import sys
 from pathlib import Path
 
-PAGES = ["docs/security.md", "docs/reproducibility.md"]
+PAGES = ["docs/security.md", "docs/reproducibility.md", "docs/testing.md"]
 TEST = re.compile(r"^TEST(?:_F|_P)?\((\w+), (\w+)\)", re.MULTILINE)
 
 

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/gui/events.h"
 #include "tests/gui/widgets/surfaces.h"
 #include "widgets/image/image_view.h"
 
@@ -69,7 +70,7 @@ TEST(ImageView, KeysFlyTheCamera) {
     view.set_tool(ImageView::Tool::fly);
     QSignalSpy ends(&view, &ImageView::camera_gesture_finished);
     QTest::keyPress(&view, Qt::Key_W);
-    QTest::qWait(60);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().pose().eye.z < 5; }));
     QTest::keyRelease(&view, Qt::Key_W);
     EXPECT_LT(view.camera().pose().eye.z, 5);
     EXPECT_DOUBLE_EQ(view.camera().pose().eye.x, 0);

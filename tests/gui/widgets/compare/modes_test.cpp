@@ -5,6 +5,7 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 
+#include "tests/gui/events.h"
 #include "tests/gui/widgets/compare/pictures.h"
 
 namespace ir::widgets {
@@ -200,7 +201,8 @@ TEST_P(CompareTest, FloatingAndDockingKeepsThePicture) {
     show(window, {900, 600});
     for (bool floating : {false, true, false, true, false}) {
         dock->setFloating(floating);
-        QTest::qWait(50);
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(floating ? static_cast<QWidget*>(dock) : &window));
+        test::handle_events();
         view->active_view().fit();
         ASSERT_EQ(dock->isFloating(), floating);
         expect_quarters(*view->views()[0], 1);

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/gui/events.h"
 #include "widgets/space/picture_pacer.h"
 #include "widgets/space/space_camera.h"
 
@@ -15,11 +16,11 @@ TEST(PicturePacer, TheNextRequestWaitsForTheAnswer) {
     QSignalSpy due(&pacer, &PicturePacer::due), late(&pacer, &PicturePacer::late);
     for (int i = 0; i < 5; ++i) {
         pacer.want();
-        QTest::qWait(5);
+        test::handle_events();
     }
     EXPECT_EQ(due.count(), 1);
     pacer.answered();
-    QTest::qWait(5);
+    test::handle_events();
     EXPECT_EQ(due.count(), 2);
     EXPECT_EQ(late.count(), 0);
 }
@@ -39,16 +40,16 @@ TEST(PicturePacer, HeldRequestsFollowLater) {
     QSignalSpy due(&pacer, &PicturePacer::due);
     pacer.set_held(true);
     pacer.want();
-    QTest::qWait(10);
+    test::handle_events();
     EXPECT_EQ(due.count(), 0);
     pacer.set_held(false);
     pacer.want();
     pacer.want();
-    QTest::qWait(10);
+    test::handle_events();
     EXPECT_EQ(due.count(), 1);
     EXPECT_FALSE(pacer.is_idle());
     pacer.answered();
-    QTest::qWait(10);
+    test::handle_events();
     EXPECT_EQ(due.count(), 1);
     EXPECT_TRUE(pacer.is_idle());
 }

@@ -13,6 +13,7 @@
 #include <QTreeView>
 #include <QWheelEvent>
 
+#include "tests/gui/events.h"
 #include "tests/gui/widgets/space/fake_space.h"
 #include "widgets/space/filter_row.h"
 #include "widgets/space/layer_details.h"
@@ -328,7 +329,7 @@ TEST(SpacePane, AClickMarksTheElementAndChoosesItsLayer) {
     pane.resize(900, 560);
     pane.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&pane));
-    QTest::qWait(50);
+    test::handle_events();
     const QPointF at = test::place_of(pane.view().picture(), 0, 250);
     QTest::mouseClick(&pane.view(), Qt::LeftButton, {}, test::in_view(pane.view(), at));
     EXPECT_EQ(pane.panel().current_layer(), 1);
