@@ -83,6 +83,7 @@ class Program {
     mutable std::set<std::string> unset_;           ///< of these
     /// Of the members of each struct of constants that was given; -1 where the compiler removed the uniform.
     mutable std::map<const ConstantLayout*, std::vector<GLint>> locations_;
+    mutable std::uint64_t last_use_ = 0;  ///< in frames of the library
 };
 
 /// Compiles, caches and reloads the programs of one context. `#include "lib/random.glsl"` is resolved against
@@ -94,8 +95,19 @@ class ProgramLibrary {
     ~ProgramLibrary();
 
     /// Throws ShaderError when the program never compiled; asks the compiler again only after a file changed.
-    /// The reference stays valid, also through reloads.
+    /// The reference stays valid, also through reloads, as long as forgotten() says the same.
     const Program& get(const ProgramSource& source);
+
+    /// More programs than these are forgotten, the longest unused first, but none that one of the last frames
+    /// used: each choice of a method may be a program, and on llvmpipe one takes 10 to 20 MB.
+    static constexpr std::size_t most_kept = 64;
+    static constexpr std::uint64_t kept_frames = 32;
+    /// Of whatever graph. Forgets programs.
+    void begin_frame();
+    /// Says that the running frame uses a program of get() again.
+    void touch(const Program& program) const { program.last_use_ = frame_; }
+    std::uint64_t forgotten() const { return forgotten_; }  ///< programs so far
+    std::size_t count() const { return entries_.size(); }
 
     /// Recompiles programs whose files changed on disk. A program that fails keeps its last good version; the
     /// errors are returned (once per change). True in `changed` when any program was replaced.
@@ -112,6 +124,7 @@ class ProgramLibrary {
     Context& context_;
     std::filesystem::path folder_;
     std::map<ProgramSource, std::unique_ptr<Entry>> entries_;
+    std::uint64_t frame_ = 0, forgotten_ = 0;
 };
 
 /// The GLSL block for a method's parameters: `#define`s with the current value for those that ask for

@@ -150,7 +150,25 @@ const Program& ProgramLibrary::get(const ProgramSource& source) {
         if (!is_new && entry->error && !changed_on_disk(entry->files)) throw *entry->error;
         compile(source, *entry);
     }
+    touch(entry->program);
     return entry->program;
+}
+
+void ProgramLibrary::begin_frame() {
+    ++frame_;
+    if (entries_.size() <= most_kept) return;
+    std::vector<decltype(entries_)::iterator> unused;
+    for (auto entry = entries_.begin(); entry != entries_.end(); ++entry)
+        if (entry->second->program.last_use_ + kept_frames < frame_) unused.push_back(entry);
+    std::sort(unused.begin(), unused.end(), [](const auto& a, const auto& b) {
+        return a->second->program.last_use_ < b->second->program.last_use_;
+    });
+    unused.resize(std::min(unused.size(), entries_.size() - most_kept));
+    for (const auto& entry : unused) {
+        context_.api().DeleteProgram(entry->second->program.name());
+        entries_.erase(entry);
+    }
+    forgotten_ += unused.size();
 }
 
 std::vector<Message> ProgramLibrary::reload_changed(bool* changed) {

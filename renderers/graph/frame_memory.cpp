@@ -132,6 +132,7 @@ void FrameMemory::prepare_counters() {
 }
 
 void FrameMemory::prepare_parameters() {
+    if (frame_.cache.programs) frame_.cache.programs->begin_frame();
     if (auto glsl = gl::parameter_glsl(frame_.method->description.parameters, *frame_.settings);
         glsl != frame_.cache.parameter_glsl) {
         frame_.cache.parameter_glsl = std::move(glsl);

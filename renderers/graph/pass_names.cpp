@@ -159,8 +159,15 @@ GLuint PassContext::sampler_of(const scene::Sampler& sampler) const {
 
 const gl::Program& PassContext::method_program(const gl::ProgramSource& source) const {
     auto& s = frame_;
+    if (const auto forgotten = s.cache.programs->forgotten(); forgotten != s.cache.forgotten_programs) {
+        s.cache.programs_with_parameters.clear();
+        s.cache.forgotten_programs = forgotten;
+    }
     auto& made = s.cache.programs_with_parameters[source];
-    if (made) return *made;
+    if (made) {
+        s.cache.programs->touch(*made);
+        return *made;
+    }
     gl::ProgramSource complete = source;
     complete.preamble += s.cache.parameter_glsl;
     const auto& program = s.cache.programs->get(complete);

@@ -64,6 +64,29 @@ TEST_P(ProgramTest, IncludesOncePerStage) {
     EXPECT_EQ(run(library->get({{"a/main.comp"}})), 42);
 }
 
+TEST_P(ProgramTest, OfManyThoseThatNobodyUsedForLongAreForgotten) {
+    folder.write("a/main.comp", writes_answer);
+    folder.write("lib/answer.glsl", "float answer() { return NUMBER; }\n");
+    const auto numbered = [](int number) {
+        return ProgramSource{{"a/main.comp"}, {{"NUMBER", std::to_string(number) + ".0"}}};
+    };
+    const int all = int(ProgramLibrary::most_kept) + 6;
+    library->begin_frame();
+    for (int i = 0; i < all; ++i) library->get(numbered(i));
+    const auto& first = library->get(numbered(0));
+    for (std::uint64_t frame = 0; frame <= ProgramLibrary::kept_frames; ++frame) {
+        EXPECT_EQ(library->count(), std::size_t(all)) << "used not long ago, " << frame;
+        EXPECT_EQ(library->forgotten(), 0u);
+        library->touch(first);
+        library->begin_frame();
+    }
+    EXPECT_EQ(library->count(), ProgramLibrary::most_kept);
+    EXPECT_EQ(library->forgotten(), 6u);
+    EXPECT_EQ(&library->get(numbered(0)), &first);
+    EXPECT_EQ(run(first), 0);
+    for (int i = 0; i < all; ++i) EXPECT_EQ(run(library->get(numbered(i))), float(i));
+}
+
 TEST_P(ProgramTest, PrefersTheIncludingFilesFolder) {
     folder.write("a/main.comp", writes_answer);
     folder.write("lib/answer.glsl", "float answer() { return 1.0; }\n");
