@@ -83,12 +83,12 @@ Scattered scatter(Scatterer s, Glass glass, vec3 v, float lobe, vec2 u, int samp
     if (lobe >= glass.part) return scatter(s, v, (lobe - glass.part) / (1.0 - glass.part), u, sampling);
     SeenScatterer seen = seen_from(s, v);
     float choice = lobe / glass.part;
-    Scattered scattered = is_rough_glass(s, glass) ? scattered_by_rough_glass(s, glass, seen, choice, u)
-                                                   : scattered_by_clear_glass(s, glass, seen, choice);
-    // what a mirror shows comes from above both normals
-    bool is_mirrored = scattered.is_specular && !scattered.is_transmitted;
-    scattered.weight *= is_mirrored && dot(s.n, v) <= 0.0
-                            ? 0.0
-                            : shading_normal_correction(s.n, s.geometric_n, v, scattered.direction_ws);
-    return scattered;
+    return is_rough_glass(s, glass) ? scattered_by_rough_glass(s, glass, seen, choice, u)
+                                    : scattered_by_clear_glass(s, glass, seen, choice);
+}
+
+/// As scatter(), for a photon that comes from `from`.
+Scattered scatter_photon(Scatterer s, Glass glass, vec3 from, float lobe, vec2 u, int sampling) {
+    if (lobe < glass.part) return corrected(scatter(s, glass, from, lobe, u, sampling), s, from);
+    return scatter_photon(s, from, (lobe - glass.part) / (1.0 - glass.part), u, sampling);
 }

@@ -33,7 +33,7 @@ Scatterer make_scatterer(vec3 n, vec3 geometric_n, vec3 base_colour, float metal
     return s;
 }
 
-/// A direction that a photon takes; all factors are included. Weight 0: the event carries no light.
+/// A direction that was chosen; all factors are included: f |cosθ| / pdf. Weight 0: the event carries no light.
 struct Scattered {
     vec3 direction_ws;
     vec3 weight;
@@ -41,10 +41,6 @@ struct Scattered {
     bool is_transmitted;  // to the other side
 };
 const Scattered NOT_SCATTERED = Scattered(vec3(0, 0, 1), vec3(0), false, false);
-
-/// Of photons where interpolated or mapped normals lean away: light that grazes the geometric surface would be
-/// multiplied without bound.
-const float MAX_CORRECTION = 8.0;
 
 /// From the squared sine between normal and half vector: near the peak its cosine has lost the digits that
 /// count.  [Walter07 eq. 33]
@@ -162,14 +158,67 @@ vec3 scattering_value(Scatterer s, SeenScatterer seen, vec3 l, float n_dot_l) {
     return f * n_dot_l;
 }
 
-float scattering_pdf(Scatterer s, SeenScatterer seen, vec3 l, float n_dot_l, int sampling) {
-    float pdf = (1.0 - seen.specular_probability) * n_dot_l / PI;
+/// `cosine`: of `l` to the normal that the Lambert part is sampled about.
+float scattering_pdf(Scatterer s, SeenScatterer seen, vec3 l, float cosine, int sampling) {
+    float pdf = (1.0 - seen.specular_probability) * cosine / PI;
     if (seen.specular_probability > 0.0 && s.alpha >= MIRROR_ALPHA)
         pdf += seen.specular_probability * microfacet_pdf(s, seen, l, sampling);
     return pdf;
 }
 
 bool is_above(Scatterer s, vec3 l) { return dot(s.n, l) > 0.0 && dot(s.geometric_n, l) > 0.0; }
+
+Scattered scattered_by_mirror(Scatterer s, SeenScatterer seen) {
+    vec3 l = 2.0 * seen.raised_cosine * s.n - seen.raised;
+    if (!is_above(s, l)) return NOT_SCATTERED;
+    vec3 fresnel = schlick_fresnel(s.f0, seen.raised_cosine);
+    return Scattered(l, s.specular * fresnel / seen.specular_probability, true, false);
+}
+
+/// The printed survival F G2 / G1 of a microfacet, over its lobe's probability.  [Smal19 §4.4.1]
+vec3 printed_weight(Scatterer s, SeenScatterer seen, vec3 l, float n_dot_l, bool is_microfacet) {
+    if (!is_microfacet) {
+        vec3 h = normalize(l + seen.raised);
+        vec3 fresnel = schlick_fresnel(s.f0, clamp(dot(seen.raised, h), 0.0, 1.0));
+        return below_interface(s, fresnel) / (1.0 - seen.specular_probability);
+    }
+    vec3 h = normalize(l + seen.raised);
+    float m_dot_v = dot(seen.raised, h);
+    vec3 fresnel = schlick_fresnel(s.f0, clamp(m_dot_v, 0.0, 1.0));
+    float masking = smith_masking(seen.raised_cosine, m_dot_v, s.alpha);
+    return s.specular * fresnel * joint_masking(s, n_dot_l, seen.raised_cosine, m_dot_v) / masking /
+           seen.specular_probability;
+}
+
+vec3 mirrored_by_microfacet(Scatterer s, SeenScatterer seen, vec2 u, int sampling) {
+    mat3 frame = frame_around(s.n);
+    vec3 h = frame * (sampling == MICROFACETS_VISIBLE_NORMALS
+                          ? sample_visible_normal_ts(seen.raised * frame, s.alpha, u)
+                          : ggx_normal_ts(s.alpha, u));
+    return normalize(2.0 * dot(seen.raised, h) * h - seen.raised);
+}
+
+/// A direction for what is seen from `v`. The lobe is chosen by luminance; the weight is
+/// that of all lobes over the density of all lobes. `lobe` and `u` uniform in [0, 1).
+/// DEVIATION [Smal19 §4.4]: the source does not say how lobes are chosen, nor divides by the probability.
+Scattered scatter(Scatterer s, vec3 v, float lobe, vec2 u, int sampling) {
+    SeenScatterer seen = seen_from(s, v);
+    bool is_microfacet = lobe < seen.specular_probability;
+    if (is_microfacet && s.alpha < MIRROR_ALPHA) return scattered_by_mirror(s, seen);
+    vec3 l = is_microfacet ? mirrored_by_microfacet(s, seen, u, sampling)
+                           : normalize(frame_around(s.n) * sample_cosine_ts(u));
+    if (!is_above(s, l)) return NOT_SCATTERED;
+    float n_dot_l = dot(s.n, l);
+    if (sampling == MICROFACETS_GGX_PRINTED)
+        return Scattered(l, printed_weight(s, seen, l, n_dot_l, is_microfacet), false, false);
+    float pdf = scattering_pdf(s, seen, l, n_dot_l, sampling);
+    if (!(pdf > 0.0)) return NOT_SCATTERED;
+    return Scattered(l, scattering_value(s, seen, l, n_dot_l) / pdf, false, false);
+}
+
+/// Of photons where interpolated or mapped normals lean away: light that grazes the geometric surface would be
+/// multiplied without bound.
+const float MAX_CORRECTION = 8.0;
 
 /// What a photon's weight is multiplied by so that it carries what a camera path along the same directions
 /// would: `l` towards where the photon came from, `o` where it goes; 1 without normal maps and interpolated
@@ -180,58 +229,32 @@ float shading_normal_correction(vec3 n, vec3 geometric_n, vec3 l, vec3 o) {
     return min(MAX_CORRECTION, arriving * leaving / max(denominator, 1e-7));
 }
 
-Scattered scattered_by_mirror(Scatterer s, SeenScatterer seen) {
-    vec3 l = 2.0 * seen.raised_cosine * s.n - seen.raised;
-    if (!is_above(s, l)) return NOT_SCATTERED;
-    vec3 fresnel = schlick_fresnel(s.f0, seen.raised_cosine);
-    float correction = shading_normal_correction(s.n, s.geometric_n, seen.v, l);
-    return Scattered(l, s.specular * fresnel / seen.specular_probability * correction, true, false);
+Scattered corrected(Scattered scattered, Scatterer s, vec3 from) {
+    // what a mirror shows comes from above both normals
+    bool is_mirrored = scattered.is_specular && !scattered.is_transmitted;
+    scattered.weight *= is_mirrored && dot(s.n, from) <= 0.0
+                            ? 0.0
+                            : shading_normal_correction(s.n, s.geometric_n, from, scattered.direction_ws);
+    return scattered;
 }
 
-/// The printed survival F G2 / G1 of a microfacet, or that of the Lambert part, over the lobe's probability.
-/// [Smal19 §4.4.1]
-Scattered scattered_as_printed(Scatterer s, SeenScatterer seen, vec3 l, bool is_microfacet) {
-    vec3 h = normalize(l + seen.raised);
-    float m_dot_v = dot(seen.raised, h);
-    vec3 fresnel = schlick_fresnel(s.f0, clamp(m_dot_v, 0.0, 1.0));
-    if (!is_microfacet) {
-        float correction = min(MAX_CORRECTION, dot(s.n, seen.v) / dot(s.geometric_n, seen.v));
-        return Scattered(l, below_interface(s, fresnel) / (1.0 - seen.specular_probability) * correction, false, false);
-    }
-    if (!is_above(s, l)) return NOT_SCATTERED;
-    float masking = smith_masking(seen.raised_cosine, m_dot_v, s.alpha);
-    vec3 survival = fresnel * joint_masking(s, dot(s.n, l), seen.raised_cosine, m_dot_v) / masking;
-    float correction = shading_normal_correction(s.n, s.geometric_n, seen.v, l);
-    return Scattered(l, s.specular * survival / seen.specular_probability * correction, false, false);
-}
-
-/// A direction for a photon that comes from `v`. The lobe is chosen by luminance; the weight is that of all lobes over
-/// the density of all lobes: what a camera at `l` sees of light from `v`. Microfacets lie about the shading normal.
-/// The Lambert part is sampled about the geometric one, as cameras see it below the other's horizon, too.
-/// `lobe` and `u` uniform in [0, 1).
-/// DEVIATION [Smal19 §4.4]: the source does not say how lobes are chosen, nor divides by the probability.
-Scattered scatter(Scatterer s, vec3 v, float lobe, vec2 u, int sampling) {
-    SeenScatterer seen = seen_from(s, v);
-    // what is seen comes from above both normals
-    float n_dot_v = dot(s.n, v), arriving = dot(s.geometric_n, v);
-    if (!(n_dot_v > 0.0 && arriving > 0.0)) return NOT_SCATTERED;
+/// A direction for a photon that comes from `from`. The weight is what a camera there sees of the light, over the
+/// density of both lobes. Microfacets lie about the shading normal; the Lambert part is sampled about the geometric
+/// one, as cameras see it below the other's horizon, too.
+Scattered scatter_photon(Scatterer s, vec3 from, float lobe, vec2 u, int sampling) {
+    SeenScatterer seen = seen_from(s, from);
     bool is_microfacet = lobe < seen.specular_probability;
-    if (is_microfacet && s.alpha < MIRROR_ALPHA) return scattered_by_mirror(s, seen);
-    vec3 l;
-    if (is_microfacet) {
-        mat3 frame = frame_around(s.n);
-        vec3 h = sampling == MICROFACETS_VISIBLE_NORMALS ? sample_visible_normal_ts(seen.raised * frame, s.alpha, u)
-                                                         : ggx_normal_ts(s.alpha, u);
-        h = frame * h;
-        l = normalize(2.0 * dot(seen.raised, h) * h - seen.raised);
-    } else {
-        l = normalize(frame_around(s.geometric_n) * sample_cosine_ts(u));
-    }
-    if (sampling == MICROFACETS_GGX_PRINTED) return scattered_as_printed(s, seen, l, is_microfacet);
-    float leaving = dot(s.geometric_n, l);
+    if ((is_microfacet && s.alpha < MIRROR_ALPHA) || sampling == MICROFACETS_GGX_PRINTED)
+        return corrected(scatter(s, from, lobe, u, sampling), s, from);
+    // what is seen comes from above both normals
+    float n_dot_l = dot(s.n, from), arriving = dot(s.geometric_n, from);
+    if (!(n_dot_l > 0.0 && arriving > 0.0)) return NOT_SCATTERED;
+    vec3 o = is_microfacet ? mirrored_by_microfacet(s, seen, u, sampling)
+                           : normalize(frame_around(s.geometric_n) * sample_cosine_ts(u));
+    float leaving = dot(s.geometric_n, o);
     if (!(leaving > 0.0)) return NOT_SCATTERED;
-    float pdf = scattering_pdf(s, seen, l, leaving, sampling);
+    float pdf = scattering_pdf(s, seen, o, leaving, sampling);
     if (!(pdf > 0.0)) return NOT_SCATTERED;
-    vec3 weight = scattering_value(s, seen_from(s, l), v, n_dot_v) * leaving / (arriving * pdf);
-    return Scattered(l, s.n == s.geometric_n ? weight : min(weight, MAX_CORRECTION), false, false);
+    vec3 weight = scattering_value(s, seen_from(s, o), from, n_dot_l) * leaving / (arriving * pdf);
+    return Scattered(o, s.n == s.geometric_n ? weight : min(weight, MAX_CORRECTION), false, false);
 }

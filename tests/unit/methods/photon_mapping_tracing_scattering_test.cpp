@@ -24,9 +24,9 @@ struct ScatterDraws {
     int model, sampling;
     glm::vec3 normal, geometric_normal, base_colour, seen;
     float metallic, roughness, transmission, thickness, ior;
-    bool is_front;
+    bool is_front, of_photons;
     IR_FIELDS(model, sampling, normal, geometric_normal, base_colour, seen, metallic, roughness, transmission,
-              thickness, ior, is_front)
+              thickness, ior, is_front, of_photons)
 };
 
 struct Case {
@@ -59,6 +59,7 @@ class ScatteringOnDevice : public PassTest {
     std::vector<Draw> scatter(const Patch& patch, glm::vec3 seen, Sampling sampling,
                               const std::map<std::string, std::string>& defines = {}) {
         static const Shot shot("builtin:corner", "", 8, 6);
+        const bool of_photons = of_photons_;
         run(shot, [&](graph::GraphBuilder& builder) {
             graph::BufferDesc desc;
             desc.text = {.key = "test.draws", .label = "Draws"};
@@ -80,7 +81,8 @@ class ScatteringOnDevice : public PassTest {
                                          .transmission = patch.surface.transmission,
                                          .thickness = patch.material.thickness,
                                          .ior = patch.material.ior,
-                                         .is_front = patch.surface.is_front});
+                                         .is_front = patch.surface.is_front,
+                                         .of_photons = of_photons});
                 gl::dispatch_items(program, 0, draws);
             });
         });
@@ -89,6 +91,8 @@ class ScatteringOnDevice : public PassTest {
         std::memcpy(result.data(), bytes.data(), bytes.size());
         return result;
     }
+
+    bool of_photons_ = false;  ///< else of what is seen
 };
 
 struct Estimate {
@@ -103,7 +107,7 @@ Estimate mean_weight(const std::vector<Draw>& all) {
     return {sum, std::sqrt(std::max(0.0, squares - sum * sum) / draws)};
 }
 
-/// n = 20,000 draws; alpha = 1e-4 over 80 comparisons (z = 4.9), and the quadrature's error.
+/// n = 20,000 draws; alpha = 1e-4 over 88 comparisons (z = 4.9), and the quadrature's error.
 bool agrees(const Estimate& found, double expected) {
     return std::abs(found.mean - expected) < 4.9 * found.error + 1e-3;
 }
@@ -121,22 +125,28 @@ TEST_F(ScatteringOnDevice, KeepsTheDirectionalAlbedo) {
     }
 }
 
-/// Below the shading normal's horizon, too.
-TEST_F(ScatteringOnDevice, SendsWhatCamerasSeeWhereNormalsLean) {
+/// Cameras see light from above both normals; it leaves below the shading normal's horizon, too.
+TEST_F(ScatteringOnDevice, KeepsTheLightWhereNormalsLean) {
     for (const float roughness : {0.3f, 0.7f})
         for (const float metallic : {0.0f, 1.0f})
             for (const float tilt : {0.35f, 0.7f}) {
                 const auto upright = Case{Materials::gltf, roughness, metallic, 0.9f}.patch();
                 auto leaning = upright;
                 leaning.surface.shading_normal_ws = upright.direction(std::cos(tilt), 2);
-                const auto seen = upright.direction(0.9f);
-                const double expected = integrate_hemisphere(upright, [&](glm::vec3 towards) {
-                    return mean(leaning.bsdf().evaluate_importance(seen, towards));
-                });
-                const auto found = mean_weight(scatter(leaning, seen, visible_normals));
-                EXPECT_TRUE(agrees(found, expected))
-                    << "roughness " << roughness << " metallic " << metallic << " tilt " << tilt << ": "
-                    << found.mean << " ± " << found.error << " instead of " << expected;
+                const auto bsdf = leaning.bsdf();
+                const auto from = upright.direction(0.9f);
+                for (const bool of_photons : {false, true}) {
+                    of_photons_ = of_photons;
+                    const double expected = integrate_hemisphere(upright, [&](glm::vec3 other) {
+                        return mean(of_photons ? bsdf.evaluate_importance(from, other)
+                                               : bsdf.evaluate(from, other));
+                    });
+                    const auto found = mean_weight(scatter(leaning, from, visible_normals));
+                    EXPECT_TRUE(agrees(found, expected))
+                        << "roughness " << roughness << " metallic " << metallic << " tilt " << tilt
+                        << (of_photons ? " photons: " : " seen: ") << found.mean << " ± " << found.error
+                        << " instead of " << expected;
+                }
             }
 }
 

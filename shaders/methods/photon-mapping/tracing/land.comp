@@ -121,7 +121,7 @@ Ray go_on(inout Path path, HitSurface surface, Glass glass, vec3 from_ws) {
     if (bounce >= max_bounces && !has_specular(scatterer, glass)) return no_ray();
     uvec4 words = random_words(path, surface_number, DIRECTION);
     Scattered scattered =
-        scatter(scatterer, glass, from_ws, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
+        scatter_photon(scatterer, glass, from_ws, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
     if (bounce >= max_bounces && !scattered.is_specular) return no_ray();
     if (!(glass.is_sheet && scattered.is_specular && scattered.is_transmitted)) path.bits &= ~IS_SAMPLED;
     if (!scatter_path(path, scattered, power_of(path), surface_number, unit_float(words.w))) {
