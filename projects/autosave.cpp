@@ -117,10 +117,14 @@ std::optional<Recovery> find_recovery(const fs::path& folder, const Registry& re
         Autosave autosave = read_autosave(file, registry, files);
         if (files.exists(saved_file)) {
             const std::string saved = files.read(saved_file, JsonLimits{}.bytes);
-            // Changes made from exactly this version are newer whatever the clocks say.
-            const bool is_newer =
-                autosave.base_hash == hash_bytes(saved) || files.modified(file) > files.modified(saved_file);
-            if (!is_newer) return std::nullopt;
+            // What was made from exactly this version is newer, whatever the clocks say. What was made from
+            // the version before may be older: a session that was killed while it saved had saved it, too. Of
+            // any other version nobody knows.
+            const auto previous = folder / previous_file_name;
+            const bool may_be_older =
+                autosave.base_hash != hash_bytes(saved) && files.exists(previous) &&
+                autosave.base_hash == hash_bytes(files.read(previous, JsonLimits{}.bytes));
+            if (may_be_older && files.modified(file) <= files.modified(saved_file)) return std::nullopt;
             if (read_project(saved, saved_file.string(), registry).project == autosave.project)
                 return std::nullopt;
         }

@@ -55,7 +55,7 @@ TEST_F(RefusedMemory, RenderingEndsWithALineAndAWholePictureOrNone) {
         } else {
             EXPECT_TRUE(status == 0 || status == 128 + SIGABRT) << status << said;
         }
-        if (fs::exists(picture)) EXPECT_EQ(read_image(picture).pixels, whole.pixels);
+        EXPECT_TRUE(!fs::exists(picture) || read_image(picture).pixels == whole.pixels);
         if (HasFailure()) FAIL() << "refused at " << at << " of " << last;
     }
     EXPECT_GT(failed, most / 2);

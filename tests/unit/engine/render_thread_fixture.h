@@ -78,11 +78,11 @@ class RenderThreadTest : public testing::Test {
         changed_.notify_all();
     }
 
-    /// Waits until `test(answers)`; false after a minute or without a device.
+    /// Waits until `test(answers)`; false after five minutes or without a device.
     template <class Test>
     bool wait(Test test) {
         std::unique_lock lock(mutex_);
-        return changed_.wait_for(lock, std::chrono::seconds(60), [&] {
+        return changed_.wait_for(lock, std::chrono::minutes(5), [&] {
             EXPECT_EQ(answers_.no_device, "");
             return test(answers_);
         });

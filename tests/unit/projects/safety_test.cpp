@@ -8,8 +8,10 @@
 
 #include <functional>
 
+#include "projects/autosave.h"
 #include "projects/hash.h"
 #include "projects/results.h"
+#include "projects/store.h"
 #include "renderers/core/error.h"
 #include "tests/unit/projects/numbered.h"
 #include "tests/unit/projects/ordeal_file_system.h"
@@ -168,6 +170,23 @@ TEST_F(Safety, ARecoveryStaysUntilSomebodyDecides) {
         open.close();
     }
     EXPECT_TRUE(open_again(folder).recoverable.empty());
+}
+
+TEST_F(Safety, ClocksThatAreWrongLoseNoUnsavedChanges) {
+    crash_in_state(2);
+    const auto now = fs::file_time_type::clock::now();
+    const auto years = std::chrono::hours(24 * 365 * 20);
+    for (const bool is_changed_by_others : {false, true}) {
+        if (is_changed_by_others) testing::write_text(folder / project_file_name, write_project(numbered(5)));
+        for (const auto saved : {now - years, now + years})
+            for (const auto autosaved : {now - years, now + years}) {
+                fs::last_write_time(folder / project_file_name, saved);
+                fs::last_write_time(folder / autosave_file_name, autosaved);
+                const auto recovery = find_recovery(folder, registry());
+                ASSERT_TRUE(recovery) << is_changed_by_others;
+                EXPECT_EQ(state_of(recovery->project), 2);
+            }
+    }
 }
 
 TEST_F(Safety, SeveralCrashesInARowAreAllOffered) {
