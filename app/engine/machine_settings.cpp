@@ -97,7 +97,7 @@ std::uint64_t parse_bytes(const std::string& text) {
     if (unit == "GB" || unit == "G") scale = 1e9;
     if (unit == "MiB") scale = 1048576.0;
     if (unit == "GiB") scale = 1073741824.0;
-    if (result.ec != std::errc{} || scale == 0 || !(number > 0) || !std::isfinite(number) ||
+    if (result.ec != std::errc{} || scale == 0 || !(number >= 0) || !std::isfinite(number) ||
         number * scale > 9e18)
         throw UsageError("--memory '" + text +
                          "' is not a size; give a number and B, kB, MB, GB, MiB or GiB");

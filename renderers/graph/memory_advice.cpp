@@ -130,15 +130,17 @@ class Adviser {
     std::vector<Advice> all_;
 };
 
-/// What to do, in the order of what it saves: at most two changes, the second only where it saves at least
-/// half as much.
-std::string mend(const MemoryPlan::Resource& largest, std::uint64_t needed, std::vector<Advice> advice) {
+/// What to do, in the order of what it saves: at most two changes, the second only where it is enough or
+/// saves at least half as much.
+std::string mend(const MemoryPlan::Resource& largest, std::uint64_t needed, std::uint64_t limit,
+                 std::vector<Advice> advice) {
     std::string result;
     const auto append = [&](const std::string& change) { result += (result.empty() ? "" : " or ") + change; };
     if (!largest.lower.empty()) append("lower " + largest.lower);
     if (advice.size() > 2) advice.resize(2);
     for (const auto& change : advice)
-        if (2 * (needed - change.bytes) >= needed - advice.front().bytes) append(change.text);
+        if (change.bytes <= limit || 2 * (needed - change.bytes) >= needed - advice.front().bytes)
+            append(change.text);
     return result.empty() ? "use a smaller scene" : result;
 }
 
@@ -153,14 +155,15 @@ void refuse(Frame& frame, const MemoryPlan& memory) {
         throw BudgetError(start + "a buffer, '" + buffer.key + "' (" + rounded_up(buffer.bytes) +
                           "), beyond the device's limit of " +
                           as_given(frame.cache.device.max_buffer_bytes()) + "; " +
-                          mend(buffer, buffer.bytes, advice));
+                          mend(buffer, buffer.bytes, frame.cache.device.max_buffer_bytes(), advice));
     }
     const auto advice =
         Adviser(frame, [](const MemoryPlan& plan) { return plan.bytes; }).advice(memory.bytes);
     throw BudgetError(start + rounded_up(memory.bytes) + ", more than the memory budget of " +
                       as_given(frame.options->memory_budget) + "; its largest resource is '" +
                       memory.largest.key + "' (" + rounded_up(memory.largest.bytes) + "); " +
-                      mend(memory.largest, memory.bytes, advice) + ", or raise --memory");
+                      mend(memory.largest, memory.bytes, frame.options->memory_budget, advice) +
+                      ", or raise --memory");
 }
 
 }  // namespace ir::graph

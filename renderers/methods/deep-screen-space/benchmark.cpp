@@ -67,6 +67,10 @@ graph::Benchmark on(const char* name, const char* doc, const char* scene) {
 
 const Settings of_light{{"paths", std::string("full")}, {"max_distance", 0.0}};
 
+/// All is within the first shell.
+constexpr const char* exact_rays = "exact rays in place of discs";
+const Settings all_exact{{"trade_off", 1e-6}};
+
 Settings with(Settings settings, const char* key, Value value) {
     settings[key] = std::move(value);
     return settings;
@@ -80,18 +84,20 @@ std::vector<graph::Benchmark> benchmarks() {
     graveyard.variants = {{"with visibility", {}},
                           {"without culled splats", {{"splat_culling", false}}},
                           {"full discs in place of shells", {{"shells", std::string("full-discs")}}},
+                          {exact_rays, all_exact},
                           {"surfels of 2014", {{"placement", std::string("barycentric")}}},
                           {"without visibility", {{"visibility", false}}}};
     auto still_life = on("deep-screen-space-still-life",
                          "Stages, counts and memory of one bounce among glossy things", "builtin:still-life");
     still_life.variants = {{"with visibility", of_light},
+                           {exact_rays, with(of_light, "trade_off", all_exact.at("trade_off"))},
                            {"without visibility", with(of_light, "visibility", false)}};
     auto dominoes = on("deep-screen-space-dominoes",
                        "Stages, counts and memory of one bounce on a polished floor", "builtin:dominoes");
     dominoes.variants = still_life.variants;
     auto growth = on("deep-screen-space-growth", "What grows with surfels, levels, samples and resolution",
                      "builtin:graveyard");
-    growth.variants = {{"4 samples, 6 levels, 1.5 px", {}},
+    growth.variants = {{"the defaults", {}},
                        {"surfels of 3 px", {{"surfel_radius", 3.0}}},
                        {"surfels of 0.75 px", {{"surfel_radius", 0.75}}},
                        {"2 levels", {{"levels", std::int64_t{2}}}},

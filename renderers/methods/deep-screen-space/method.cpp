@@ -60,7 +60,7 @@ MethodDescription description() {
         "Ambient occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the "
         "picture does not show count. Errors come from the surfels' size, from the number of directions, and "
         "from far surfels that stand for many. Light passes glass straight on.";
-    d.version = 7;
+    d.version = 8;
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
     d.missing_light = {passes::without_light_samples(),

@@ -19,6 +19,7 @@ enum class SubImages { independent, stratified };
 enum class Discard { mended, printed };
 enum class Backs { lit, black, open };
 enum class Discs { all, above, seen };
+enum class Borders { overhang, clipped };
 enum class DiscLight { centre, averaged };
 enum class Level0 { discs, triangles };
 enum class Glass { opaque, hashed };
@@ -63,6 +64,7 @@ struct Parameters {
     LastShell last_shell = LastShell::open;
     float coverage = 2.67f;  ///< area of a disc that rays are tested against, in areas of its surfel
     Discs discs = Discs::seen;
+    Borders borders = Borders::overhang;
     DiscLight disc_light = DiscLight::averaged;
     Level0 level0 = Level0::triangles;
     Glass glass = Glass::hashed;

@@ -136,6 +136,16 @@ TEST_F(AdvisedTest, NamesTheImageSizeWhereThatIsWhatSavesTheMost) {
         << refusal_with({});
 }
 
+TEST_F(AdvisedTest, NamesAParameterThatIsEnoughBesideTheImageSize) {
+    inputs.view.width = inputs.view.height = 200;
+    inputs.previous_view = inputs.view;
+    options.memory_budget = 190'000;
+    EXPECT_TRUE(contains(refusal_with({}),
+                         "); lower the image size to 100x100 (then 84.4 kB) or lower "
+                         "'many' to 50 (then 185 kB), or raise"))
+        << refusal_with({});
+}
+
 TEST_F(AdvisedTest, SaysWhenNothingHelps) {
     options.memory_budget = 1;
     const auto text = message_of<BudgetError>([&] {

@@ -113,6 +113,12 @@ TEST_F(DssOnHost, MeetsTheSameDiscsByAllChoices) {
          }},
         {"all discs", [](auto& p) { p.discs = dss::Discs::all; }},
         {"seen discs", [](auto& p) { p.discs = dss::Discs::seen; }},
+        {"clipped discs", [](auto& p) { p.borders = dss::Borders::clipped; }},
+        {"clipped and seen discs",
+         [](auto& p) {
+             p.borders = dss::Borders::clipped;
+             p.discs = dss::Discs::seen;
+         }},
         {"open backs", [](auto& p) { p.backs = dss::Backs::open; }},
         {"stratified", [](auto& p) { p.sub_images = dss::SubImages::stratified; }},
         {"stratified shells",

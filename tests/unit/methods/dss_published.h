@@ -11,6 +11,7 @@ inline methods::deep_screen_space::Parameters published() {
     parameters.placement = dss::Placement::random;
     parameters.sub_images = dss::SubImages::independent;
     parameters.discs = dss::Discs::above;
+    parameters.borders = dss::Borders::overhang;
     parameters.level0 = dss::Level0::discs;
     parameters.last_shell = dss::LastShell::ends;
     parameters.backs = dss::Backs::lit;

@@ -55,6 +55,40 @@ TEST_F(DssRules, WhatTheReceiverDoesNotSeeCountsForNothingWhereItMustBeSeen) {
     EXPECT_EQ(hits_by(dss::Discs::seen, false), hits_by(dss::Discs::above, false));
 }
 
+/// The disc lies in the plate's plane, most of it beside the plate.
+TEST_F(DssRules, ClippedDiscsEndWhereTheirSurfaceDoes) {
+    const auto shot = floor_below(true);
+    VisibleRun run{.surfels = {disc({0.6f, 0.5f, 0}, {0, -1, 0}, 2)}, .parameters = visible_parameters(4)};
+    run.wanted = {"bounce.*", "gbuffer.position"};
+    for (const auto on : {Processor::gl, Processor::host}) {
+        const auto hits_by = [&](dss::Borders borders) {
+            run.parameters.borders = borders;
+            run_shot(shot, method(run), run, 0, on);
+            const auto positions = read("gbuffer.position");
+            struct {
+                int on_plate = 0, beside = 0;
+            } hits;
+            for (int sample = 0; sample < 4; ++sample) {
+                const auto directions = read("bounce.directions", sample),
+                           distances = read("bounce.distance", sample);
+                for (int y = 0; y < positions.height; ++y)
+                    for (int x = 0; x < positions.width; ++x) {
+                        const float t = distances.at(x, y, 0);
+                        if (t < 0) continue;
+                        const float met = positions.at(x, y, 0) + t * directions.at(x, y, 0);
+                        ++(met > 0.5f ? hits.on_plate : hits.beside);
+                    }
+            }
+            return hits;
+        };
+        const auto overhang = hits_by(dss::Borders::overhang), clipped = hits_by(dss::Borders::clipped);
+        EXPECT_GT(overhang.beside, 500);
+        EXPECT_GT(overhang.on_plate, 100);
+        EXPECT_EQ(clipped.beside, 0);
+        EXPECT_EQ(clipped.on_plate, overhang.on_plate);
+    }
+}
+
 TEST_F(DssRules, SurfacesShadeThemselvesWhereAllDiscsCount) {
     VisibleRun run{.surfels = {disc({0, -0.1f, 0}, {1, 1, 0}, 1)}, .parameters = visible_parameters(4)};
     run.parameters.discs = dss::Discs::above;

@@ -186,7 +186,7 @@ const std::vector<Category> outcomes{
     {1, "the pixel's point lies in no shell of the level", tints::grey},
     {2, "the ray misses the disc", tints::sky},
     {3, "met beyond the maximum distance", tints::blue},
-    {4, "does not count for the pixel, by discs, backs or level 0", tints::purple},
+    {4, "does not count for the pixel, by discs, borders, backs or level 0", tints::purple},
     {5, "met, something is nearer on this level", tints::yellow},
     {6, "nearest on its level, another level decides", tints::vermilion},
     {7, "what the ray met", tints::green}};

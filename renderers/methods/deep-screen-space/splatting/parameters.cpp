@@ -95,6 +95,19 @@ void add_visible(ParameterTable<Parameters>& table) {
               .active_when = only_with_visibility,
               .since_version = 2,
               .value_in_older_projects = std::string("above")})
+        .add(&Parameters::borders,
+             {.key = "borders",
+              .label = "Borders of surfaces",
+              .doc = "What discs do beyond the border of the surface that they stand for.",
+              .citation = "Nalbach15 §4.1",
+              .choices = {{"overhang", "Overhang", "They count there, too, as published."},
+                          {"clipped", "Clipped",
+                           "They count only where a triangle lies within 0.15 of their radius from the place "
+                           "that is met, by a short ray. Hits are right, and what is smaller than its discs "
+                           "is met too seldom."}},
+              .active_when = only_with_visibility,
+              .since_version = 8,
+              .value_in_older_projects = std::string("overhang")})
         .add(&Parameters::disc_light,
              {.key = "disc_light",
               .label = "Light of discs",

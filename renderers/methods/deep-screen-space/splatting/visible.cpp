@@ -52,6 +52,7 @@ VisibleLevel visible_level(const Splats& splats) {
 gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats) {
     source.defines["EXACT"] = splats.parameters.level0 == Level0::triangles ? "1" : "0";
     source.defines["DISCS"] = std::to_string(static_cast<int>(splats.parameters.discs));
+    source.defines["CLIPPED"] = splats.parameters.borders == Borders::clipped ? "1" : "0";
     source.defines["OPEN_BACKS"] = splats.parameters.backs == Backs::open ? "1" : "0";
     source.defines["GLASS"] = splats.open_glass ? "1" : "0";
     return source;
@@ -60,7 +61,8 @@ gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats
 void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible) {
     if (visible.exact.index >= 0) pass.reads("exact_rays", visible.exact);
     if (visible.splats.open_glass) visible.triangles.read_materials_by(pass);
-    if (visible.splats.parameters.discs != Discs::seen) return;
+    const auto& parameters = visible.splats.parameters;
+    if (parameters.discs != Discs::seen && parameters.borders != Borders::clipped) return;
     pass.reads("BvhNodes", visible.bvh.nodes)
         .reads("BvhTriangles", visible.bvh.triangles)
         .reads("BvhMasks", visible.bvh.masks)

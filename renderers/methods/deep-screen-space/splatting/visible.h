@@ -54,7 +54,8 @@ VisibleLevel visible_level(const Splats& splats);
 
 /// Whether rays meet the scene's triangles, and not only discs.
 inline bool needs_triangles(const Parameters& parameters) {
-    return parameters.discs == Discs::seen || parameters.level0 == Level0::triangles;
+    return parameters.discs == Discs::seen || parameters.borders == Borders::clipped ||
+           parameters.level0 == Level0::triangles;
 }
 
 /// What shaders/methods/deep-screen-space/splatting/accepted.glsl needs: defines and accesses.

@@ -129,7 +129,7 @@ bool DiscLevel::take(DiscRay& ray, std::uint32_t primitive) const {
     if (!(glm::dot(from_centre, from_centre) <= radius * radius)) return false;
     const float z = splat_z(rules_.influence, t);
     if (z > ray.z || (z == ray.z && (ray.winner == 0 || index + 1 >= ray.winner))) return false;
-    if (!ray.receiver.accepts(s, ray.direction_ws, radius)) return false;
+    if (!ray.receiver.accepts(s, ray.direction_ws, t, radius)) return false;
     ray.z = z;
     ray.winner = index + 1;
     return true;

@@ -108,8 +108,8 @@ class HostSplats {
     Origin origin(std::size_t pixel) const {
         const auto& parameters = visible_.splats.parameters;
         const auto start = ranges_->start(positions_[pixel]);
-        return {{positions_[pixel], normals_[pixel], parameters.discs, parameters.backs == Backs::open,
-                 tree_.get(), glass_ ? &*glass_ : nullptr},
+        return {{positions_[pixel], normals_[pixel], parameters.discs, parameters.borders == Borders::clipped,
+                 parameters.backs == Backs::open, tree_.get(), glass_ ? &*glass_ : nullptr},
                 start,
                 parameters.level0 == Level0::triangles ? start.exact_reach : 0};
     }

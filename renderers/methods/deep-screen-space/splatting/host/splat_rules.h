@@ -77,16 +77,17 @@ inline float splat_z(const InfluenceConstants& i, float t) {
 struct Receiver {
     glm::vec3 x_ws, geometric_normal_ws;
     Discs discs = Discs::above;
-    bool open_backs = false;
-    const passes::Bvh* bvh = nullptr;  ///< only where discs must be seen
+    bool clipped = false, open_backs = false;
+    const passes::Bvh* bvh = nullptr;  ///< only where discs must be seen, or are clipped
     const HostGlass* glass = nullptr;  ///< only where it lets rays through
 
-    bool accepts(const Surfel& surfel, glm::vec3 direction_ws, float disc_radius) const {
+    bool accepts(const Surfel& surfel, glm::vec3 direction_ws, float distance, float disc_radius) const {
         if (open_backs && glm::dot(surfel.normal_ws, direction_ws) > 0) return false;
         if (discs != Discs::all && !is_above(surfel.centre_ws)) return false;
         if (glass &&
             glass->passes_glass(surfel.triangle, glm::dot(surfel.normal_ws, direction_ws), direction_ws))
             return false;
+        if (clipped && !is_on_surface(x_ws + distance * direction_ws, surfel, disc_radius)) return false;
         return discs != Discs::seen || sees(surfel, direction_ws, disc_radius);
     }
 
@@ -96,6 +97,10 @@ struct Receiver {
         return glm::dot(geometric_normal_ws, centre_ws - x_ws) >
                splat_rounding * std::max(size.x, std::max(size.y, size.z));
     }
+    bool is_on_surface(glm::vec3 met_ws, const Surfel& surfel, float disc_radius) const {
+        const float depth = splat_depth * disc_radius;
+        return bvh->occluded(met_ws + depth * surfel.normal_ws, -surfel.normal_ws, 0, 2 * depth);
+    }
     bool sees(const Surfel& surfel, glm::vec3 direction_ws, float disc_radius) const {
         const auto origin = passes::offset_origin(x_ws, geometric_normal_ws);
         const bool is_back = glm::dot(surfel.normal_ws, direction_ws) > 0;
@@ -103,7 +108,7 @@ struct Receiver {
         const auto way = surfel.centre_ws + splat_lift * disc_radius * facing - origin;
         const float distance = glm::length(way);
         const auto to_centre = way / distance;
-        const float far = 0.999f * distance;
+        const float far = splat_free_way * distance;
         if (!bvh->occluded(origin, to_centre, 0, far)) return true;
         return glass && !HostGlass::first_hit(*bvh, origin, to_centre, far, [&](std::uint32_t triangle) {
                              return glass->is_open_glass(triangle);
