@@ -19,7 +19,7 @@ MethodDescription description() {
         "as ellipsoids onto what the camera sees, and filters over time and space with details clipped by "
         "their variance. Nothing is precomputed. Errors come from noise (photons), from the kernels' width, "
         "from the filters, and from highlights that know a mean direction of the light alone.";
-    d.version = 5;
+    d.version = 6;
     d.papers = {"Smal19", "Clarberg05", "Dammertz10", "Heitz18", "Knaus11"};
     d.missing_light = {passes::without_light_samples()};
     d.outputs = joined(

@@ -226,7 +226,8 @@ std::vector<OutputDescription> rsm_outputs(const Condition& active_when, bool ge
              .kind = OutputKind::stack,
              .semantic = Semantic::normal,
              .doc = "Normal of the triangle's plane in world space, on the light's side; 0 where "
-                    "there is nothing. A: the part that is no glass." +
+                    "there is nothing. A: the part that is no glass; of what is all opaque 2 + its index of "
+                    "refraction." +
                     layers,
              .active_when = active_when});
     return outputs;

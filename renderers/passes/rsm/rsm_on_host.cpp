@@ -9,6 +9,7 @@
 #include "renderers/passes/gbuffer/glass.h"
 #include "renderers/passes/surface/host_surfaces.h"
 #include "renderers/passes/surface/surface.h"
+#include "shaders/passes/rsm/opacity.glsl.h"
 
 namespace ir::passes {
 namespace {
@@ -122,9 +123,10 @@ class HostLayer {
             albedos_[texel] = glm::packUnorm4x8(albedo);
         normals_[texel] = pack_halves(glm::vec4(
             s.shading_normal_ws, (scatters ? 1.0f : -1.0f) * (1 + std::clamp(s.metallic, 0.0f, 1.0f))));
-        if (options_.geometric_normal)
-            geometric_normals_[texel] =
-                glm::vec4(s.geometric_normal_ws, options_.opaque_only ? 1 : 1 - glass);
+        if (!options_.geometric_normal) return;
+        const bool has_glass = !options_.opaque_only && glass > 0;
+        geometric_normals_[texel] = glm::vec4(
+            s.geometric_normal_ws, has_glass ? 1 - glass : opaque_index + surfaces_.material(s.material).ior);
     }
 
     const RsmOptions& options_;

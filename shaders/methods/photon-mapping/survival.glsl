@@ -10,11 +10,10 @@ float survival_probability(vec3 reflectance) {
 /// Reflectance for light from everywhere, roughly: what the roulette before the first scattering, and the map
 /// of emission probabilities, go by. Positive wherever the surface reflects, as Bsdf::albedo() on the host is.
 /// Only a probability comes from it, so that its error is variance and no bias.
-/// The index of refraction is 1.5: sample points carry no other.
-vec3 first_reflectance(vec3 base_colour, float metallic, float roughness, int model) {
+vec3 first_reflectance(vec3 base_colour, float metallic, float ior, int model) {
     if (model == SCATTERING_LAMBERT) return base_colour;
     if (model == SCATTERING_METALNESS_BLEND) return base_colour;  // (1 - metallic) c + metallic F, F >= c
-    vec3 f0 = mix(vec3(0.04), base_colour, metallic);
+    vec3 f0 = layered_f0(ior, base_colour, metallic);
     return (1.0 - f0) * (1.0 - metallic) * base_colour + f0;
 }
 

@@ -3,6 +3,7 @@
 #define DISCARDS_EARLY
 #include "passes/shadow/texel.glsl"
 #include "passes/rsm/cone.glsl"
+#include "passes/rsm/opacity.glsl"
 
 #ifdef DEPTH_PREPASS
 uniform sampler2DArray depth_drawn_first;
@@ -38,7 +39,8 @@ void main() {
     vec3 geometric_normal_ws =
         dot(plane_normal_ws, texel_direction()) > 0.0 ? -plane_normal_ws : plane_normal_ws;
 #ifdef GEOMETRIC_NORMAL
-    triangle_normal = vec4(geometric_normal_ws, opaque_only != 0 ? 1.0 : 1.0 - glass);
+    bool has_glass = opaque_only == 0 && glass > 0.0;
+    triangle_normal = vec4(geometric_normal_ws, has_glass ? 1.0 - glass : OPAQUE_INDEX + material.ior);
 #endif
     albedo_roughness = vec4(base_colour(material).rgb, reflection.y);
     normal_metalness = vec4(shading_normal(material, geometric_normal_ws),

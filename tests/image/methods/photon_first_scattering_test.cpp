@@ -25,18 +25,24 @@ void add_facing_square(scene::Scene& scene, int material, glm::vec3 centre, floa
     scene.nodes.push_back(node);
 }
 
+struct FirstSender {
+    const char* name;
+    float tilt = 0, metallic = 0, transmission = 0, index = 1.5f;
+    glm::vec3 colour{0.8f, 0.7f, 0.6f};
+};
+
 /// A lit square behind the eye sends its light to a large wall before it.
-scene::Scene sender_and_wall(float tilt, float metallic, float transmission) {
+scene::Scene sender_and_wall(const FirstSender& from) {
     scene::Scene scene;
     scene.name = "sender";
     scene.materials.resize(2);
     auto& sender = scene.materials[0];
-    sender.base_colour = {0.8f, 0.7f, 0.6f, 1};
-    sender.metallic = metallic, sender.roughness = 0.6f;
-    sender.transmission = transmission;
+    sender.base_colour = glm::vec4(from.colour, 1);
+    sender.metallic = from.metallic, sender.roughness = 0.6f;
+    sender.transmission = from.transmission, sender.ior = from.index;
     scene.materials[1].base_colour = {0.8f, 0.8f, 0.8f, 1};
     scene.materials[1].metallic = 0, scene.materials[1].roughness = 1;
-    add_facing_square(scene, 0, {0, 0, 0}, 0.5f, 1, {std::sin(tilt), 0, std::cos(tilt)});
+    add_facing_square(scene, 0, {0, 0, 0}, 0.5f, 1, {std::sin(from.tilt), 0, std::cos(from.tilt)});
     add_facing_square(scene, 1, {0, 0, 2}, 8, -1, {0, 0, -1});
     scene::Light spot;
     spot.type = scene::LightType::spot;
@@ -77,19 +83,13 @@ double light_sent(const std::string& id, const scene::Scene& scene, Settings set
     return sum;
 }
 
-struct FirstSender {
-    const char* name;
-    float tilt, metallic, transmission;
-};
-
 class FirstScattering : public testing::TestWithParam<FirstSender> {
   protected:
     static void TearDownTestSuite() { machines().clear(); }
 };
 
 TEST_P(FirstScattering, OfPhotonsIsTheReferences) {
-    const auto& sender = GetParam();
-    const auto scene = sender_and_wall(sender.tilt, sender.metallic, sender.transmission);
+    const auto scene = sender_and_wall(GetParam());
     const double photons = light_sent("photon-mapping", scene,
                                       {{"photons", std::int64_t{100'000}},
                                        {"filter_passes", std::int64_t{0}},
@@ -103,14 +103,15 @@ TEST_P(FirstScattering, OfPhotonsIsTheReferences) {
 
 constexpr float degrees_20 = 0.349f, degrees_40 = 0.698f;
 
-INSTANTIATE_TEST_SUITE_P(Senders, FirstScattering,
-                         testing::Values(FirstSender{"upright", 0, 0, 0},
-                                         FirstSender{"tilted_20", degrees_20, 0, 0},
-                                         FirstSender{"tilted_40", degrees_40, 0, 0},
-                                         FirstSender{"tilted_away_40", -degrees_40, 0, 0},
-                                         FirstSender{"metal_tilted_away_40", -degrees_40, 1, 0},
-                                         FirstSender{"glass_in_part", 0, 0, 0.4f}),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Senders, FirstScattering,
+    testing::Values(FirstSender{.name = "upright"}, FirstSender{.name = "tilted_20", .tilt = degrees_20},
+                    FirstSender{.name = "tilted_40", .tilt = degrees_40},
+                    FirstSender{.name = "tilted_away_40", .tilt = -degrees_40},
+                    FirstSender{.name = "metal_tilted_away_40", .tilt = -degrees_40, .metallic = 1},
+                    FirstSender{.name = "glass_in_part", .transmission = 0.4f},
+                    FirstSender{.name = "black_index_3", .index = 3, .colour = glm::vec3(0)}),
+    [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace ir::test

@@ -77,6 +77,7 @@ TEST_F(PhotonPaths, ThatLeaveOnePointDiffer) {
     FirstHit hit;
     hit.position_ws = shot.world.bounds.centre();
     hit.normal_ws = {0, 1, 0};
+    hit.arrived_from = glm::vec3(0, 1, 0);
     const auto outcome = trace(shot, {sample_point(hit, 9)}, parameters);
     ASSERT_GT(outcome.photons.size(), 32u);
     for (std::size_t i = 1; i < outcome.photons.size(); ++i)
@@ -172,7 +173,7 @@ TEST_F(PhotonPaths, AreCulledWhereNoKernelReachesThePictureAndCountedAllTheSame)
         EXPECT_EQ(culled.tally[b].stored + culled.tally[b].culled, all.tally[b].stored);
         EXPECT_EQ(culled.tally[b].power, all.tally[b].power);
     }
-    EXPECT_GT(culled.report.counters.at("photons.culled"), 500);
+    EXPECT_GT(culled.report.counters.at("photons.culled"), 400);
     for (const auto& photon : all.photons) {
         const bool is_kept =
             next < culled.photons.size() && std::memcmp(&photon, &culled.photons[next], sizeof photon) == 0;

@@ -38,7 +38,7 @@ bool is_met_again(HitSurface s) {
 float survival_at(HitSurface s) {
     if (s.is_unlit) return 0.0;
     if (is_met_again(s)) return 1.0;  // the roulette is that of the scattering
-    return survival_probability(first_reflectance(s.base_colour, s.metallic, s.roughness, materials_model));
+    return survival_probability(first_reflectance(s.base_colour, s.metallic, s.ior, materials_model));
 }
 
 void main() {

@@ -3,6 +3,7 @@
 
 // The RSM's depth has the form of shadow maps.
 #include "passes/shadow/shadow.glsl"
+#include "passes/rsm/opacity.glsl"
 #include "methods/photon-mapping/survival.glsl"
 
 layout(std430) readonly buffer Lights { Light lights[]; };
@@ -20,8 +21,9 @@ struct RsmTexel {
     vec3 geometric_normal_ws;
     vec3 base_colour;
     float metalness, roughness;
+    float ior;         // of what is all opaque
     bool is_met_again; // by photons, along their ray
-    bool scatters;     // something is there that light changes
+    bool scatters;
     float distance;    // m from the light, or from the near plane of a directional light's map
     float part;        // of the light's intensity that arrives: spot's profile and window at its range
     float extent;      // sr that the texel spans; m² for a directional light
@@ -39,25 +41,36 @@ RsmRay rsm_ray(vec2 place, ShadowView view) {
                                    : RsmRay(view.origin_ws + lateral_ws, view.forward_ws);
 }
 
+/// Along the map's axis, m.
+float rsm_depth(ivec2 texel, int layer) {
+    return texelFetch(shadow_maps, ivec3(texel, layer), 0).r * shadow_views[layer].far;
+}
+
+/// Of the normals' fourth components: something is there that light changes.
+bool scatters(float metalness, float opacity) {
+    return metalness > 0.0 || (metalness < 0.0 && opacity < 1.0);  // no glass: unlit
+}
+
 RsmTexel rsm_texel(ivec2 texel, int layer) {
     ShadowView view = shadow_views[layer];
     int resolution = textureSize(shadow_maps, 0).x;
     bool perspective = view.perspective != 0.0;
     RsmRay ray = rsm_ray(vec2(texel) + 0.5, view);
     vec3 direction_ws = ray.direction_ws;
-    float depth = texelFetch(shadow_maps, ivec3(texel, layer), 0).r * view.far;
+    float depth = rsm_depth(texel, layer);
     vec4 albedo = texelFetch(rsm_albedo_roughness, ivec3(texel, layer), 0);
     vec4 normal = texelFetch(rsm_normal_metalness, ivec3(texel, layer), 0);
-    vec4 plane = texelFetch(rsm_geometric_normal, ivec3(texel, layer), 0);  // w: the part that is no glass
+    vec4 plane = texelFetch(rsm_geometric_normal, ivec3(texel, layer), 0);
 
     RsmTexel t;
     t.position_ws = ray.origin_ws + depth * direction_ws;
-    t.scatters = normal.w > 0.0 || (normal.w < 0.0 && plane.w < 1.0);  // no glass: unlit
+    t.scatters = scatters(normal.w, plane.w);
     t.normal_ws = t.scatters ? normalize(normal.xyz) : vec3(0, 1, 0);
     t.metalness = clamp(abs(normal.w) - 1.0, 0.0, 1.0);
     t.geometric_normal_ws = t.scatters ? plane.xyz : t.normal_ws;
     t.base_colour = albedo.rgb;
     t.roughness = albedo.a;
+    t.ior = plane.w < OPAQUE_INDEX ? 1.5 : plane.w - OPAQUE_INDEX;
     t.is_met_again =
         t.scatters && is_met_again(plane.w, t.metalness, t.roughness, materials_model, follows_mirrors);
     float size = length(direction_ws);
@@ -78,10 +91,13 @@ bool is_between_planes(float distance) {
 /// Whether the surface of a texel goes on in the plane of another.
 bool is_in_plane(RsmTexel t, ivec2 texel, int layer) {
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(shadow_maps, 0).xy))) return false;
-    RsmTexel other = rsm_texel(texel, layer);
-    vec3 offset = other.position_ws - t.position_ws;
+    ivec3 place = ivec3(texel, layer);
+    if (!scatters(texelFetch(rsm_normal_metalness, place, 0).w, texelFetch(rsm_geometric_normal, place, 0).w))
+        return false;
+    RsmRay ray = rsm_ray(vec2(texel) + 0.5, shadow_views[layer]);
+    vec3 offset = ray.origin_ws + rsm_depth(texel, layer) * ray.direction_ws - t.position_ws;
     // a thousandth of the step, as maps' normals and depths are rounded
-    return other.scatters && abs(dot(t.geometric_normal_ws, offset)) < 1e-3 * length(offset);
+    return abs(dot(t.geometric_normal_ws, offset)) < 1e-3 * length(offset);
 }
 
 /// A place on the plane of the surface that a texel shows, by `within` in [0, 1)². Towards neighbours that show
@@ -101,5 +117,5 @@ vec3 jittered_position(RsmTexel t, vec2 within, ivec2 texel, int layer) {
 float rsm_survival(RsmTexel t) {
     if (!t.scatters || t.part <= 0.0 || !is_between_planes(t.distance)) return 0.0;
     if (t.is_met_again) return 1.0;  // the roulette is that of the scattering
-    return survival_probability(first_reflectance(t.base_colour, t.metalness, t.roughness, materials_model));
+    return survival_probability(first_reflectance(t.base_colour, t.metalness, t.ior, materials_model));
 }

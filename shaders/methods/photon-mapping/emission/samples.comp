@@ -80,7 +80,7 @@ void main() {
     point.seed = seed_of_item(item);
     point.surface = packUnorm4x8(vec4(t.base_colour, t.roughness));
     point.light = packed_light(sources[layer].light, t.metalness) | (t.is_met_again ? LEAVES_ALONG_RAY : 0u);
-    point.ior = 1.5;  // the maps have none
+    point.ior = t.ior;
     point.origin = texel.x | texel.y << 10u | layer << 20u;
     samples[place] = point;
 }

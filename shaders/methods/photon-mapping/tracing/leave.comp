@@ -36,10 +36,9 @@ Ray leave(uint index) {
         make_scatterer(n, geometric_n, surface.rgb, metalness_of(point), surface.a, point.ior, materials);
     uvec4 words = random_words(path, 0u, DIRECTION);
     Scattered scattered =
-        scatter(scatterer, arrived_from, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
+        scatter_photon(scatterer, arrived_from, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
     // the roulette at the sample point divided the power by its probability already
-    float passed =
-        survival_probability(first_reflectance(surface.rgb, metalness_of(point), surface.a, materials));
+    float passed = survival_probability(first_reflectance(surface.rgb, metalness_of(point), point.ior, materials));
     if (!scatter_path(path, scattered, power_of(path) * passed, 0u, unit_float(words.w))) {
         count(0u, TALLY_ABSORBED);
         return no_ray();
