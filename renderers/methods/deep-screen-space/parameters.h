@@ -35,7 +35,8 @@ struct Parameters {
     bool visibility = true;  ///< by bounced z-buffer; else additive, as published in 2014
     Transport transport = default_occlusion;
     passes::bounce::DirectionParameters directions;
-    passes::bounce::ReconstructionParameters reconstruction{.balance = 0.1f};
+    passes::bounce::ReconstructionParameters reconstruction{
+        .blur = {.radius = 3, .plane_tolerance = 0.15f, .normal_power = 2}, .balance = 0.05f};
     passes::bounce::SampleFilterParameters filter;
     passes::ReprojectionParameters reprojection;
     float ambient = 0.5f;
