@@ -1,6 +1,7 @@
 // Scattering by what is opaque of surfaces, with sampling: passes::Bsdf (renderers/passes/scattering/bsdf.h) for rays
 // on the device; lib/glass.glsl has the rest. Directions are unit vectors that point away from the surface; cosines
-// are taken with the shading normal; directions above one of the two normals and below the other do not count.
+// are taken with the shading normal; directions above one of the two normals and below the other do not count, but
+// for those in which photons leave.
 
 #include "lib/brdf.glsl"
 #include "lib/luminance.glsl"
@@ -198,8 +199,8 @@ vec3 mirrored_by_microfacet(Scatterer s, SeenScatterer seen, vec2 u, int samplin
     return normalize(2.0 * dot(seen.raised, h) * h - seen.raised);
 }
 
-/// A direction for what is seen from `v`. The lobe is chosen by luminance; the weight is
-/// that of all lobes over the density of all lobes. `lobe` and `u` uniform in [0, 1).
+/// A direction for what is seen from `v`. The lobe is chosen by luminance; the weight is that of all lobes over the
+/// density of all lobes. `lobe` and `u` uniform in [0, 1).
 /// DEVIATION [Smal19 §4.4]: the source does not say how lobes are chosen, nor divides by the probability.
 Scattered scatter(Scatterer s, vec3 v, float lobe, vec2 u, int sampling) {
     SeenScatterer seen = seen_from(s, v);
@@ -229,6 +230,7 @@ float shading_normal_correction(vec3 n, vec3 geometric_n, vec3 l, vec3 o) {
     return min(MAX_CORRECTION, arriving * leaving / max(denominator, 1e-7));
 }
 
+/// What scatter() chose, for a photon that comes from `from`.
 Scattered corrected(Scattered scattered, Scatterer s, vec3 from) {
     // what a mirror shows comes from above both normals
     bool is_mirrored = scattered.is_specular && !scattered.is_transmitted;

@@ -2,7 +2,7 @@
 // from the surface, and where a part of the light goes through.
 #include <cmath>
 
-#include "tests/image/methods/every_method.h"
+#include "tests/image/methods/light_of_scene.h"
 
 namespace ir::test {
 namespace {
@@ -59,24 +59,8 @@ scene::Scene sender_and_wall(const FirstSender& from) {
     return scene;
 }
 
-double light_sent(const std::string& id, const scene::Scene& scene, Settings settings) {
-    for (const auto& [key, value] :
-         Settings{{"paths", std::string("indirect")}, {"max_bounces", std::int64_t{1}}})
-        settings[key] = value;
-    auto& machine = test::machine();
-    const auto world = scene::flatten(scene, 0, 0);
-    graph::Graph graph(machine.device(), &machine.context(), &machine.programs());
-    graph::FrameInputs inputs;
-    inputs.scene = &scene;
-    inputs.world = &world;
-    inputs.view = inputs.previous_view =
-        scene::make_view(scene.cameras[0], sent_width, sent_height, world.bounds);
-    inputs.seed = 3;
-    const auto& all = methods::all_methods();
-    const auto method =
-        std::ranges::find_if(all, [&](const auto* each) { return each->description.id == id; });
-    graph.run(**method, completed((*method)->description.parameters, settings), inputs, {});
-    const auto picture = graph.read_image("radiance").value();
+double light_sent(const std::string& method, const scene::Scene& scene, const Settings& settings) {
+    const auto picture = once_bounced_light(method, scene, settings, sent_width, sent_height);
     double sum = 0;
     for (int y = 0; y < sent_height; ++y)
         for (int x = 0; x < sent_width; ++x) sum += picture.at(x, y, 1);
