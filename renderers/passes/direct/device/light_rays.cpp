@@ -94,6 +94,13 @@ LightRays::LightRays(graph::GraphBuilder& builder, const SceneBuffers& scene, co
                              .fields = {{"light", graph::FieldType::f32, 4}},
                              .elements = at_once,
                              .cleared = true});
+    if (of_hits_)
+        spreads_ = builder.buffer({.text = {.key = key + ".spreads",
+                                            .label = "Directions that rays stand for",
+                                            .doc = "As wide as they are, highlights are that they meet.",
+                                            .unit = "sr"},
+                                   .fields = {{"spread", graph::FieldType::f32}},
+                                   .elements = at_once});
 }
 
 void LightRays::declare(graph::PassBuilder& pass, const GBuffer& gbuffer) const {
@@ -107,6 +114,7 @@ void LightRays::declare(graph::PassBuilder& pass, const GBuffer& gbuffer) const 
         surfaces_.read_by(pass);
     else
         pass.reads(surfaces_.texels);
+    if (of_hits_) pass.writes("Spreads", spreads_);
     if (!punctual_.empty()) pass.reads("Lights", scene_.lights);
     if (!is_sampled_ && punctual_.empty()) return;
     sources_.read_by(pass);

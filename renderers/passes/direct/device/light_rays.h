@@ -83,7 +83,7 @@ class LightRays {
     HitSurfaces surfaces_;
     SourceBuffers sources_;
     RayBuffers rays_;
-    graph::BufferRef paths_, group_;
+    graph::BufferRef paths_, group_, spreads_;
 };
 
 /// Constants of programs that look up what rays met.
