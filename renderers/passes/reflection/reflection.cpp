@@ -1,7 +1,5 @@
 #include "renderers/passes/reflection/reflection.h"
 
-#include <cmath>
-
 namespace ir::passes {
 
 ParameterTable<ReceiverParameters> receiver_parameters(int since_version, const Condition& highlights_when,
@@ -57,16 +55,6 @@ void Reflection::declare_reads_of_light(graph::PassBuilder& pass) const {
 
 void Reflection::declare_reads(graph::PassBuilder& pass) const {
     pass.reads(gbuffer.albedo, gbuffer.material, gbuffer.position, scene.materials);
-}
-
-glm::vec3 directional_albedo(const glm::vec3& f0, float roughness, float cosine) {
-    const glm::vec3 powers(1, cosine, cosine * cosine);
-    const float squared = roughness * roughness;
-    const float lost = glm::dot(powers, glm::vec3(2.288f, -5.423f, 2.189f)) +
-                       roughness * glm::dot(powers, glm::vec3(-5.015f, 16.649f, -8.123f)) +
-                       squared * glm::dot(powers, glm::vec3(2.892f, -10.219f, 5.447f));
-    const float grazing = std::pow(1 - cosine, 5.0f) * std::exp(-5 * squared);
-    return f0 * glm::clamp(1 - squared * lost, 0.0f, 1.0f) + (1.0f - f0) * grazing;
 }
 
 ReflectionConstants Reflection::constants(const graph::FrameInputs& inputs) const {

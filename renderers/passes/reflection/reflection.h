@@ -71,7 +71,4 @@ struct Reflection {
     ReflectionConstants constants(const graph::FrameInputs& inputs) const;
 };
 
-/// ∫ f cosθ of GGX microfacets over the directions, as in shaders/lib/brdf.glsl.
-glm::vec3 directional_albedo(const glm::vec3& f0, float roughness, float cosine);
-
 }  // namespace ir::passes

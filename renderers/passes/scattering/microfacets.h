@@ -26,6 +26,17 @@ inline float ggx_distribution_of_sine(float squared_sine, float alpha) {
     return squared / (glm::pi<float>() * denominator * denominator);
 }
 
+/// ∫ f cosθ of GGX microfacets over the directions.
+inline glm::vec3 directional_albedo(const glm::vec3& f0, float roughness, float cosine) {
+    const glm::vec3 powers(1, cosine, cosine * cosine);
+    const float squared = roughness * roughness;
+    const float lost = glm::dot(powers, glm::vec3(2.288f, -5.423f, 2.189f)) +
+                       roughness * glm::dot(powers, glm::vec3(-5.015f, 16.649f, -8.123f)) +
+                       squared * glm::dot(powers, glm::vec3(2.892f, -10.219f, 5.447f));
+    const float grazing = std::pow(1 - cosine, 5.0f) * std::exp(-5 * squared);
+    return f0 * glm::clamp(1 - squared * lost, 0.0f, 1.0f) + (1.0f - f0) * grazing;
+}
+
 /// Height-correlated Smith masking and shadowing over 4 (n·l)(n·v).  [Heitz14 eq. 99]
 inline float smith_visibility(float n_dot_l, float n_dot_v, float alpha) {
     const float squared = alpha * alpha;

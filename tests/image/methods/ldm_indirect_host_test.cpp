@@ -56,7 +56,7 @@ class LdmIndirectOnBothBodies : public ldm_ao_test::LdmAo {
     }
 };
 
-constexpr int width = 65, height = 41;
+constexpr int width = 49, height = 33;
 
 class LdmIndirectHost : public LdmIndirectOnBothBodies, public testing::WithParamInterface<Case> {};
 
@@ -116,7 +116,7 @@ TEST_F(LdmIndirectOnBothBodies, SeeAsFarAlongMaps) {
         }
         const auto &gl = looks[Processor::gl], &host = looks[Processor::host];
         ASSERT_EQ(gl.size(), host.size());
-        EXPECT_EQ(gl.size(), std::size_t{9 * 6 * 5 * 64});
+        EXPECT_EQ(gl.size(), std::size_t{7 * 5 * 5 * 64});
         std::size_t others = 0, open = 0, dark = 0;
         for (std::size_t i = 0; i < gl.size(); ++i) {
             others += std::abs(int(gl[i]) - int(host[i])) > 1;

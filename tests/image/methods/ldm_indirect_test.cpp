@@ -25,7 +25,7 @@ Settings indirect_maps(int directions, int resolution, int emission) {
             {"emission", std::int64_t{emission}}};
 }
 
-/// A picture of 48 x 48 pixels.
+/// A picture of 48 x 48 pixels; where its light is all that counts, of 32 x 32.
 struct Setting {
     engine::Experiment experiment;
     graph::FrameOptions options = {};
@@ -121,11 +121,30 @@ float max_different(const Image& a, const Image& b) {
     return most;
 }
 
+/// The picture alone, after so many frames.
+Image after(const Setting& setting, int frames) {
+    engine::Execution execution(machine(), setting.experiment);
+    for (int frame = 0; frame < frames; ++frame) execution.run_frame({});
+    return main_result(execution);
+}
+
+/// Mean of the picture.
+double light_of(Setting setting) {
+    setting.experiment.width = setting.experiment.height = 32;
+    return mean(after(setting, 1));
+}
+
+/// The box by the reference.
+const Rendered& truth_of_box() {
+    static const auto truth = render(cornell("reference", {{"samples", std::int64_t{1024}}}));
+    return truth;
+}
+
 // The method has no random numbers. Measured: flat pixels have 1.002 of their light; the picture has 0.98, as
 // footprints hang over edges, and 0.95 if hidden photons are rejected; its RMSE is 0.20 of its mean at most,
 // 0.06 of that the reference's noise. The mutant, a tenth more light, is rejected.
 TEST(LdmIndirectPicture, IsAsBrightAsTheReferenceSays) {
-    const auto truth = render(cornell("reference", {{"samples", std::int64_t{1024}}}));
+    const auto& truth = truth_of_box();
     const auto flat = flat_pixels(truth.normal, truth.position, 3, 0.008f);
     ASSERT_GT(flat.size(), 300u);
     const auto light = [&](const Image& image) {
@@ -146,17 +165,10 @@ TEST(LdmIndirectPicture, IsAsBrightAsTheReferenceSays) {
     EXPECT_GT(relative_rmse(brighter, truth.image), 0.22);
 }
 
-/// A picture after so many frames.
-Image after(const Setting& setting, int frames) {
-    engine::Execution execution(machine(), setting.experiment);
-    for (int frame = 0; frame < frames; ++frame) execution.run_frame({});
-    return main_result(execution);
-}
-
 // Directions turn, photons move and footprints shrink, so what few directions leave as blur and bands goes
 // away, and so does what footprints lose. Measured: RMSE 0.22 of the mean after 32 frames.
 TEST(LdmIndirectPicture, ProgressiveFramesConvergeToTheReference) {
-    const auto truth = render(cornell("reference", {{"samples", std::int64_t{1024}}})).image;
+    const auto& truth = truth_of_box().image;
     const auto frames = [&](int count, const Settings& more) {
         return after(
             cornell("ldm-indirect", with(with(indirect_maps(16, 100, 16), more), {{"progressive", true}})),
@@ -177,10 +189,8 @@ TEST(LdmIndirectPicture, FurtherBouncesAddWhatTheReferenceSays) {
     double before = 0, before_truth = 0;
     for (const std::int64_t bounces : {1, 2, 3}) {
         const Settings many{{"max_bounces", bounces}};
-        const double truth = mean(
-                         render(cornell("reference", with(many, {{"samples", std::int64_t{512}}}))).image),
-                     light =
-                         mean(render(cornell("ldm-indirect", with(many, indirect_maps(64, 100, 96)))).image);
+        const double truth = light_of(cornell("reference", with(many, {{"samples", std::int64_t{512}}}))),
+                     light = light_of(cornell("ldm-indirect", with(many, indirect_maps(64, 100, 96))));
         EXPECT_GT(truth, 1.1 * before_truth);
         EXPECT_NEAR((light - before) / (truth - before_truth), 0.97, 0.08) << bounces;
         before = light, before_truth = truth;
@@ -198,8 +208,7 @@ Setting room(const std::string& scene, const std::string& method, const Settings
 }
 double light_over_reference(const std::function<Setting(const std::string&, const Settings&)>& of,
                             const Settings& more = indirect_maps(128, 200, 64)) {
-    const auto truth = render(of("reference", {{"samples", std::int64_t{128}}}));
-    return mean(render(of("ldm-indirect", more)).image) / mean(truth.image);
+    return light_of(of("ldm-indirect", more)) / light_of(of("reference", {{"samples", std::int64_t{128}}}));
 }
 
 // Every kind of source, at the defaults, indirect light over all pixels; less in the shared room, whose lamp

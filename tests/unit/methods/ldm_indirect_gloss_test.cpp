@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "renderers/methods/all_methods.h"
-#include "renderers/passes/reflection/reflection.h"
 #include "renderers/passes/scattering/microfacets.h"
 #include "tests/unit/methods/extended_light_fixture.h"
 
@@ -198,7 +197,7 @@ class LdmIndirectGlossOnBoth : public PassTest {
         return scene;
     }
     FrameReport render(const Shot& shot, Processor processor, Settings more, int frames = 1,
-                       const char* wanted = "*") {
+                       std::vector<std::string> wanted = {"gloss.radiance", "gloss.distance"}) {
         Settings settings{{"directions", std::int64_t{4}},
                           {"resolution", std::int64_t{20}},
                           {"emission", std::int64_t{2}},
@@ -211,7 +210,7 @@ class LdmIndirectGlossOnBoth : public PassTest {
             inputs.processor = processor;
             inputs.frame = frame;
             graph::FrameOptions options;
-            options.wanted = {wanted};
+            options.wanted = wanted;
             report = run_method(ldm_indirect(), completed(ldm_indirect().description.parameters, settings),
                                 inputs, options);
         }
@@ -229,6 +228,33 @@ class LdmIndirectGlossOnBoth : public PassTest {
         }
     }
 };
+
+// A rough floor sees a shiny ceiling, which has a small and bright highlight of a lamp. Measured on the host.
+TEST_F(LdmIndirectGlossOnBoth, HighlightsInHighlightsAreNoDots) {
+    auto scene = hall(0.5f);
+    auto& ceiling = scene.materials[SmallWorld::opaque];
+    ceiling.metallic = 1;
+    ceiling.roughness = 0.15f;
+    const Shot shot(std::move(scene), looking(eye, {0, 0, 0}), 24, 16);
+    const auto picture = [&](double rays, std::int64_t samples) {
+        render(shot, Processor::host, {{"gloss_highlight_rays", rays}, {"gloss_samples", samples}});
+        return read("gloss.radiance");
+    };
+    const auto truth = picture(0, 4096);
+    const auto light = [&](const Image& image) { return apart(truth, image).ratio; };
+    const auto rmse = [&](const Image& image) {
+        double sum = 0;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            sum += std::pow(image.pixels[i] - truth.pixels[i], 2);
+        return std::sqrt(sum);
+    };
+    const auto wide = picture(1, 4), as_they_are = picture(0, 4);
+    std::printf("light %.3f, RMSE over that of highlights as they are %.3f\n", light(wide),
+                rmse(wide) / rmse(as_they_are));
+    EXPECT_NEAR(light(wide), 1, 0.1);
+    EXPECT_LT(rmse(wide), 0.5 * rmse(as_they_are));
+    EXPECT_NEAR(light(picture(1, 64)), 1, 0.05) << "the more directions, the less they are widened";
+}
 
 /// With all kinds of sources and materials, glass among them, and many bounces.
 TEST_F(LdmIndirectGlossOnBoth, SeeTheSame) {
@@ -263,7 +289,7 @@ TEST_F(LdmIndirectGlossOnBoth, NothingOfThePictureIsReadBack) {
     lamp.position = {0.5f, 3, 0.8f};
     scene.lights = {lamp};
     const Shot shot(std::move(scene), looking({0, 1.6f, 1.9f}, {0, 1, -1}), 40, 32);
-    const auto report = render(shot, Processor::gl, {}, 1, "radiance");
+    const auto report = render(shot, Processor::gl, {}, 1, {"radiance"});
     for (const auto& pass : report.passes)
         if (pass.queue == "cpu" && !pass.culled) {
             EXPECT_EQ(pass.name, "device BVH");
@@ -277,7 +303,7 @@ TEST_F(LdmIndirectGlossOnBoth, TheEnvironmentIsNotSampledForItWhereMapsHaveItsLi
         std::vector<Image> direct;
         for (const auto* gloss : {"none", "lobe"}) {
             render(shot, processor, {{"environment_by", std::string("maps")}, {"gloss", std::string(gloss)}},
-                   1, "direct.extended");
+                   1, {"direct.extended"});
             direct.push_back(read("direct.extended"));
         }
         EXPECT_EQ(direct[0].pixels, direct[1].pixels) << to_string(processor);

@@ -2,6 +2,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/scene/progressive.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -22,6 +23,11 @@ void reflect_nothing(graph::GraphBuilder& builder, const GlossImages& images) {
 }
 
 }  // namespace
+
+float highlight_share(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    const int frames = parameters.progressive ? passes::frames_standing(inputs) + 1 : 1;
+    return parameters.gloss.highlight_rays / static_cast<float>(parameters.gloss.samples * frames);
+}
 
 std::optional<graph::ImageRef> reflect_gloss(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                                              const passes::GBuffer& gbuffer, const Photons& photons,

@@ -14,6 +14,10 @@ struct GlossImages {
 /// At most so many smooth mirrors a path meets beside its bounces, as which they do not count.
 inline constexpr int most_mirrors = 4;
 
+/// A direction of a pixel that is drawn with density p stands for this over p sr of directions, highlights in
+/// which are as wide: the more directions, the less.
+float highlight_share(const graph::FrameInputs& inputs, const Parameters& parameters);
+
 /// Declares the pass "gloss" and its outputs, 0 where no surface has an interface. Returns "gloss.radiance";
 /// none without gloss. [Aalund15 §6]
 std::optional<graph::ImageRef> reflect_gloss(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,

@@ -16,7 +16,8 @@ const std::string folder = "methods/ldm-indirect/gloss/";
 /// Constants of path.glsl.
 struct PathNumbers {
     unsigned seed_low, seed_high, number;
-    IR_FIELDS(seed_low, seed_high, number)
+    float share;
+    IR_FIELDS(seed_low, seed_high, number, share)
 };
 
 /// Constants of look.comp.
@@ -62,7 +63,8 @@ class DeviceReflections {
         const auto event = static_cast<unsigned>(item % events());
         const auto number = static_cast<unsigned>(item / events() % parameters_.gloss.samples);
         const auto band = bands_[item / events() / parameters_.gloss.samples];
-        const PathNumbers numbers{static_cast<unsigned>(seed_), static_cast<unsigned>(seed_ >> 32), number};
+        const PathNumbers numbers{static_cast<unsigned>(seed_), static_cast<unsigned>(seed_ >> 32), number,
+                                  highlight_share(context.inputs(), parameters_)};
         if (event == 0)
             rays_.dispatch(context, folder + "look.comp", band, numbers,
                            passes::viewer(context.inputs().view),

@@ -17,6 +17,7 @@
 #include "renderers/passes/ldm/regions.h"
 #include "renderers/passes/raytracing/layered_depth_cube.h"
 #include "renderers/passes/raytracing/ray_offset.h"
+#include "renderers/passes/scattering/highlights.h"
 #include "renderers/passes/scattering/keep_interface.h"
 #include "renderers/passes/scattering/microfacets.h"
 #include "renderers/passes/scene/stands_still.h"
@@ -44,6 +45,7 @@ struct Path {
     glm::vec3 throughput;  ///< 0: it has ended
     glm::vec3 light;       ///< W/(m² sr), of what it has met
     glm::vec3 wished;      ///< unit direction
+    float spread;          ///< directions that it stands for, sr; 0: mirrored
     ldm::MapRay from;      ///< where it is, and along which map it goes
 };
 
@@ -65,6 +67,7 @@ class Reflections {
           is_whole_(parameters.transport.paths == Transport::Paths::full),
           by_maps_(parameters.gloss.tracer == GlossTracer::maps),
           seed_(passes::mixed(photon_seed(inputs, parameters))),
+          share_(highlight_share(inputs, parameters)),
           viewer_(passes::viewer(inputs.view)),
           width_(inputs.view.width),
           height_(inputs.view.height),
@@ -228,6 +231,7 @@ class Reflections {
             if (!next) return;
             wished = next->wi;
             throughput *= next->weight;
+            path.spread = spread_of(*next);
         }
         path.scatterings = is_mirror ? 0 : 1;
         if (!aim(path, surface, wished)) return;
@@ -236,6 +240,11 @@ class Reflections {
             errors_[path.pixel] +=
                 glm::degrees(std::acos(std::clamp(glm::dot(wished, along(path.from)), -1.0f, 1.0f))) /
                 static_cast<float>(parameters_.gloss.samples);
+    }
+
+    /// What a ray stands for of the directions that its surface may send it to, sr.
+    float spread_of(const passes::BsdfSample& sample) const {
+        return sample.is_specular ? 0 : share_ / sample.pdf;
     }
 
     glm::vec3 along(const ldm::MapRay& ray) const {
@@ -346,13 +355,33 @@ class Reflections {
             return;
         }
         if (!is_seen || is_whole_)
-            path.light += throughput *
-                          frame.light->reflected(surface, bsdf, -met.direction, light_sampler(path, event));
+            path.light += throughput * light_of(frame, path, event, met, surface, bsdf);
         const auto next = drawn(bsdf, -met.direction, path, event + 1);
         if (!next || next->is_transmitted) return;
         path.scatterings += next->is_specular ? 0 : 1;
+        path.spread += spread_of(*next);
         if (path.scatterings > parameters_.transport.max_bounces || !aim(path, surface, next->wi)) return;
         path.throughput = throughput * next->weight;
+    }
+
+    /// Direct light that a surface reflects, with highlights as wide as what the ray stands for; lights
+    /// without extent have none in mirrors.
+    glm::vec3 light_of(const Frame& frame, const Path& path, int event, const Met& met,
+                       const passes::Surface& surface, const passes::Bsdf& bsdf) const {
+        const auto sampler = light_sampler(path, event);
+        const auto wo = -met.direction;
+        if (!(path.spread > 0)) return frame.light->reflected(surface, bsdf, wo, sampler);
+        auto wide = surface;
+        wide.roughness = passes::widened_roughness(
+            surface.roughness,
+            passes::slope_variance(*frame.inputs.world, met.hit.triangle, met.hit.distance, path.spread));
+        const float gain =
+            passes::widened_gain(surface.roughness, wide.roughness, glm::dot(surface.shading_normal_ws, wo));
+        wide.base_colour *= std::lerp(1.0f, gain, surface.metallic);  // of dielectrics most is diffuse
+        const bool is_mirror = surface.roughness * surface.roughness < passes::mirror_alpha;
+        const passes::Bsdf widened(wide, frame.surfaces->material(surface.material),
+                                   parameters_.transport.materials);
+        return frame.light->reflected(wide, is_mirror ? bsdf : widened, wo, sampler);
     }
 
     void write(const graph::PassContext& context, const GlossResources& r) const {
@@ -376,6 +405,7 @@ class Reflections {
     Parameters parameters_;
     bool is_whole_, by_maps_;
     std::uint64_t seed_;
+    float share_;
     passes::Viewer viewer_;
     int width_, height_, threads_;
     ldm::Regions regions_;

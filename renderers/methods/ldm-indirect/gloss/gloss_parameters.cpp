@@ -75,7 +75,22 @@ ParameterTable<GlossParameters> gloss_parameters() {
                                          .soft = {1, 64},
                                          .active_when = with_gloss,
                                          .coarse = std::int64_t{1},
-                                         .since_version = since});
+                                         .since_version = since})
+        .add(
+            &GlossParameters::highlight_rays,
+            {.key = "gloss_highlight_rays",
+             .label = "Rays of a highlight in gloss",
+             .doc =
+                 "How many of a pixel's directions meet a highlight of what they see at least. Smaller ones are "
+                 "widened as far as these directions are apart, with the same light: the more samples and "
+                 "frames, the less. 0: highlights stay as they are; of one that few directions meet each "
+                 "makes a bright dot.",
+             .citation = "Kaplanyan13",
+             .hard = {0, 1000},
+             .soft = {0, 16},
+             .active_when = with_gloss,
+             .since_version = 7,
+             .value_in_older_projects = 0.0});
     return table;
 }
 

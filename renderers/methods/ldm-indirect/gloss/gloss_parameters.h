@@ -18,6 +18,7 @@ struct GlossParameters {
     GlossLanding landing = GlossLanding::plane;  ///< of a map's hit
     float near = 4;                              ///< texels within which exact rays look first
     int samples = 4;                             ///< directions of a pixel and frame
+    float highlight_rays = 1;                    ///< of them meet a highlight at least
 };
 
 ParameterTable<GlossParameters> gloss_parameters();

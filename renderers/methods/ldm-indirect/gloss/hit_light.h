@@ -18,7 +18,7 @@ class HitLight {
     HitLight(const graph::FrameInputs& inputs, const passes::Bvh& bvh, const passes::SurfaceLookup& surfaces,
              const passes::ExtendedEmitters* sources, const passes::ExtendedLightOptions& options);
 
-    /// W/(m² sr) towards unit `wo`; `bsdf` is the surface's.
+    /// W/(m² sr) towards unit `wo`; `bsdf` is the surface's for light of sources without extent.
     glm::vec3 reflected(const passes::Surface& surface, const passes::Bsdf& bsdf, glm::vec3 wo,
                         const passes::PathSampler& sampler) const;
 

@@ -7,7 +7,7 @@
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/tracing/first_hits.h"
 #include "renderers/passes/gbuffer/glass.h"
-#include "renderers/passes/reflection/reflection.h"
+#include "renderers/passes/scattering/microfacets.h"
 #include "renderers/scene/frame.h"
 #include "shaders/methods/ldm-indirect/tracing/differentials.glsl.h"
 #include "shaders/methods/ldm-indirect/tracing/emit.comp.h"

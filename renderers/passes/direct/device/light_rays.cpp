@@ -94,6 +94,13 @@ LightRays::LightRays(graph::GraphBuilder& builder, const SceneBuffers& scene, co
                              .fields = {{"light", graph::FieldType::f32, 4}},
                              .elements = at_once,
                              .cleared = true});
+    if (of_hits_)
+        spreads_ = builder.buffer({.text = {.key = key + ".spreads",
+                                            .label = "Directions that rays stand for",
+                                            .doc = "As wide as they are, highlights are that they meet.",
+                                            .unit = "sr"},
+                                   .fields = {{"spread", graph::FieldType::f32}},
+                                   .elements = at_once});
 }
 
 void LightRays::declare(graph::PassBuilder& pass, const GBuffer& gbuffer) const {
@@ -107,6 +114,7 @@ void LightRays::declare(graph::PassBuilder& pass, const GBuffer& gbuffer) const 
         surfaces_.read_by(pass);
     else
         pass.reads(surfaces_.texels);
+    if (of_hits_) pass.writes("Spreads", spreads_);
     if (!punctual_.empty()) pass.reads("Lights", scene_.lights);
     if (!is_sampled_ && punctual_.empty()) return;
     sources_.read_by(pass);
@@ -131,14 +139,14 @@ void LightRays::add_sample(const graph::PassContext& context, const Band& band, 
                                 !has_panes_};
     dispatch(context, folder + "draw.comp", band, constants,
              Surfaces{viewer(context.inputs().view), normal_maps_});
-    trace_and_gather(context, band);
+    trace_and_gather(context, band, light_kinds);
 }
 
 void LightRays::add_punctual(const graph::PassContext& context, const Band& band) const {
     for (const auto light : punctual_) {
         dispatch(context, folder + "draw_punctual.comp", band, DrawPunctual{light, !has_panes_},
                  HitNormals{normal_maps_});
-        trace_and_gather(context, band);
+        trace_and_gather(context, band, 1);  // towards the light alone
     }
 }
 
@@ -147,12 +155,13 @@ void LightRays::trace_hits(const graph::PassContext& context, const Band& band) 
     context.barrier();
 }
 
-void LightRays::trace_and_gather(const graph::PassContext& context, const Band& band) const {
+void LightRays::trace_and_gather(const graph::PassContext& context, const Band& band,
+                                 std::int64_t kinds) const {
     auto program = source(folder + "gather.comp");
     if (has_panes_) program.defines["PANES"] = "1";
     const int segments = has_panes_ ? max_panes + 1 : 1;
     for (int i = 0; i < segments; ++i) {
-        for (std::int64_t kind = 0; kind < light_kinds; ++kind) trace_kind(context, band, kind);
+        for (std::int64_t kind = 0; kind < kinds; ++kind) trace_kind(context, band, kind);
         context.barrier();
         dispatch(context, program, band, Surfaces{viewer(context.inputs().view), normal_maps_},
                  MayPass{i + 1 < segments});

@@ -36,12 +36,12 @@ class Bands {
 
 /// Direct light of surfaces on the device, a sample of each pixel of a band at a time: rays in "KEY.rays",
 /// what they carry in "KEY.paths", and the sum of what they bring in "KEY.group", W/(m² sr). LightEstimate
-/// draws the same samples on the host.
+/// draws the same samples on the host. Highlights of hits are as wide as "KEY.spreads" says of their rays.
 class LightRays {
   public:
     enum class Of {
         pixels,  ///< surfaces that the picture shows
-        hits     ///< and those that further rays met, which lie behind the others (samples.glsl)
+        hits     ///< surfaces that further rays met, which lie behind the others in the buffer
     };
     LightRays(graph::GraphBuilder& builder, const SceneBuffers& scene, const std::string& key,
               const Bands& bands, Of surfaces, const ExtendedLightOptions& options, bool normal_maps);
@@ -73,7 +73,7 @@ class LightRays {
     static void trace_hits(const graph::PassContext& context, const Band& band);
 
   private:
-    void trace_and_gather(const graph::PassContext& context, const Band& band) const;
+    void trace_and_gather(const graph::PassContext& context, const Band& band, std::int64_t kinds) const;
 
     ExtendedLightOptions options_;
     bool of_hits_, normal_maps_, has_panes_, is_sampled_;
@@ -83,7 +83,7 @@ class LightRays {
     HitSurfaces surfaces_;
     SourceBuffers sources_;
     RayBuffers rays_;
-    graph::BufferRef paths_, group_;
+    graph::BufferRef paths_, group_, spreads_;
 };
 
 /// Constants of programs that look up what rays met.

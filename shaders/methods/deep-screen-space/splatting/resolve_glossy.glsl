@@ -1,6 +1,8 @@
 // What glossy surfels send to one side more, or less, than they store for all: with the whole BRDF, for lights
 // without extent. Include sent.glsl before it. [Nalbach15 §3.2: "radiance from either a Lambertian or glossy
 // sender"]
+#include "passes/scene/highlights.glsl"
+
 /// Of the part that is no glass. [glTF2 KHR_materials_transmission]
 vec3 whole_brdf(HitSurface s, vec3 l, vec3 v) {
     Surface surface = Surface(s.base_colour, s.metallic, s.roughness, s.ior);
@@ -10,20 +12,6 @@ vec3 whole_brdf(HitSurface s, vec3 l, vec3 v) {
 #else
     return opaque * metalness_blend_brdf(surface, s.shading_normal_ws, l, v);
 #endif
-}
-
-/// Roughness of a highlight that is the mean over half vectors whose slopes vary by `variance` along each axis, added
-/// to the α²/2 of the microfacets'.
-float widened_roughness(float roughness, float variance) {
-    float alpha = roughness * roughness;
-    return min(sqrt(sqrt(alpha * alpha + 2.0 * variance)), 1.0);
-}
-
-/// How much more a highlight of its own roughness reflects than the widened one, which loses light between
-/// microfacets. `cosine`: to the ray; the fit is wrong at grazing angles.
-float widened_gain(float own, float widened, float cosine) {
-    float bounded = max(cosine, 0.1);
-    return directional_albedo(vec3(1), own, bounded).x / directional_albedo(vec3(1), widened, bounded).x;
 }
 
 /// At the surfel's centre, where what it stores was found, and from there towards the ray's origin: a point of an

@@ -18,7 +18,7 @@ uniform uint event, events, samples, max_bounces;
 uniform bool is_whole;   // direct light that mirrors show counts
 uniform bool continues;  // what was before
 
-Ray go_on(inout Path path, ivec2 pixel, Ray ray, RayHit hit, vec3 light) {
+Ray go_on(inout Path path, inout float spread, ivec2 pixel, Ray ray, RayHit hit, vec3 light) {
     if (!(ray.far > 0.0) || !is_hit(hit)) return no_ray();
     HitSurface met = hit_surface(hit.triangle, hit.u, hit.v, ray.direction_ws, normal_maps);
     SeenSurface surface = scatterer_of(met, ray.direction_ws);
@@ -27,6 +27,7 @@ Ray go_on(inout Path path, ivec2 pixel, Ray ray, RayHit hit, vec3 light) {
     if (!surface.exists) return no_ray();
     Scattered next = scattered_at(surface.scatterer, surface.glass, surface.wo, pixel, event + 1u);
     if (next.weight == vec3(0) || next.is_transmitted) return no_ray();
+    spread += spread_of(next, surface.scatterer, surface.glass, surface.wo);
     path.throughput *= next.weight;
     path.scatterings += next.is_specular ? 0u : 1u;
     if (path.scatterings > max_bounces) return no_ray();
@@ -55,7 +56,7 @@ void main() {
     RayHit hit = hits[ray_of_hit(place)];
     if (event == 0u && number == 0u)
         imageStore(distance_image, pixel, vec4(ray.far > 0.0 && is_hit(hit) ? hit.distance : 0.0));
-    rays[ray_of_hit(place)] = go_on(path, pixel, ray, hit, group_light[place].rgb);
+    rays[ray_of_hit(place)] = go_on(path, spreads[place], pixel, ray, hit, group_light[place].rgb);
     paths[place] = path;
     group_light[place] = vec4(0);
     if (event + 1u == events) add(pixel, path.light);

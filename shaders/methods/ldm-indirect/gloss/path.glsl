@@ -15,12 +15,20 @@ struct Path {
 
 uniform uint seed_low, seed_high;  // of the frame
 uniform uint number;               // of the pixel's samples
+uniform float share;               // a direction drawn with density p stands for share / p sr
 
 /// Of the event's direction.
 Scattered scattered_at(Scatterer s, Glass glass, vec3 wo, ivec2 pixel, uint event) {
     uvec2 key = pixel_key(uvec2(seed_low, seed_high), uvec2(pixel));
     float lobe = path_pair(key, number, 2u * event).x;
     return scatter(s, glass, wo, lobe, path_pair(key, number, 2u * event + 1u), MICROFACETS_VISIBLE_NORMALS);
+}
+
+/// What the ray stands for of the directions that its surface may send it to, sr.
+float spread_of(Scattered scattered, Scatterer s, Glass glass, vec3 wo) {
+    if (scattered.is_specular || share == 0.0) return 0.0;
+    float pdf = evaluate_with_pdf(s, glass, seen_from(s, wo), scattered.direction_ws).pdf;
+    return pdf > 0.0 ? share / pdf : 0.0;
 }
 
 /// None where it goes below the surface.

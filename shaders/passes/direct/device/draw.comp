@@ -63,7 +63,7 @@ void main() {
     LightPath drawn = LightPath(vec3(0), 0.0);
     vec3 radiance = vec3(0);
 #ifdef HITS
-    SeenSurface surface = surface_of_hit(rays[ray_of_hit(place)], hits[ray_of_hit(place)]);
+    SeenSurface surface = surface_of_hit(rays[ray_of_hit(place)], hits[ray_of_hit(place)], spreads[place], true);
 #else
     SeenSurface surface = seen_surface(pixel);
 #endif

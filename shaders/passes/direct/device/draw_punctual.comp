@@ -30,7 +30,7 @@ void main() {
     uint place = gl_GlobalInvocationID.x;
     ivec2 pixel;
     if (!pixel_of(place, pixel)) return;
-    SeenSurface surface = surface_of_hit(rays[ray_of_hit(place)], hits[ray_of_hit(place)]);
+    SeenSurface surface = surface_of_hit(rays[ray_of_hit(place)], hits[ray_of_hit(place)], spreads[place], false);
     Ray ray = no_ray();
     vec3 radiance = vec3(0);
     if (surface.exists) ray = towards(lights[light], surface, radiance);

@@ -120,7 +120,7 @@ void main() {
     ivec2 pixel;
     if (!pixel_of(place, pixel)) return;
 #ifdef HITS
-    SeenSurface surface = surface_of_hit(rays[ray_of_hit(place)], hits[ray_of_hit(place)]);
+    SeenSurface surface = surface_of_hit(rays[ray_of_hit(place)], hits[ray_of_hit(place)], 0.0, false);
 #else
     SeenSurface surface = seen_surface(pixel);
 #endif

@@ -1,6 +1,7 @@
 // How a surface scatters that a ray met.
 #include "passes/direct/device/samples.glsl"
 #include "passes/raytracing/rays.glsl"
+#include "passes/scene/highlights.glsl"
 #include "passes/scene/hit_surface.glsl"
 
 SeenSurface scatterer_of(HitSurface s, vec3 direction_ws) {
@@ -19,12 +20,23 @@ SeenSurface scatterer_of(HitSurface s, vec3 direction_ws) {
 }
 
 #ifdef HITS
+/// Directions that the ray stands for, sr; 0: it is mirrored.
+layout(std430) buffer Spreads { float spreads[]; };
+
 uniform bool normal_maps;
 
-SeenSurface surface_of_hit(Ray ray, RayHit hit) {
+/// Which reflects light as LightRays has it. `all_lobes`: mirrors, too, are as rough as what the ray stands for.
+SeenSurface surface_of_hit(Ray ray, RayHit hit, float spread, bool all_lobes) {
     SeenSurface none;
     none.exists = false;
     if (!(ray.far > 0.0) || !is_hit(hit)) return none;
-    return scatterer_of(hit_surface(hit.triangle, hit.u, hit.v, ray.direction_ws, normal_maps), ray.direction_ws);
+    HitSurface s = hit_surface(hit.triangle, hit.u, hit.v, ray.direction_ws, normal_maps);
+    float own = s.roughness;
+    if (spread > 0.0 && (all_lobes || own * own >= MIRROR_ALPHA)) {
+        s.roughness = widened_roughness(own, slope_variance(hit.triangle, hit.distance, spread));
+        float gain = widened_gain(own, s.roughness, dot(s.shading_normal_ws, -ray.direction_ws));
+        s.base_colour *= mix(1.0, gain, s.metallic);  // of dielectrics most is diffuse
+    }
+    return scatterer_of(s, ray.direction_ws);
 }
 #endif

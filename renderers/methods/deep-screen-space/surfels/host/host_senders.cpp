@@ -6,6 +6,7 @@
 
 #include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/reflection/reflection.h"
+#include "renderers/passes/scattering/highlights.h"
 #include "renderers/passes/scattering/microfacets.h"
 
 namespace ir::methods::deep_screen_space {
@@ -14,19 +15,6 @@ namespace {
 using Materials = Transport::Materials;
 
 constexpr float one_over_pi = std::numbers::inv_pi_v<float>;
-
-/// As resolve_glossy.glsl has it.
-float widened_roughness(float roughness, float variance) {
-    const float alpha = roughness * roughness;
-    return std::min(std::sqrt(std::sqrt(alpha * alpha + 2 * variance)), 1.0f);
-}
-
-/// As there.
-float widened_gain(float own, float widened, float cosine) {
-    const float bounded = std::max(cosine, 0.1f);
-    return passes::directional_albedo(glm::vec3(1), own, bounded).x /
-           passes::directional_albedo(glm::vec3(1), widened, bounded).x;
-}
 
 }  // namespace
 
@@ -88,8 +76,8 @@ glm::vec3 HostSenders::diffuse(const Place& place, glm::vec3 extended) const {
 
 float SenderSurfaces::widen(passes::Surface& s, glm::vec3 direction_ws, float variance) const {
     const float own = s.roughness;
-    s.roughness = widened_roughness(own, variance);
-    return widened_gain(own, s.roughness, glm::dot(s.shading_normal_ws, -direction_ws));
+    s.roughness = passes::widened_roughness(own, variance);
+    return passes::widened_gain(own, s.roughness, glm::dot(s.shading_normal_ws, -direction_ws));
 }
 
 glm::vec3 HostSenders::glossy_rest(Place place, glm::vec3 direction_ws, float variance) const {
@@ -112,23 +100,9 @@ glm::vec3 HostSenders::all(Place place, glm::vec3 direction_ws, float variance) 
     });
 }
 
-float SenderSurfaces::triangle_curvature(std::uint32_t triangle) const {
-    float largest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto a = world_.indices[3 * std::size_t{triangle} + i],
-                   b = world_.indices[3 * std::size_t{triangle} + (i + 1) % 3];
-        largest =
-            std::max(largest, glm::distance(world_.normals[a], world_.normals[b]) /
-                                  std::max(glm::distance(world_.positions[a], world_.positions[b]), 1e-6f));
-    }
-    return largest;
-}
-
 float SenderSurfaces::ray_slope_variance(std::uint32_t triangle, float distance_m, float density) const {
     if (highlight_share_ == 0) return 0;
-    const float radius = std::sqrt(highlight_share_ / (std::numbers::pi_v<float> * density));  // at 1 m
-    const float turn = radius * distance_m * triangle_curvature(triangle);
-    return radius * radius / 16 + turn * turn / 4;
+    return passes::slope_variance(world_, triangle, distance_m, highlight_share_ / density);
 }
 
 float SenderSurfaces::ior(const passes::Surface& surface) const {

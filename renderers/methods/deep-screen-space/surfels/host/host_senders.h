@@ -41,8 +41,6 @@ class SenderSurfaces {
     glm::vec3 whole_brdf(const passes::Surface& surface, glm::vec3 l, glm::vec3 v) const;
 
   private:
-    float triangle_curvature(std::uint32_t triangle) const;
-
     std::shared_ptr<passes::SurfaceLookup> surfaces_;
     const scene::Scene& scene_;
     const scene::World& world_;
