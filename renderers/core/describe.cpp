@@ -6,6 +6,7 @@
 
 #include "renderers/core/light_use.h"
 #include "renderers/core/transport.h"
+#include "renderers/core/words.h"
 
 namespace ir {
 namespace {
@@ -74,6 +75,7 @@ Json json_of(const ParameterDescription& p) {
         json["choices"].push_back({{"key", choice.key}, {"label", choice.label}, {"doc", choice.doc}});
         if (choice.effect == Effect::cost) json["choices"].back()["effect"] = "cost";
     }
+    if (!p.exact.empty()) json["exact"] = p.exact;
     json["doc"] = p.doc;
     if (!p.citation.empty()) json["citation"] = p.citation;
     json["group"] = is_transport_key(p.key) ? "transport" : "method";
@@ -198,6 +200,7 @@ std::string describe_markdown(const MethodDescription& method) {
         for (const auto& choice : p.choices)
             if (!choice.doc.empty() && (p.supported.empty() || p.supported.size() > 1))
                 text += " `" + choice.key + "`: " + choice.doc;
+        if (!p.exact.empty()) text += " Exact stand-ins: " + listed(p.exact) + ".";
         text += condition_text({p.active_when});
         if (p.coarse) text += " In coarse pictures " + coarse_text(p) + ".";
         if (!p.citation.empty()) text += " [" + p.citation + "]";

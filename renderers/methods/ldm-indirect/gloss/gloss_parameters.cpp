@@ -41,6 +41,7 @@ ParameterTable<GlossParameters> gloss_parameters() {
                            "Rays march through three maps along the axes, at 512 texels, or through those of "
                            "`tracer`. [Lischinski98]"},
                           {"rays", "Exact rays", "Embree: right, and faster than the others."}},
+              .exact = {"rays"},
               .active_when = with_gloss,
               .since_version = since})
         .add(&GlossParameters::landing,
