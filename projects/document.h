@@ -162,7 +162,7 @@ struct Experiment {
 struct Comparison {
     std::string id, name, a, b;
     std::string output;  ///< key of the output; empty: main result
-    /// The views' own names: side-by-side, wipe, flip, stages, difference[:KIND] with signed, absolute,
+    /// The views' own names: side-by-side, wipe, lens, flip, stages, difference[:KIND] with signed, absolute,
     /// relative, squared, flip, hdr-flip, significant.
     std::string mode = "wipe";
     std::optional<glm::dvec2> range;  ///< shown from … to; absent: automatic

@@ -220,7 +220,7 @@ void MainWindow::make_menus() {
         "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
         "explain explain-nothing trace-pixel whole-frame pin");
     add_menu(tr("&Compare"),
-             "mode-single mode-side-by-side mode-wipe mode-flip mode-difference mode-stages | "
+             "mode-single mode-side-by-side mode-wipe mode-lens mode-flip mode-difference mode-stages | "
              "swap link | comparison-add");
     picture_menu_ = new QMenu(this);
     actions_.fill(picture_menu_,
