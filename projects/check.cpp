@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "projects/analyses.h"
 #include "projects/motion.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
@@ -213,6 +214,10 @@ class Checker {
             refer_to_picture(at + "/reference", who, plot.reference);
             for (const auto& id : plot.experiments)
                 refer(at + "/experiments", who, "experiment", project_.experiments, id);
+        });
+        each("analyses", project_.analyses, [&](const Analysis& analysis, const std::string& at) {
+            const auto why_not = why_not_analysed(project_, analysis, registry_);
+            if (!why_not.empty()) refuse(at, "analysis '" + analysis.id + "'", why_not);
         });
     }
 

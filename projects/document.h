@@ -162,7 +162,7 @@ struct Experiment {
 struct Comparison {
     std::string id, name, a, b;
     std::string output;  ///< key of the output; empty: main result
-    /// The views' own names: side-by-side, wipe, flip, stages, difference[:KIND] with signed, absolute,
+    /// The views' own names: side-by-side, wipe, lens, flip, stages, difference[:KIND] with signed, absolute,
     /// relative, squared, flip, hdr-flip, significant.
     std::string mode = "wipe";
     std::optional<glm::dvec2> range;  ///< shown from … to; absent: automatic
@@ -199,6 +199,18 @@ struct ErrorPlot {
     bool operator==(const ErrorPlot&) const = default;
 };
 
+/// A question about experiments, which pictures rendered for it answer.
+struct Analysis {
+    std::string id, name;
+    std::string kind = "disagreement";     ///< a key of analysis_kinds() (analyses.h); unknown ones are kept
+    std::vector<std::string> experiments;  ///< ids; of an attribution A, then B
+    std::string reference;                 ///< id of an experiment or a foreign image; may be empty
+    std::vector<std::string> parameters;   ///< keys of those that take part; empty: all
+    std::string notes;
+    Json extra = Json::object();
+    bool operator==(const Analysis&) const = default;
+};
+
 struct Project {
     int schema = schema_version;
     std::string name, notes;
@@ -211,6 +223,7 @@ struct Project {
     std::vector<Comparison> comparisons;
     std::vector<Sweep> sweeps;
     std::vector<ErrorPlot> plots;
+    std::vector<Analysis> analyses;
     /// Ids of experiments, also removed ones, that results/index.json names; not in the document. A new
     /// experiment gets none of them: it would come with another one's result.
     std::set<std::string> kept_ids;

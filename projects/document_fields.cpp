@@ -329,4 +329,32 @@ const Fields<ErrorPlot>& plot_fields() {
     return fields;
 }
 
+const Fields<Analysis>& analysis_fields() {
+    static const Fields<Analysis> fields{
+        {&Analysis::kind,
+         {.key = "kind", .label = "Question", .doc = "What is asked", .writing = Writing::required}},
+        {&Analysis::experiments,
+         {.key = "experiments",
+          .label = "Experiments",
+          .doc = "Those that are asked about, in the order in which they were added; Space adds or removes "
+                 "one"}},
+        {&Analysis::reference,
+         {.key = "reference",
+          .label = "Reference",
+          .doc = "Experiment or foreign image that is the truth; without one the experiments are compared "
+                 "with each other",
+          .writing = Writing::unless_default}},
+        {&Analysis::parameters,
+         {.key = "parameters",
+          .label = "Parameters",
+          .doc = "Keys of those that take part, separated by commas; empty: all",
+          .writing = Writing::unless_default}},
+        {&Analysis::notes,
+         {.key = "notes",
+          .label = "Notes",
+          .doc = "What the analysis shows",
+          .writing = Writing::unless_default}}};
+    return fields;
+}
+
 }  // namespace ir::projects

@@ -28,5 +28,6 @@ const Fields<Comparison>& comparison_fields();
 const Fields<Sweep>& sweep_fields();
 const Fields<Sweep::Axis>& axis_fields();
 const Fields<ErrorPlot>& plot_fields();
+const Fields<Analysis>& analysis_fields();
 
 }  // namespace ir::projects

@@ -212,6 +212,7 @@ ReadProject read_project(const std::string& text, const std::string& file, const
     project.comparisons = read_list<Comparison>(reader, "comparisons", read_with(comparison_fields()));
     project.sweeps = read_list<Sweep>(reader, "sweeps", read_sweep);
     project.plots = read_list<ErrorPlot>(reader, "plots", read_with(plot_fields()));
+    project.analyses = read_list<Analysis>(reader, "analyses", read_with(analysis_fields()));
     project.extra = reader.rest();
     return result;
 }

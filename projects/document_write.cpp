@@ -200,6 +200,8 @@ Json to_json(const Project& project) {
     json["comparisons"] = list(project.comparisons, write_with(comparison_fields()));
     json["sweeps"] = list(project.sweeps, write_sweep);
     json["plots"] = list(project.plots, write_with(plot_fields()));
+    if (!project.analyses.empty())  // older builds do not know them
+        json["analyses"] = list(project.analyses, write_with(analysis_fields()));
     return with_extra(json, project.extra);
 }
 

@@ -23,7 +23,8 @@ struct ListOf;
     use(Experiment, experiments, "experiment") \
     use(Comparison, comparisons, "comparison") \
     use(Sweep, sweeps, "sweep")                \
-    use(ErrorPlot, plots, "plot")
+    use(ErrorPlot, plots, "plot")              \
+    use(Analysis, analyses, "analysis")
 // clang-format on
 #define IR_LIST_OF(Item, list, name)                   \
     template <>                                        \

@@ -48,8 +48,10 @@ std::vector<std::string> users_of(const Project& project, const LightSet& set) {
     return users;
 }
 
-bool draws(const ErrorPlot& plot, const std::string& experiment) {
-    return std::find(plot.experiments.begin(), plot.experiments.end(), experiment) != plot.experiments.end();
+/// Whether a plot or an analysis names the experiment or image.
+bool is_about(const auto& item, const std::string& id) {
+    return item.reference == id ||
+           std::find(item.experiments.begin(), item.experiments.end(), id) != item.experiments.end();
 }
 
 std::vector<std::string> users_of(const Project& project, const Experiment& experiment) {
@@ -58,7 +60,8 @@ std::vector<std::string> users_of(const Project& project, const Experiment& expe
     collect<Comparison>(users, project, [&](const auto& c) { return c.a == id || c.b == id; });
     collect<Sweep>(users, project, [&](const auto& s) { return s.experiment == id; });
     collect<Experiment>(users, project, [&](const auto& e) { return e.id != id && e.reference == id; });
-    collect<ErrorPlot>(users, project, [&](const auto& p) { return p.reference == id || draws(p, id); });
+    collect<ErrorPlot>(users, project, [&](const auto& p) { return is_about(p, id); });
+    collect<Analysis>(users, project, [&](const auto& a) { return is_about(a, id); });
     return users;
 }
 
@@ -66,6 +69,7 @@ std::vector<std::string> users_of(const Project& project, const ForeignImage& im
     std::vector<std::string> users;
     collect<Comparison>(users, project, [&](const auto& c) { return c.a == image.id || c.b == image.id; });
     collect<ErrorPlot>(users, project, [&](const auto& p) { return p.reference == image.id; });
+    collect<Analysis>(users, project, [&](const auto& a) { return a.reference == image.id; });
     return users;
 }
 

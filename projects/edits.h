@@ -86,7 +86,7 @@ EditPtr change(const Project& project, const Item& item);
 template <class Item>
 EditPtr move(const Project& project, const std::string& id, std::size_t position);
 /// These templates exist for Scene, Camera, LightSet, Motion, ForeignImage, Experiment, Comparison, Sweep,
-/// ErrorPlot.
+/// ErrorPlot, Analysis.
 
 /// A new experiment with all defaults, ready for add(). Without a name it is called after its method, and
 /// follows it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "projects/analyses.h"
 #include "projects/archive.h"
 #include "projects/gltf_references.h"
 #include "projects/plots.h"
@@ -109,13 +110,17 @@ class Packer {
         source = home + file.lexically_relative(base).generic_string();
     }
 
-    /// Those that there are: a plot need not have been carried out.
+    /// Those that there are: a plot or an analysis need not have been carried out.
     void add_studies() {
-        for (const auto& plot : project_.plots) {
-            const auto name = "results/" + study_path(plot.id);
+        const auto add = [this](const std::string& path) {
+            const auto name = "results/" + path;
             std::error_code ignored;
             if (fs::is_regular_file(folder_ / name, ignored)) archive_.add_file(root_ + name, folder_ / name);
-        }
+        };
+        for (const auto& plot : project_.plots) add(study_path(plot.id));
+        for (const auto& analysis : project_.analyses)
+            for (const std::string file : {analysis_file, analysis_pictures})
+                add(analysis_path(analysis.id) + "/" + file);
     }
 
     void add_results() {

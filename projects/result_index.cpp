@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "projects/analyses.h"
 #include "projects/hash.h"
 #include "projects/keep.h"
 #include "projects/object_reader.h"
@@ -229,12 +230,15 @@ std::vector<Message> check_results(const ResultIndex& index, const fs::path& pro
 
 namespace {
 
-/// What a sweep of the project has rendered; its list says what is there.
-bool is_of_sweep(const Project& project, const fs::path& path) {
-    return std::any_of(project.sweeps.begin(), project.sweeps.end(), [&](const Sweep& sweep) {
-        const auto inside = path.lexically_relative(sweep_path(sweep.id));
+/// What a sweep or an analysis of the project has a folder for.
+bool is_of_item(const Project& project, const fs::path& path) {
+    const auto is_inside = [&](const std::string& folder) {
+        const auto inside = path.lexically_relative(folder);
         return !inside.empty() && *inside.begin() != "..";
-    });
+    };
+    return std::ranges::any_of(project.sweeps, is_inside, [](const Sweep& s) { return sweep_path(s.id); }) ||
+           std::ranges::any_of(project.analyses, is_inside,
+                               [](const Analysis& a) { return analysis_path(a.id); });
 }
 
 }  // namespace
@@ -272,7 +276,7 @@ Pruned prune_results(const Project& project, const Registry& registry, const fs:
         if (entry.is_directory() && !entry.is_symlink())
             folders.push_back(entry.path());
         else if (named.count(entry.path().lexically_relative(results)) == 0 &&
-                 !is_of_sweep(project, entry.path().lexically_relative(results)))
+                 !is_of_item(project, entry.path().lexically_relative(results)))
             unnamed.push_back(entry.path());
     }
     for (const auto& file : unnamed) {

@@ -127,8 +127,8 @@ struct Pruned {
     std::vector<std::string> keys, files;  ///< entries dropped; files removed, relative to results/
 };
 /// Drops entries that are neither the present nor the last kept result of an experiment, and files in
-/// results/ that no remaining entry, plot or sweep of the project names. Saves the index first; files that
-/// are there when it throws Cancelled go the next time.
+/// results/ that no remaining entry, plot, sweep or analysis of the project names. Saves the index first;
+/// files that are there when it throws Cancelled go the next time.
 Pruned prune_results(const Project& project, const Registry& registry,
                      const std::filesystem::path& project_folder, const CancelToken* cancel = nullptr);
 

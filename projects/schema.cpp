@@ -245,7 +245,8 @@ Json project_schema(const Registry& registry) {
                     {"experiments", items("experiment")},
                     {"comparisons", items("comparison")},
                     {"sweeps", items("sweep")},
-                    {"plots", items("plot")}};
+                    {"plots", items("plot")},
+                    {"analyses", items("analysis")}};
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"title", "Interreflect project"},
                 {"description", "project.json, as this build writes it. Other keys are kept as they are."}};
@@ -262,7 +263,8 @@ Json project_schema(const Registry& registry) {
                        {"preset", preset_schema()},
                        {"comparison", item_with(comparison_fields())},
                        {"sweep", sweep_schema()},
-                       {"plot", item_with(plot_fields())}};
+                       {"plot", item_with(plot_fields())},
+                       {"analysis", item_with(analysis_fields())}};
     return schema;
 }
 

@@ -84,6 +84,7 @@ std::vector<std::string> unknown_keys(const Project& project, const Registry& re
             found.extra(pointer_to(pointer + "/axes", i), sweep.axes[i].extra);
     });
     found.list("plots", project.plots, nothing);
+    found.list("analyses", project.analyses, nothing);
     auto extra = project.extra;
     extra.erase("$schema");  // for editors: where the JSON Schema is
     found.extra("", extra);

@@ -134,4 +134,9 @@ void validate(const ErrorPlot& plot) {
     validate_fields(plot, plot_fields(), "plot '" + plot.id + "': ");
 }
 
+void validate(const Analysis& analysis) {
+    check_id(analysis.id, "analysis");
+    validate_fields(analysis, analysis_fields(), "analysis '" + analysis.id + "': ");
+}
+
 }  // namespace ir::projects

@@ -15,5 +15,6 @@ void validate(const Experiment& experiment);
 void validate(const Comparison& comparison);
 void validate(const Sweep& sweep);
 void validate(const ErrorPlot& plot);
+void validate(const Analysis& analysis);
 
 }  // namespace ir::projects

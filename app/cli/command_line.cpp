@@ -23,7 +23,7 @@ int fail(const std::string& line, int status) {
 /// Commands that write nothing have nothing to put away: signals end them as if they were not watched.
 bool writes(const CLI::App& app) {
     for (const char* name :
-         {"info", "list", "describe", "scene", "diff", "tev", "schema", "completion", "manual"})
+         {"info", "list", "describe", "scene", "diff", "diverge", "tev", "schema", "completion", "manual"})
         if (app.got_subcommand(name)) return false;
     if (!app.got_subcommand("project")) return true;
     const auto& project = *app.get_subcommand("project");
@@ -80,9 +80,11 @@ void add_commands(CLI::App& app, Run& run) {
     add_reference(app, run);
     add_plot(app, run);
     add_sweep(app, run);
+    add_analyse(app, run);
     add_report(app, run);
     add_figure(app, run);
     add_graph(app, run);
+    add_diverge(app, run);
     add_bench(app, run);
     add_submit(app, run);
     add_tev(app, run);

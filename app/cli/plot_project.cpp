@@ -12,6 +12,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/cli/shard.h"
+#include "app/cli/text_table.h"
 #include "app/engine/error_study.h"
 #include "app/engine/kept_study.h"
 #include "app/engine/study_parts.h"
@@ -57,24 +58,6 @@ std::string number_text(double value) {
     return text;
 }
 
-/// Columns as wide as they need; numbers to the right.
-void print_table(std::ostream& out, const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            if (widths.size() <= i) widths.push_back(0);
-            widths[i] = std::max(widths[i], row[i].size());
-        }
-    for (const auto& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string space(widths[i] - row[i].size(), ' ');
-            line += i == 0 ? row[i] + space : "  " + (i < 4 ? space + row[i] : row[i]);
-        }
-        out << line.substr(0, line.find_last_not_of(' ') + 1) << "\n";
-    }
-}
-
 void print_study(std::ostream& out, const projects::ErrorPlot& plot, const engine::ErrorStudy& study) {
     out << plot.id << ": " << plot.name << ", " << study.device << "\n";
     std::vector<std::vector<std::string>> rows{{"experiment", plot.over, "ms", plot.metric, ""}};
@@ -88,7 +71,7 @@ void print_study(std::ostream& out, const projects::ErrorPlot& plot, const engin
                         error == point.errors.end() ? "" : number_text(error->second),
                         point.on_front ? "*" : ""});
     }
-    print_table(out, rows);
+    print_table(out, rows, {1, 2, 3});
     if (study.reference_noise > 0)
         out << "the reference has an RMSE of about " << number_text(study.reference_noise) << " left\n";
     for (const auto& note : study.notes) out << "note: " << note << "\n";

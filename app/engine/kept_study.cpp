@@ -18,7 +18,9 @@ using projects::Json;
 constexpr int study_schema = 1;
 constexpr std::size_t max_bytes = 16u << 20;
 
-Json inputs_of(const projects::Project& project, const std::string& id) {
+}  // namespace
+
+Json inputs_of_picture(const projects::Project& project, const std::string& id) {
     if (const auto* image = find_item(project.images, id))
         return Json::object(
             {{"image", image->content_hash.empty() ? "source " + image->source : image->content_hash}});
@@ -26,14 +28,12 @@ Json inputs_of(const projects::Project& project, const std::string& id) {
     return experiment ? projects::picture_inputs(project, *experiment, registry()) : Json("missing " + id);
 }
 
-}  // namespace
-
 Json study_inputs(const projects::Project& project, const projects::ErrorPlot& plot) {
     Json inputs = Json::object({{"over", plot.over}, {"values", plot.values}});
-    inputs["reference"] = inputs_of(project, plot.reference);
+    inputs["reference"] = inputs_of_picture(project, plot.reference);
     inputs["experiments"] = Json::object();
     for (const auto& id : plot.experiments) {
-        auto own = inputs_of(project, id);
+        auto own = inputs_of_picture(project, id);
         // Every point brings its own.
         if (own.is_object() && !plot.values.empty()) {
             own.erase(plot.over);

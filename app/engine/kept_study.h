@@ -11,6 +11,9 @@
 
 namespace ir::engine {
 
+/// picture_inputs of an experiment, or the content of a foreign image; says so where the id names neither.
+projects::Json inputs_of_picture(const projects::Project& project, const std::string& id);
+
 /// Everything that the numbers of a plot depend on: what is varied, and picture_inputs of the reference and
 /// of all experiments, or the content of a foreign image. Metric, axis, names and notes do not count: all
 /// metrics are measured. Reads no file.

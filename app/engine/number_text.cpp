@@ -20,6 +20,15 @@ double number_from(const projects::Json& json, const std::string& reason,
     reader.fail(key, "must be a number or null");
 }
 
+std::vector<std::string> read_texts(projects::ObjectReader& reader, const std::string& key) {
+    std::vector<std::string> texts;
+    reader.each(key, [&](const projects::Json& json, const std::string&) {
+        if (!json.is_string()) reader.fail(key, "must be an array of texts");
+        texts.push_back(json);
+    });
+    return texts;
+}
+
 std::string csv_value(const projects::Json& value) {
     return value.is_null() ? "" : csv_field(value.is_string() ? value.get<std::string>() : value.dump());
 }

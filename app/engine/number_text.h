@@ -14,6 +14,9 @@ projects::Json number_json(double value);
 double number_from(const projects::Json& json, const std::string& reason,
                    const projects::ObjectReader& reader, const std::string& key);
 
+/// The member is an array of texts; absent: none. Throws InputError.
+std::vector<std::string> read_texts(projects::ObjectReader& reader, const std::string& key);
+
 std::string csv_number(double value);
 std::string csv_value(const projects::Json& value);
 

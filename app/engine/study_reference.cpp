@@ -1,7 +1,6 @@
 #include "app/engine/study_reference.h"
 
 #include <cmath>
-#include <optional>
 
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
@@ -26,31 +25,6 @@ StudyReference from_image(const projects::ForeignImage& image, const std::filesy
     StudyReference result;
     result.image = read_image(projects::resolve(image.source, folder));
     result.notes.push_back("the reference is a foreign image: nothing says what light transport it shows");
-    return result;
-}
-
-/// The picture that a project keeps of the experiment as it is now.
-std::optional<StudyReference> from_kept(const projects::Project& project,
-                                        const projects::Experiment& experiment,
-                                        const std::filesystem::path& folder) {
-    const auto now = projects::with_contents(project, projects::read_contents(project, folder));
-    const auto index = projects::ResultIndex::load(folder);
-    const auto* kept = index.find(projects::result_key(now, experiment, registry()));
-    if (!kept) return {};
-    StudyReference result;
-    Image variance;
-    for (const auto& file : kept->files) {
-        if (file.role != projects::main_role) continue;
-        for (auto& layer : read_exr(folder / "results" / file.path)) {
-            if (layer.name.empty()) result.image = std::move(layer.image);
-            if (layer.name == "valid") result.valid = std::move(layer.image);
-            if (!layer.name.empty() && layer.name == variance_key(experiment))
-                variance = std::move(layer.image);
-        }
-    }
-    if (result.image.empty()) return {};
-    result.notes.push_back("the reference is its kept result of " + kept->provenance.date);
-    if (!variance.empty()) result.noise = noise_of(variance, result.valid);
     return result;
 }
 
@@ -89,6 +63,29 @@ StudyReference rendered(Machine& machine, const projects::Project& project,
 
 }  // namespace
 
+std::optional<StudyReference> kept_picture(const projects::Project& now,
+                                           const projects::Experiment& experiment,
+                                           const std::filesystem::path& folder) {
+    const auto index = projects::ResultIndex::load(folder);
+    const auto* kept = index.find(projects::result_key(now, experiment, registry()));
+    if (!kept) return {};
+    StudyReference result;
+    Image variance;
+    for (const auto& file : kept->files) {
+        if (file.role != projects::main_role) continue;
+        for (auto& layer : read_exr(folder / "results" / file.path)) {
+            if (layer.name.empty()) result.image = std::move(layer.image);
+            if (layer.name == "valid") result.valid = std::move(layer.image);
+            if (!layer.name.empty() && layer.name == variance_key(experiment))
+                variance = std::move(layer.image);
+        }
+    }
+    if (result.image.empty()) return {};
+    result.kept_on = kept->provenance.date;
+    if (!variance.empty()) result.noise = noise_of(variance, result.valid);
+    return result;
+}
+
 double noise_of(const Image& variance, const Image& valid) {
     const int channels = value_channels(Semantic::radiance, variance.channels);
     double sum = 0;
@@ -114,7 +111,11 @@ StudyReference study_reference(Machine& machine, const projects::Project& projec
     if (!experiment) throw UsageError("there is no experiment or image '" + id + "' to be the reference");
     std::string why_not_kept;
     try {
-        if (auto kept = from_kept(project, *experiment, folder)) return std::move(*kept);
+        const auto now = projects::with_contents(project, projects::read_contents(project, folder));
+        if (auto kept = kept_picture(now, *experiment, folder)) {
+            kept->notes.push_back("the reference is its kept result of " + kept->kept_on);
+            return std::move(*kept);
+        }
     } catch (const InputError& error) {
         why_not_kept = std::string("the reference was rendered, because its kept result cannot be read: ") +
                        error.what();

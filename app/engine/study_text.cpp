@@ -40,15 +40,6 @@ ErrorPoint read_point(ObjectReader& reader) {
     return point;
 }
 
-std::vector<std::string> read_texts(ObjectReader& reader, const std::string& key) {
-    std::vector<std::string> texts;
-    reader.each(key, [&](const Json& json, const std::string&) {
-        if (!json.is_string()) reader.fail(key, "must be an array of texts");
-        texts.push_back(json);
-    });
-    return texts;
-}
-
 }  // namespace
 
 std::string study_json(const ErrorStudy& study) {

@@ -37,14 +37,15 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile",
-          "pipeline"}},
+          "timings", "messages", "results", "plots", "sweeps", "analyses", "timeline", "benchmarks",
+          "profile", "pipeline"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}, QT_TR_NOOP("Compare"), two_views},
         {"results", {"results"}},
         {"plots", {"plots"}, QT_TR_NOOP("Plots")},
         {"sweeps", {"sweeps"}, QT_TR_NOOP("Sweeps")},
+        {"analyses", {"analyses"}, QT_TR_NOOP("Analyses")},
         {"timeline", {"timeline"}},
         {"benchmarks", {"benchmarks"}},
         {"profile", {"profile"}},
@@ -169,7 +170,8 @@ void DockLayout::arrange() {
     tabify("messages", "results");
     tabify("results", "plots");
     tabify("plots", "sweeps");
-    tabify("sweeps", "timeline");
+    tabify("sweeps", "analyses");
+    tabify("analyses", "timeline");
     tabify("timeline", "benchmarks");
     tabify("benchmarks", "profile");
     tabify("profile", "pipeline");
@@ -179,8 +181,8 @@ void DockLayout::arrange() {
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.
-    for (const char* quiet :
-         {"messages", "results", "plots", "sweeps", "timeline", "benchmarks", "profile", "pipeline"})
+    for (const char* quiet : {"messages", "results", "plots", "sweeps", "analyses", "timeline", "benchmarks",
+                              "profile", "pipeline"})
         dock(quiet)->hide();
 }
 
@@ -212,7 +214,7 @@ void DockLayout::apply(const QString& name) {
         arrange();
         views_.arrange(layout.views);
         for (auto* each : docks()) each->setVisible(layout.docks.contains(each->objectName()));
-        if (QStringList{"plots", "sweeps", "benchmarks", "profile", "pipeline"}.contains(name))
+        if (QStringList{"plots", "sweeps", "analyses", "benchmarks", "profile", "pipeline"}.contains(name))
             window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);
         return show(has_project_);
     }

@@ -137,6 +137,7 @@ bool LightMover::has_handles(const widgets::ViewState& state, widgets::ViewPane&
         case ViewMode::side_by_side:
             return i < sources.size() && is_lit(i);
         case ViewMode::wipe:
+        case ViewMode::lens:
         case ViewMode::flip: {
             const auto& poses = pane.compare().compared().poses;
             const bool is_one_camera = std::all_of(poses.begin(), poses.end(),

@@ -67,6 +67,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       results_(new ResultsDock(session_, live_, renderer_, views(), kept_)),
       plots_(new PlotsDock(session_, preferences_, options.study_runner)),
       sweeps_(new SweepsDock(session_, preferences_, options.sweep_runner)),
+      analyses_(new AnalysesDock(session_, preferences_, options.analysis_runner, options.surface)),
       benchmarks_(new BenchmarkDock(session_, preferences_, options.benchmark_runner)),
       parameters_(new ParameterDock(session_, scenes_, notices_)),
       scene_(new SceneDock(session_, scenes_)),
@@ -164,6 +165,7 @@ void MainWindow::make_docks() {
     docks_.add("results", tr("Results"), results_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
     docks_.add("plots", tr("Plots"), scrolled(plots_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
     docks_.add("sweeps", tr("Sweeps"), sweeps_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
+    docks_.add("analyses", tr("Analyses"), analyses_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_Y));
     docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
     docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
@@ -176,6 +178,7 @@ void MainWindow::make_docks() {
         results_->set_visible_to_user(docks_.is_seen("results"));
         plots_->set_visible_to_user(docks_.is_seen("plots"));
         sweeps_->set_visible_to_user(docks_.is_seen("sweeps"));
+        analyses_->set_visible_to_user(docks_.is_seen("analyses"));
         metrics_.set_visible(docks_.is_seen("metrics"));
         profile_.set_visible(docks_.is_seen("profile"), docks_.is_seen("metrics"));
     });
@@ -221,8 +224,8 @@ void MainWindow::make_menus() {
         "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
         "explain explain-nothing trace-pixel whole-frame pin");
     add_menu(tr("&Compare"),
-             "mode-single mode-side-by-side mode-wipe mode-flip mode-difference mode-stages | swap link | "
-             "comparison-add");
+             "mode-single mode-side-by-side mode-wipe mode-lens mode-flip mode-difference mode-stages | "
+             "swap link | comparison-add");
     picture_menu_ = new QMenu(this);
     actions_.fill(picture_menu_,
                   "light-here light-camera headlight | explain trace-pixel pin | rectangle line | bookmark | "
@@ -307,14 +310,13 @@ void MainWindow::join_panels() {
     connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
     connect(&document_->tree(), &widgets::ProjectPanel::item_activated, &joins_,
             [this](const widgets::ItemRef& item) {
-                if (item.kind == widgets::ItemKind::plot) show_plot(item.id.toStdString());
-                if (item.kind != widgets::ItemKind::sweep) return;
-                docks_.raise("sweeps");
-                sweeps_->show_sweep(item.id.toStdString());
+                const auto id = item.id.toStdString();
+                if (item.kind == widgets::ItemKind::plot) show_plot(id);
+                if (item.kind == widgets::ItemKind::sweep) docks_.raise("sweeps"), sweeps_->show_sweep(id);
+                if (item.kind == widgets::ItemKind::analysis)
+                    docks_.raise("analyses"), analyses_->show_analysis(id);
             });
-    const auto select = [this](const QString& experiment) {
-        session_.select_experiment(experiment.toStdString());
-    };
+    const auto select = [this](const QString& id) { session_.select_experiment(id.toStdString()); };
     connect(plots_, &PlotsDock::loaded, &joins_, select);
     connect(sweeps_, &SweepsDock::loaded, &joins_, select);
     connect(sweeps_, &SweepsDock::report_wanted, &report_,
@@ -329,9 +331,11 @@ void MainWindow::join_panels() {
     };
     connect(plots_, &PlotsDock::edit_wanted, &joins_, edit(widgets::ItemKind::plot));
     connect(sweeps_, &SweepsDock::edit_wanted, &joins_, edit(widgets::ItemKind::sweep));
+    connect(analyses_, &AnalysesDock::edit_wanted, &joins_, edit(widgets::ItemKind::analysis));
     notices_.follow(*results_, "results");
     notices_.follow(*plots_, "plots");
     notices_.follow(*sweeps_, "sweeps");
+    notices_.follow(*analyses_, "analyses");
     notices_.follow(*benchmarks_, "benchmarks");
 }
 
@@ -345,6 +349,7 @@ void MainWindow::save_memory() {
     figure_.save(memory);
     plots_->save(memory);
     sweeps_->save(memory);
+    analyses_->save(memory);
     benchmarks_->save(memory);
     playback_.save(memory);
     memory["notes"] = {{"folded", notes_->is_folded()}};
@@ -360,6 +365,7 @@ void MainWindow::load_memory() {
     figure_.load(memory);
     plots_->load(memory);
     sweeps_->load(memory);
+    analyses_->load(memory);
     benchmarks_->load(memory);
     playback_.load(memory);
     notes_->set_folded(field_or(member_or_null(memory, "notes"), "folded", height() < min_height_for_notes));
@@ -417,12 +423,14 @@ void MainWindow::go_to(const Message& message) {
 bool MainWindow::is_settled() const {
     return live_.is_settled() && !images_.is_reading() && !kept_.is_busy() && workspace_.is_settled() &&
            metrics_.is_settled() && profile_.is_settled() && pipeline_.is_settled() && figure_.is_settled() &&
-           plots_->is_settled() && sweeps_->is_settled() && benchmarks_->is_settled();
+           plots_->is_settled() && sweeps_->is_settled() && analyses_->is_settled() &&
+           benchmarks_->is_settled();
 }
 
 void MainWindow::end_work() {
     benchmarks_->cancel();
     sweeps_->cancel();
+    analyses_->cancel();
     profile_.leave();
     if (remember_) docks_.remember();
 }
@@ -449,6 +457,7 @@ void MainWindow::changeEvent(QEvent* event) {
     kept_.look();
     plots_->look();
     sweeps_->look();
+    analyses_->look();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 
+#include "app/gui/analyses_dock.h"
 #include "app/gui/benchmark_dock.h"
 #include "app/gui/dock_layout.h"
 #include "app/gui/edit_controller.h"
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
         engine::StudyRunner study_runner = {};          ///< without one they get machines of their own
         engine::BenchmarkRunner benchmark_runner = {};  ///< as above
         engine::SweepRunner sweep_runner = {};          ///< as above
+        engine::AnalysisRunner analysis_runner = {};    ///< as above
     };
     MainWindow(Renderer& renderer, const Registry& registry, const Options& options);
 
@@ -140,6 +142,7 @@ class MainWindow : public QMainWindow {
     ResultsDock* results_;
     PlotsDock* plots_;
     SweepsDock* sweeps_;
+    AnalysesDock* analyses_;
     BenchmarkDock* benchmarks_;
     ParameterDock* parameters_;
     SceneDock* scene_;

@@ -144,6 +144,7 @@ void ViewController::add_compare_actions() {
     add_mode("mode-single", ViewMode::single, Qt::Key_1);
     add_mode("mode-side-by-side", ViewMode::side_by_side, Qt::Key_2);
     add_mode("mode-wipe", ViewMode::wipe, Qt::Key_3);
+    add_mode("mode-lens", ViewMode::lens, Qt::Key_8);
     add_mode("mode-flip", ViewMode::flip, Qt::Key_4);
     add_mode("mode-difference", ViewMode::difference, Qt::Key_5);
     add_mode("mode-stages", ViewMode::stages, Qt::Key_6);

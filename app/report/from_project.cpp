@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/engine/analysis/kept_analysis.h"
 #include "app/engine/execution.h"
 #include "app/engine/kept_study.h"
 #include "app/engine/study_plot.h"
@@ -81,6 +82,7 @@ class ProjectReport {
             if (!table.rows.empty() || !table.notes.empty()) report_.metrics.push_back(std::move(table));
         }
         for (const auto& plot : project_.plots) add_plot(plot);
+        for (const auto& analysis : project_.analyses) add_analysis(analysis);
         report_.settings = settings_of(report_.galleries);
         report_.provenance = provenance_of(report_.galleries);
         return std::move(report_);
@@ -250,6 +252,22 @@ class ProjectReport {
         if (engine::is_stale(*kept, project_, plot, contents_)) {
             drawn.warning = "stale: the numbers are not of what the project says now";
             lack("The plot " + name_of(plot) + " is stale: its numbers are of before.");
+        }
+        report_.plots.push_back(std::move(drawn));
+    }
+
+    void add_analysis(const projects::Analysis& analysis) {
+        std::optional<engine::KeptAnalysis> kept;
+        try {
+            kept = engine::load_analysis(engine::analysis_folder(folder_, analysis.id), false);
+        } catch (const InputError&) {
+            return lack("The kept answer of the analysis " + name_of(analysis) + " cannot be read.");
+        }
+        if (!kept) return lack("The analysis " + name_of(analysis) + " has no kept answer.");
+        Plot drawn{std::move(kept->result.data), analysis.notes, ""};
+        if (engine::is_stale(*kept, project_, analysis, contents_)) {
+            drawn.warning = "stale: the answer is not of what the project says now";
+            lack("The analysis " + name_of(analysis) + " is stale: its answer is of before.");
         }
         report_.plots.push_back(std::move(drawn));
     }

@@ -337,10 +337,11 @@ class Page {
             out_.open("figure", {{"class", "plot"}});
             out_.line("h3", plot.data.title);
             if (!plot.warning.empty()) out_.line("p", plot.warning, {{"class", "warning"}});
-            out_.raw(plot_svg(plot.data, plot_width, plot_height, false));
+            const int height = plot.data.are_bars ? plot_svg_height_of(plot.data) : plot_height;
+            out_.raw(plot_svg(plot.data, plot_width, height, false));
             out_.open("figcaption");
             write_paragraphs(plot.notes, "caption");
-            const auto placed = place_plot(plot.data, plot_width, plot_height);
+            const auto placed = place_plot(plot.data, plot_width, height);
             for (const auto* lines : {&plot.data.problems, &placed.remarks, &plot.data.notes})
                 for (const auto& line : *lines) out_.line("p", line, {{"class", "note"}});
             out_.close();

@@ -76,6 +76,7 @@ Json json_of(const ParameterDescription& p) {
         json["choices"].push_back({{"key", choice.key}, {"label", choice.label}, {"doc", choice.doc}});
         if (choice.effect == Effect::cost) json["choices"].back()["effect"] = "cost";
     }
+    if (!p.exact.empty()) json["exact"] = p.exact;
     json["doc"] = p.doc;
     if (!p.citation.empty()) json["citation"] = p.citation;
     json["group"] = is_transport_key(p.key) ? "transport" : "method";
@@ -163,7 +164,9 @@ Json json_of(const SelectorDescription& selector) {
 
 /// What follows the doc of a parameter and of its choices.
 std::string further_text(const ParameterDescription& p) {
-    std::string text = condition_sentence({p.active_when});
+    std::string text;
+    if (!p.exact.empty()) text += " Exact stand-ins: " + listed(p.exact) + ".";
+    text += condition_sentence({p.active_when});
     if (p.coarse) text += " In coarse pictures " + coarse_text(p) + ".";
     return p.citation.empty() ? text : text + " [" + p.citation + "]";
 }

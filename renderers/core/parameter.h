@@ -47,6 +47,9 @@ struct ParameterText {
     Range soft = {};                   ///< what a slider spans
     std::vector<Choice> choices = {};  ///< in the order of the bound enum's values
     std::vector<std::string> supported = {};  ///< keys of the choices that may be taken; empty: all
+    /// Keys of the choices that put something exact in the place of an approximation, from the one that
+    /// replaces least: an error waterfall puts them in one after another.
+    std::vector<std::string> exact = {};
     Effect effect = Effect::image;
     OnChange on_change = OnChange::reset_history;
     Condition active_when = {};

@@ -13,6 +13,7 @@ namespace ir {
 namespace {
 
 constexpr int tick_width = 64, tick_height = 30;  ///< logical pixels that a label wants
+constexpr int bar_row = 15;                       ///< logical pixels that the name of a row wants
 constexpr double farthest_level = 30;             ///< below the least value, as a factor
 constexpr std::size_t marks_of_curve = 8;         ///< about
 
@@ -95,8 +96,11 @@ PlacedPlot place_plot(const PlotData& data, double width, double height) {
     auto heights = values_of(data, &PlotPoint::y);
     const bool shows_level = data.level && is_level_near(*data.level, data.y, heights);
     if (shows_level && !heights.empty()) heights.push_back(data.level->y);
-    PlacedPlot plot{PlotScale(data.x, values_of(data, &PlotPoint::x), max_ticks(width, tick_width)),
-                    PlotScale(data.y, heights, max_ticks(height, tick_height)),
+    auto widths = values_of(data, &PlotPoint::x);
+    if (data.are_bars) std::ranges::copy(values_of(data, &PlotPoint::value), std::back_inserter(widths));
+    const int rows = data.are_bars ? std::max(1, int(height) / bar_row) : max_ticks(height, tick_height);
+    PlacedPlot plot{PlotScale(data.x, widths, max_ticks(width, tick_width)),
+                    PlotScale(data.y, heights, rows),
                     {},
                     shows_level};
     if (data.heat) plot.heat = heat_of(data);
@@ -121,7 +125,7 @@ PlacedPlot place_plot(const PlotData& data, double width, double height) {
             displaced += is_displaced ? 1 : 0;
             plot.marks.push_back({point.id, int(s), i, plot.x.place(point.x), plot.y.place(point.y),
                                   point.ring, is_displaced, i % every == first, std::exchange(begins, false),
-                                  point.value});
+                                  data.are_bars ? plot.x.place(point.value) : point.value});
         }
     }
     add_remark(plot, displaced, " point is zero or infinite, and stands hollow at the edge",

@@ -21,7 +21,7 @@ struct PlacedPlot {
         bool ring = false, displaced = false;
         bool shown = true;    ///< false: a line alone passes here
         bool begins = false;  ///< no line comes from the point before
-        double value = 0;     ///< of a tile
+        double value = 0;     ///< of a tile; of a bar the place where it begins
     };
     /// What the colours of a heat map span.
     struct Heat {

@@ -19,7 +19,7 @@ struct PlotPoint {
     std::string label;  ///< what a tooltip says, several lines
     bool ring = false;  ///< marked
     std::vector<PlotCell> cells = {};
-    double value = 0;  ///< of a heat map's tile
+    double value = 0;  ///< of a heat map's tile; where a bar begins
     bool operator==(const PlotPoint&) const = default;
 };
 
@@ -63,6 +63,8 @@ struct PlotData {
     /// Each series is a function read at many places: only some points have marks, and the line breaks where
     /// a point has no number.
     bool are_curves = false;
+    /// Points are bars along x, from `value` on, in the rows that y names; series share a row.
+    bool are_bars = false;
     std::vector<std::string> headings;  ///< of the points' cells
     std::vector<std::string> problems;  ///< points that are none, and why: a line each
     std::vector<std::string> notes;     ///< what a reader should know, a line each

@@ -20,6 +20,10 @@ constexpr double rough_margins = 90;  ///< beside the axes, before texts are mea
 constexpr double title_row = 0.9, first_row = 0.7, rows_below_title = 2;
 constexpr double tick_row = 0.6, axis_title_row = 1.6, bottom_margin = 2.3, axes_keep = 4;
 constexpr double min_axes = 40;
+constexpr double bars_part = 0.76;  ///< of their row
+constexpr double min_bar = 1.5;     ///< logical pixels: what is nothing is seen, too
+constexpr double names_part = 0.4;  ///< of the width, that names of rows take at most
+constexpr double swatch = 12;
 constexpr int rings_entry = -1, heat_entry = -2, rest_entry = -3;  ///< of the legend, in place of a series
 
 bool begins_letter(char c) {
@@ -81,7 +85,8 @@ PlotDrawing::PlotDrawing(const PlotData& data, const PlotStyle& style, double wi
     lay_out_legend(measure);
     const double line = measure.line_height();
     double widest = 0;
-    for (const auto& tick : plot_.y.ticks()) widest = std::max(widest, measure.width_of(tick.text));
+    for (const auto& tick : plot_.y.ticks())
+        widest = std::max(widest, std::min(measure.width_of(tick.text), name_room()));
     area_.left = line + widest + 2 * tick_gap + 2;
     area_.right = std::max(area_.left + min_axes, width - right_margin);
     area_.top =
@@ -107,7 +112,8 @@ void PlotDrawing::lay_out_legend(const PlotCanvas& measure) {
         x += needed + legend_gap;
     };
     if (plot_.heat) return add(data_.heat->title, heat_entry);
-    for (std::size_t s = 0; s < data_.series.size(); ++s) add(data_.series[s].name, int(s));
+    for (std::size_t s = 0; s < data_.series.size(); ++s)
+        if (!data_.are_bars || !data_.series[s].name.empty()) add(data_.series[s].name, int(s));
     if (plot_.has_rings() && !data_.ring_name.empty()) add(data_.ring_name, rings_entry);
     if (rest == 0) return;
     const auto words = [&] { return "and " + std::to_string(rest) + " more"; };
@@ -126,8 +132,17 @@ double PlotDrawing::y_at(double place) const {
     return area_.bottom - (place - plot_.y.low()) / (plot_.y.high() - plot_.y.low()) * area_.height();
 }
 
-Box PlotDrawing::tile(const Mark& mark) const {
-    return {x_at(mark.x - 0.5), y_at(mark.y + 0.5), x_at(mark.x + 0.5), y_at(mark.y - 0.5)};
+double PlotDrawing::name_room() const {
+    return data_.y.names.empty() ? width_ : names_part * width_;
+}
+
+Box PlotDrawing::box(const Mark& mark) const {
+    if (!data_.are_bars)
+        return {x_at(mark.x - 0.5), y_at(mark.y + 0.5), x_at(mark.x + 0.5), y_at(mark.y - 0.5)};
+    const double part = bars_part / double(data_.series.size());
+    const double top = mark.y + bars_part / 2 - part * mark.series;
+    const double left = x_at(std::min(mark.x, mark.value)), right = x_at(std::max(mark.x, mark.value));
+    return {left, y_at(top), std::max(right, left + min_bar), y_at(top - part)};
 }
 
 void PlotDrawing::draw(PlotCanvas& canvas) const {
@@ -139,6 +154,7 @@ void PlotDrawing::draw(PlotCanvas& canvas) const {
         for (const auto& mark : plot_.marks) draw_tile(canvas, mark);
         return;
     }
+    if (data_.are_bars) return draw_bars(canvas);
     draw_level(canvas);
     draw_lines(canvas);
     for (const auto& mark : plot_.marks) {
@@ -159,7 +175,7 @@ void PlotDrawing::draw_axes(PlotCanvas& canvas) const {
     for (const auto& tick : plot_.y.ticks()) {
         const double y = y_at(tick.place);
         canvas.line({{area_.left, y}, {area_.right, y}}, grid, {});
-        canvas.text({area_.left - tick_gap, y}, tick.text, Anchor::end, text);
+        canvas.text({area_.left - tick_gap, y}, shortened(canvas, tick.text, name_room()), Anchor::end, text);
     }
     const auto& ticks = plot_.x.ticks();
     for (const auto& tick : ticks) {
@@ -193,7 +209,10 @@ void PlotDrawing::draw_legend(PlotCanvas& canvas) const {
             continue;
         }
         const Place centre{at.x + sample_width / 2, at.y}, end{at.x + sample_width, at.y};
-        if (series == rings_entry) {
+        if (data_.are_bars) {
+            canvas.box({centre.x - swatch / 2, at.y - swatch / 2, centre.x + swatch / 2, at.y + swatch / 2},
+                       {style_.series(series), "mark " + series_name(style_, series)});
+        } else if (series == rings_entry) {
             if (data_.join_rings) canvas.line({at, end}, {style_.front, "front"}, front_stroke);
             draw_ring(canvas, centre, 6, style_, true);
         } else {
@@ -223,13 +242,25 @@ void PlotDrawing::draw_heat_legend(PlotCanvas& canvas) const {
 }
 
 void PlotDrawing::draw_tile(PlotCanvas& canvas, const Mark& mark) const {
-    const auto box = tile(mark);
+    const auto tile = box(mark);
     canvas.begin_point(point(mark));
-    canvas.box(box, {plot_.heat->colour(mark.value), "tile"});
-    if (box.width() >= min_tile_width && box.height() >= min_tile_height)
-        canvas.text({(box.left + box.right) / 2, (box.top + box.bottom) / 2}, plot_number(mark.value),
+    canvas.box(tile, {plot_.heat->colour(mark.value), "tile"});
+    if (tile.width() >= min_tile_width && tile.height() >= min_tile_height)
+        canvas.text({(tile.left + tile.right) / 2, (tile.top + tile.bottom) / 2}, plot_number(mark.value),
                     Anchor::middle, {plot_.heat->ink(mark.value), "value"});
     canvas.end_point();
+}
+
+/// With a line where x is 0.
+void PlotDrawing::draw_bars(PlotCanvas& canvas) const {
+    for (const auto& mark : plot_.marks) {
+        canvas.begin_point(point(mark));
+        canvas.box(box(mark), {style_.series(mark.series), "mark " + series_name(style_, mark.series)});
+        canvas.end_point();
+    }
+    const double zero = plot_.x.place(0);
+    if (zero > plot_.x.low() && zero < plot_.x.high())
+        canvas.line({{x_at(zero), area_.top}, {x_at(zero), area_.bottom}}, {style_.dim, "axis"}, {});
 }
 
 void PlotDrawing::draw_level(PlotCanvas& canvas) const {

@@ -72,8 +72,9 @@ class PlotDrawing {
     /// What the axes enclose.
     const PlotCanvas::Box& area() const { return area_; }
     PlotCanvas::Place place(const Mark& mark) const { return {x_at(mark.x), y_at(mark.y)}; }
-    /// Of a heat map.
-    PlotCanvas::Box tile(const Mark& mark) const;
+    /// Whether points are tiles of a heat map or bars: a box is drawn for each.
+    bool has_boxes() const { return plot_.heat || data_.are_bars; }
+    PlotCanvas::Box box(const Mark& mark) const;
     void draw(PlotCanvas& canvas) const;
     /// A point's mark with its ring, larger than among the others by that many pixels.
     void draw_mark(PlotCanvas& canvas, const Mark& mark, double growth = 0) const;
@@ -94,6 +95,8 @@ class PlotDrawing {
     void draw_legend(PlotCanvas& canvas) const;
     void draw_heat_legend(PlotCanvas& canvas) const;
     void draw_tile(PlotCanvas& canvas, const Mark& mark) const;
+    void draw_bars(PlotCanvas& canvas) const;
+    double name_room() const;
     void draw_level(PlotCanvas& canvas) const;
     void draw_lines(PlotCanvas& canvas) const;
     const PlotPoint& point(const Mark& mark) const {

@@ -1,5 +1,6 @@
 #include "renderers/plot/plot_svg.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -103,6 +104,12 @@ class SvgCanvas : public PlotCanvas {
 };
 
 }  // namespace
+
+int plot_svg_height_of(const PlotData& data) {
+    constexpr int row = 22, rest = 100;
+    return data.are_bars ? std::max(plot_svg_height / 2, rest + row * int(data.y.names.size()))
+                         : plot_svg_height;
+}
 
 std::string plot_svg(const PlotData& data, int width, int height, bool is_file) {
     const auto w = std::to_string(width), h = std::to_string(height);

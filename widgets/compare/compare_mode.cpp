@@ -30,6 +30,11 @@ class Wipe : public OfTwo {
     bool has_divider() const override { return true; }
 };
 
+class Lens : public OfTwo {
+  public:
+    bool has_lens() const override { return true; }
+};
+
 class Difference : public OfTwo {
   public:
     std::vector<PaneContent> contents(const ComparedPictures& all) const override {
@@ -98,6 +103,7 @@ const CompareMode& CompareMode::of(ComparedPictures::Mode mode) {
     static const CompareMode one_at_a_time;
     static const SideBySide side_by_side;
     static const Wipe wipe;
+    static const Lens lens;
     static const Difference difference;
     static const Stages stages;
     switch (mode) {
@@ -105,6 +111,8 @@ const CompareMode& CompareMode::of(ComparedPictures::Mode mode) {
             return side_by_side;
         case ComparedPictures::Mode::wipe:
             return wipe;
+        case ComparedPictures::Mode::lens:
+            return lens;
         case ComparedPictures::Mode::difference:
             return difference;
         case ComparedPictures::Mode::stages:

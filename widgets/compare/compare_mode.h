@@ -34,8 +34,9 @@ class CompareMode {
     virtual bool is_row() const { return false; }
     /// A stays where the others are refused.
     virtual bool keeps_first() const { return false; }
-    /// B stands right of a divider.
+    /// B stands right of a divider, or in a lens.
     virtual bool has_divider() const { return false; }
+    virtual bool has_lens() const { return false; }
 };
 
 }  // namespace ir::widgets

@@ -162,7 +162,7 @@ std::shared_ptr<const Picture> CompareView::difference_picture() const {
 
 std::shared_ptr<const Picture> CompareView::pointed_picture() const {
     const auto& view = panes_->pane(pointed_pane_);
-    return is_right_of_divider(pointed_pane_, pointed_) ? view.state().pictures[1].picture : view.picture();
+    return is_of_second(pointed_pane_, pointed_) ? view.state().pictures[1].picture : view.picture();
 }
 
 bool CompareView::is_computing() const {
@@ -199,17 +199,18 @@ void CompareView::camera_from(int pane, const CameraPose& pose) {
     emit camera_moved(pose, picture);
 }
 
-bool CompareView::is_right_of_divider(int pane, QPoint pixel) const {
+/// The lens is where the cursor is.
+bool CompareView::is_of_second(int pane, QPoint pixel) const {
     const auto& view = panes_->pane(pane);
-    return rules().has_divider() && all_.held < 0 && view.state().pictures[1].picture &&
-           pixel.x() + 0.5 >= all_.wipe * view.image().width;
+    if (all_.held >= 0 || !view.state().pictures[1].picture) return false;
+    return rules().has_lens() || (rules().has_divider() && pixel.x() + 0.5 >= all_.wipe * view.image().width);
 }
 
 int CompareView::picture_of(int pane, QPoint pixel) const {
     if (pane >= int(contents_.size())) return 0;
     const PaneContent& content = contents_[std::size_t(pane)];
     if (content.difference) return -1;
-    if (is_right_of_divider(pane, pixel)) return 1;
+    if (is_of_second(pane, pixel)) return 1;
     return content.picture == StagePair::reference ? all_.count() : content.picture;
 }
 
@@ -245,8 +246,9 @@ void CompareView::show_difference(int slot) {
 }
 
 void CompareView::fill(ImageView& view, const PaneContent& content, const QString& refusal) {
-    const bool divided = rules().has_divider() && all_.held < 0 && all_.count() >= 2 && refusal.isEmpty();
-    if (!divided) view.set_second(nullptr);
+    const bool has_second = (rules().has_divider() || rules().has_lens()) && all_.held < 0 &&
+                            all_.count() >= 2 && refusal.isEmpty();
+    if (!has_second) view.set_second(nullptr);
     if (content.picture >= all_.count()) {
         view.set_picture(nullptr);
         return view.set_labels({});
@@ -265,8 +267,8 @@ void CompareView::fill(ImageView& view, const PaneContent& content, const QStrin
     view.set_picture(all_.picture(content.picture));
     view.set_labels(title);
     if (const auto* pose = all_.pose(content.picture)) view.camera().set_pose(*pose);
-    if (!divided) return;
-    view.set_second(all_.pictures[1], all_.shown_display(1));
+    if (!has_second) return;
+    view.set_second(all_.pictures[1], all_.shown_display(1), rules().has_lens());
     view.set_labels(title, all_.title(1));
     view.set_wipe(all_.wipe);
 }

@@ -17,9 +17,9 @@ class StageBar;
 class ViewLink;
 
 /// Shows a comparison: fills the panes that its mode asks for, has the differences computed, and turns what a
-/// hand does into changes. Keys: 1 … 9 show a picture for as long as they are held (single, wipe, flip,
-/// difference) or choose two to be compared (stages; 0: none), Tab shows the next one (flip), X swaps A and
-/// B, L links and unlinks.
+/// hand does into changes. Keys: 1 … 9 show a picture for as long as they are held (single, wipe, lens,
+/// flip, difference) or choose two to be compared (stages; 0: none), Tab shows the next one (flip), X swaps A
+/// and B, L links and unlinks.
 class CompareView : public QWidget {
     Q_OBJECT
   public:
@@ -47,7 +47,7 @@ class CompareView : public QWidget {
     /// Picture of the view that has (or last had) the keyboard.
     int active_picture() const;
     ImageView& active_view() { return panes_->pane(panes_->active()); }
-    /// The only view of single, wipe, flip and difference; the one of A otherwise.
+    /// The only view of single, wipe, lens, flip and difference; the one of A otherwise.
     ImageView& main_view() { return panes_->pane(0); }
     /// Views of this mode in the order of the pictures.
     std::vector<ImageView*> views() const { return views_where(false); }
@@ -99,7 +99,7 @@ class CompareView : public QWidget {
     void connect_pane(ImageView* view, int pane);
     void camera_from(int pane, const CameraPose& pose);
     int picture_of(int pane, QPoint pixel) const;
-    bool is_right_of_divider(int pane, QPoint pixel) const;
+    bool is_of_second(int pane, QPoint pixel) const;
 
     void refresh();
     void request_differences();

@@ -18,7 +18,7 @@ namespace ir::widgets {
 struct ComparedPictures {
     Q_DECLARE_TR_FUNCTIONS(ComparedPictures)
   public:
-    enum class Mode { single, side_by_side, wipe, flip, difference, stages };
+    enum class Mode { single, side_by_side, wipe, lens, flip, difference, stages };
 
     Mode mode = Mode::single;
     DifferenceKind kind = DifferenceKind::signed_;

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "widgets/document/analysis_editor.h"
 #include "widgets/document/camera_editor.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/light_set_editor.h"
@@ -49,6 +50,8 @@ bool is_there(const projects::Project& project, const ItemRef& item) {
             return find_item(project.sweeps, id);
         case ItemKind::plot:
             return find_item(project.plots, id);
+        case ItemKind::analysis:
+            return find_item(project.analyses, id);
         default:
             return false;
     }
@@ -93,6 +96,7 @@ ItemEditor::ItemEditor(QWidget* parent)
     add_form({ItemKind::image}, new ImageEditor);
     add_form({ItemKind::sweep}, new SweepEditor);
     add_form({ItemKind::plot}, new PlotEditor);
+    add_form({ItemKind::analysis}, new AnalysisEditor);
     show_again();
 }
 

@@ -115,6 +115,8 @@ EditPtr for_type(ItemKind kind, Work work) {
             return work.template operator()<projects::Sweep>();
         case ItemKind::plot:
             return work.template operator()<projects::ErrorPlot>();
+        case ItemKind::analysis:
+            return work.template operator()<projects::Analysis>();
         default:
             throw UsageError("select an item of the project first");
     }

@@ -26,6 +26,7 @@ constexpr std::array words{
     Word{ItemKind::image, "image", QT_TRANSLATE_NOOP("Items", "foreign image")},
     Word{ItemKind::sweep, "sweep", QT_TRANSLATE_NOOP("Items", "sweep")},
     Word{ItemKind::plot, "plot", QT_TRANSLATE_NOOP("Items", "plot")},
+    Word{ItemKind::analysis, "analysis", QT_TRANSLATE_NOOP("Items", "analysis")},
 };
 
 const Word* word_of(ItemKind kind) {

@@ -19,7 +19,8 @@ enum class ItemKind {
     comparison,
     image,
     sweep,
-    plot
+    plot,
+    analysis
 };
 
 /// One item of the project: by id, parts and single lights by their owner's id and their place in it.

@@ -1,5 +1,6 @@
 #include "widgets/document/makers.h"
 
+#include "projects/analyses.h"
 #include "projects/edit_kinds.h"
 #include "projects/text.h"
 #include "projects/validate.h"
@@ -229,6 +230,15 @@ EditMaker add_plot(const std::string& experiment) {
         plot.experiments = {found->id};
         plot.reference = found->reference;
         return added(project, plot, "", "Plot");
+    };
+}
+
+EditMaker add_analysis(const Registry& registry, const std::string& kind, const std::string& experiment) {
+    return [&registry, kind, experiment](const Project& project) {
+        if (experiment.empty() && project.experiments.empty())
+            throw UsageError("an analysis needs an experiment; add one first");
+        const auto& id = experiment.empty() ? project.experiments.front().id : experiment;
+        return projects::edits::add(project, projects::analysis_of(project, kind, id, registry));
     };
 }
 

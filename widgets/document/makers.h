@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "renderers/core/method.h"
 #include "widgets/document/edit_maker.h"
 #include "widgets/document/item_ref.h"
 #include "widgets/image/camera_motion.h"
@@ -37,6 +38,8 @@ EditMaker add_part_motion(const std::string& scene = {}, int part = 0);
 EditMaker add_sweep(const std::string& experiment = {});
 /// Of the experiment, or of the first that has a reference, against its reference; over frames.
 EditMaker add_plot(const std::string& experiment = {});
+/// A question of this kind about the experiment, or about the first of all.
+EditMaker add_analysis(const Registry& registry, const std::string& kind, const std::string& experiment = {});
 EditMaker add_image(const std::string& name, const std::string& source);
 EditMaker set_image_source(const std::string& image, const std::string& source);
 

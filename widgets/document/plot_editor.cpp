@@ -2,11 +2,11 @@
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <algorithm>
 
 #include "projects/plots.h"
 #include "widgets/document/edit_maker.h"
+#include "widgets/document/experiment_checks.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/options.h"
 #include "widgets/document/plot_options.h"
@@ -56,19 +56,12 @@ ChoiceField* PlotEditor::choice_row(QGridLayout* grid, const char* key) {
 }
 
 void PlotEditor::make_experiments(QGridLayout* grid) {
-    experiments_ = new QListWidget(this);
-    experiments_->setObjectName(QStringLiteral("experiments"));
-    experiments_->setAccessibleName(tr("Experiments of the plot"));
-    experiments_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    experiments_->setTextElideMode(Qt::ElideRight);
+    experiments_ = new ExperimentChecks(tr("Experiments of the plot"), this);
     row(grid, text_of("experiments"), experiments_);
-    connect(experiments_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-        if (showing_) return;
-        const auto chosen = item->data(Qt::UserRole).toString().toStdString();
-        const bool is_in = item->checkState() == Qt::Checked;
+    connect(experiments_, &ExperimentChecks::ticked, this, [this](const QString& id, bool is_in) {
         emit edit_wanted(field_edit<ErrorPlot>(
             id_, "experiments",
-            [chosen, is_in](ErrorPlot& plot) {
+            [chosen = id.toStdString(), is_in](ErrorPlot& plot) {
                 std::erase(plot.experiments, chosen);
                 if (is_in) plot.experiments.push_back(chosen);
             },
@@ -91,29 +84,6 @@ void PlotEditor::make_values(QGridLayout* grid) {
     add_wide(grid, count_);
 }
 
-void PlotEditor::show_experiments(const ShownProject& shown) {
-    const auto is_in = [&](const std::string& id) {
-        return std::find(plot_.experiments.begin(), plot_.experiments.end(), id) != plot_.experiments.end();
-    };
-    const int current = experiments_->currentRow();
-    experiments_->clear();
-    const auto add = [&](const std::string& id, const QString& label, bool is_checked) {
-        auto* item = new QListWidgetItem(label, experiments_);
-        item->setData(Qt::UserRole, q(id));
-        item->setToolTip(q(id));
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-        item->setCheckState(is_checked ? Qt::Checked : Qt::Unchecked);
-    };
-    for (const auto& experiment : shown.project.experiments)
-        add(experiment.id, q(experiment.name), is_in(experiment.id));
-    for (const auto& id : plot_.experiments)
-        if (!projects::find_item(shown.project.experiments, id))
-            add(id, tr("%1 (not in the project)").arg(q(id)), true);
-    experiments_->setCurrentRow(std::clamp(current, -1, experiments_->count() - 1));
-    const int line = experiments_->fontMetrics().lineSpacing() + 6;
-    experiments_->setFixedHeight(std::clamp(experiments_->count(), 2, 6) * line + 4);
-}
-
 void PlotEditor::show_count(const ShownProject& shown) {
     const auto count = projects::count_points(shown.project, plot_);
     if (plot_.experiments.empty())
@@ -127,14 +97,13 @@ void PlotEditor::show_count(const ShownProject& shown) {
 }
 
 void PlotEditor::show_item(const ShownProject& shown, const ItemRef& item) {
-    showing_ = true;
     id_ = item.id.toStdString();
     plot_ = *projects::find_item(shown.project.plots, id_);
     set_controls_usable(shown.read_only ? shown.why_read_only : QString());
     name_->show_text(q(plot_.name));
     reference_->show_options(with_first({QString(), tr("None"), {}}, picture_options(shown.project)),
                              q(plot_.reference));
-    show_experiments(shown);
+    experiments_->show_experiments(shown.project, plot_.experiments);
     over_->show_options(plot_key_options(shown.project, plot_, shown.registry), q(plot_.over));
     values_->setPlaceholderText(plot_values_hint(plot_));
     values_->show_text(plot_values_text(plot_));
@@ -144,7 +113,6 @@ void PlotEditor::show_item(const ShownProject& shown, const ItemRef& item) {
                         plot_.against_time ? QStringLiteral("time") : QStringLiteral("values"));
     show_count(shown);
     notes_->show_text(q(plot_.notes));
-    showing_ = false;
 }
 
 }  // namespace ir::widgets

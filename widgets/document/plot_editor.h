@@ -2,11 +2,10 @@
 
 #include "widgets/document/item_form.h"
 
-class QListWidget;
-
 namespace ir::widgets {
 
 class ChoiceField;
+class ExperimentChecks;
 class NotesField;
 
 /// A plot of the error: what is judged by what, over which values, by which metric; says how many points that
@@ -21,16 +20,14 @@ class PlotEditor : public ItemForm {
     ChoiceField* choice_row(QGridLayout* grid, const char* key);
     void make_experiments(QGridLayout* grid);
     void make_values(QGridLayout* grid);
-    void show_experiments(const ShownProject& shown);
     void show_count(const ShownProject& shown);
 
     TextField *name_, *values_;
     ChoiceField *reference_, *over_, *metric_, *axis_;
-    QListWidget* experiments_;
+    ExperimentChecks* experiments_;
     QLabel* count_;
     NotesField* notes_;
     projects::ErrorPlot plot_;
-    bool showing_ = false;
 };
 
 }  // namespace ir::widgets

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "projects/analyses.h"
+#include "projects/document_fields.h"
 #include "widgets/document/motion_target.h"
 #include "widgets/document/short_forms.h"
 #include "widgets/style/number_text.h"
@@ -223,6 +225,21 @@ void add_plots(Node& root, const Project& project) {
     }
 }
 
+void add_analyses(Node& root, const Project& project) {
+    Node& group = add_group(root, ItemKind::analysis, node_text("Analyses"), project.analyses.size(),
+                            node_text("No analyses yet. Add one with Ins."));
+    for (const auto& analysis : project.analyses) {
+        const auto* kind = projects::find_analysis_kind(analysis.kind);
+        QStringList names;
+        for (const auto& id : analysis.experiments) names << name_in(project.experiments, id);
+        add_child(group, made(ItemKind::analysis, q(analysis.id), q(analysis.name),
+                              node_text("%1 · %2").arg(q(kind ? kind->label : analysis.kind),
+                                                       names.join(QStringLiteral(", "))),
+                              kind ? "analysis" : "warning",
+                              kind ? q(kind->doc) : node_text("A question that this build does not know")));
+    }
+}
+
 }  // namespace
 
 QString source_name(const std::string& source) {
@@ -267,6 +284,7 @@ std::unique_ptr<Node> project_nodes(const Project& project, const Registry& regi
     add_images(*root, project);
     add_sweeps(*root, project);
     add_plots(*root, project);
+    add_analyses(*root, project);
     return root;
 }
 

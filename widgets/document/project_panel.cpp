@@ -69,6 +69,7 @@ void ProjectPanel::set_project(const projects::Project& project, const Registry&
     const ItemKind kind = wanted.kind;
     const ItemRef owner = wanted.owner();
     has_project_ = true;
+    registry_ = &registry;
     read_only_ = read_only;
     why_read_only_ = why;
     settling_ = true;

@@ -83,6 +83,7 @@ class ProjectPanel : public QWidget {
     QMenu* add_menu_;
     QHash<QString, QAction*> actions_;
     QToolButton* add_button_ = nullptr;
+    const Registry* registry_ = nullptr;
     bool read_only_ = false, has_project_ = false;
     bool select_new_ = false;  ///< what the running edit adds becomes selected
     bool settling_ = false;    ///< the tree is being rebuilt: its selection means nothing

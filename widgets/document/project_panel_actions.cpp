@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "projects/analyses.h"
 #include "widgets/document/makers.h"
 #include "widgets/document/project_model.h"
 #include "widgets/document/project_nodes.h"
@@ -160,6 +161,11 @@ void ProjectPanel::fill_add_menu() {
           [=, this] { edit(makers::add_sweep(chosen(ItemKind::experiment)), true); });
     entry(ItemKind::plot, tr("Plot of the error"), "plot",
           [=, this] { edit(makers::add_plot(chosen(ItemKind::experiment)), true); });
+    for (const auto& kind : projects::analysis_kinds())
+        entry(ItemKind::analysis, tr("Analysis: %1").arg(QString::fromStdString(kind.label).toLower()),
+              "analysis", [=, this, key = kind.key] {
+                  edit(makers::add_analysis(*registry_, key, chosen(ItemKind::experiment)), true);
+              });
     if (owner.kind == ItemKind::scene)
         entry(ItemKind::part, tr("File to this scene …"), "part", ask(ItemKind::part, owner));
     if (owner.kind != ItemKind::light_set) return;

@@ -36,10 +36,12 @@ struct Marks {
 
 /// What a canvas draws. Owned by the view, read by its canvas.
 struct CanvasState {
-    /// The picture, and the one right of the divider (empty: there is no divider).
+    /// The picture, and the one that is seen right of the divider or in the lens (empty: there is neither).
     std::array<PreparedPicture, 2> pictures;
     ViewTransform transform;
-    double wipe = 0.5;  ///< the divider, a fraction of the picture's width
+    double wipe = 0.5;       ///< the divider, a fraction of the picture's width
+    bool has_lens = false;   ///< instead of the divider
+    QPointF lens{0.5, 0.5};  ///< its middle, fractions of the picture's size
     bool pixel_grid = true, legend = false;
     QString label, second_label;  ///< in the top corners
     QString note;                 ///< instead of a picture: why there is none
@@ -53,9 +55,14 @@ struct CanvasState {
     LightHandle light_handle = LightHandle::none;  ///< that the cursor is over or holds
 
     bool has_image() const { return !pictures[0].empty(); }
-    bool has_divider() const { return has_image() && !pictures[1].empty(); }
+    bool has_second() const { return has_image() && !pictures[1].empty(); }
+    bool has_divider() const { return has_second() && !has_lens; }
     /// View x of the divider in whole device pixels; the right edge of the view without one.
     int divider_x() const;
+    /// Whether a place of the view, device pixels, takes hold of the divider.
+    bool is_over_divider(QPointF place, qreal pixel_ratio) const;
+    /// Where the second picture is seen, device pixels of the view; empty: nowhere.
+    QRect second_area() const;
     /// The picture that is seen at a pixel.
     const PreparedPicture& at(QPointF image_px) const;
 };

@@ -108,8 +108,8 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
         const QSize view = state_.transform.view_size().toSize();
         const int x = state_.divider_x();
         draw_picture(gl, state_.pictures[0], {0, 0, x, view.height()});
-        if (state_.has_divider())
-            draw_picture(gl, state_.pictures[1], {x, 0, view.width() - x, view.height()});
+        if (const QRect area = state_.second_area(); !area.isEmpty())
+            draw_picture(gl, state_.pictures[1], area);
         gl.glDisable(GL_SCISSOR_TEST);
         vertices_->release();
         program_->release();

@@ -18,8 +18,6 @@ namespace {
 constexpr double zoom_step = 1.25;
 /// Logical pixels that a click may wander.
 constexpr double click_slack = 4;
-/// Logical pixels on either side of the divider that take hold of it.
-constexpr double divider_reach = 7;
 
 /// Room for a legend beside an exported picture: all that it needs.
 constexpr qreal whole_legend = 10000;
@@ -108,7 +106,7 @@ void ImageView::set_picture(std::shared_ptr<const Picture> picture) {
     repaint_all();
 }
 
-void ImageView::set_second(std::shared_ptr<const Picture> picture, const Display& display) {
+void ImageView::set_second(std::shared_ptr<const Picture> picture, const Display& display, bool has_lens) {
     if (picture && picture->has_image() && picture->size() != state_.transform.image_size().toSize()) {
         const QSizeF first = state_.transform.image_size();
         throw UsageError("sizes differ: A " + std::to_string(int(first.width())) + "x" +
@@ -116,6 +114,7 @@ void ImageView::set_second(std::shared_ptr<const Picture> picture, const Display
                          std::to_string(picture->size().width()) + "x" +
                          std::to_string(picture->size().height()) + "; render both at one size");
     }
+    state_.has_lens = has_lens && picture;
     state_.pictures[1] = cache_.prepare(std::move(picture), display);
     repaint_all();
 }
@@ -331,9 +330,11 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     last_position_ = event->position();
     // A press that wanders off is no pick but a pan.
     if (drag_ == Drag::pick && !is_click(event->position())) drag_ = Drag::pan;
+    const QPointF at = state_.transform.image_from_view(device(event->position()));
+    const QSizeF size = state_.transform.image_size();
+    if (state_.has_lens) state_.lens = {at.x() / size.width(), at.y() / size.height()}, repaint_all();
     if (drag_ == Drag::wipe) {
-        const QPointF at = state_.transform.image_from_view(device(event->position()));
-        move_wipe(at.x() / state_.transform.image_size().width());
+        move_wipe(at.x() / size.width());
     } else if (drag_ == Drag::pan) {
         state_.transform.pan(device(delta));
         finish_transform();
@@ -342,8 +343,7 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     } else if (drag_ == Drag::light) {
         light_tool_.drag(event->position());
     } else if (drag_ == Drag::camera) {
-        const QSizeF shown = state_.transform.image_size() * state_.transform.zoom() / devicePixelRatioF();
-        camera_.drag(delta, height(), shown.height());
+        camera_.drag(delta, height(), size.height() * state_.transform.zoom() / devicePixelRatioF());
     }
     if (drag_ == Drag::none && light_tool_.hover(event->position())) {
         update_hint();
@@ -371,14 +371,6 @@ bool ImageView::event(QEvent* event) {
         }
     }
     return QWidget::event(event);
-}
-
-bool ImageView::is_over_divider(QPointF logical) const {
-    if (!state_.has_divider()) return false;
-    const double y = device(logical).y(), top = state_.transform.offset().y();
-    const double bottom = top + state_.transform.image_size().height() * state_.transform.zoom();
-    const double reach = divider_reach * devicePixelRatioF();
-    return y >= top && y < bottom && std::abs(device(logical).x() - state_.divider_x()) <= reach;
 }
 
 void ImageView::move_wipe(double fraction) {

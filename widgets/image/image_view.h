@@ -26,8 +26,10 @@ class ImageView : public QWidget {
     /// Shows a picture without copying it; zoom and place stay. One without an image says why in its place;
     /// null: nothing at all.
     void set_picture(std::shared_ptr<const Picture> picture);
-    /// Shows B right of the divider; null: the first picture alone. Throws UsageError for another size.
-    void set_second(std::shared_ptr<const Picture> picture, const Display& display = {});
+    /// Shows B right of the divider, or in a lens about the cursor; null: the first picture alone. Throws
+    /// UsageError for another size.
+    void set_second(std::shared_ptr<const Picture> picture, const Display& display = {},
+                    bool has_lens = false);
     void set_display(const Display& display);
     /// Names in the top corners; the second right of the divider.
     void set_labels(const QString& label, const QString& second = {});
@@ -123,7 +125,9 @@ class ImageView : public QWidget {
     void pick(QPointF logical);
     bool takes_light_key(const QKeyEvent& event) const;
     bool is_click(QPointF logical) const;
-    bool is_over_divider(QPointF logical) const;
+    bool is_over_divider(QPointF logical) const {
+        return state_.is_over_divider(device(logical), devicePixelRatioF());
+    }
     void move_wipe(double fraction);
     void repaint_all();
     void update_hint();

@@ -11,6 +11,10 @@
 namespace ir::widgets {
 namespace {
 
+/// Logical pixels on either side of the divider that take hold of it.
+constexpr double divider_reach = 7;
+constexpr double lens_part = 0.36;  ///< of the view's shorter side
+
 void set_font_size(QPainter& painter, qreal size) {
     QFont font = painter.font();
     font.setPixelSize(std::max(1, int(size)));
@@ -130,6 +134,17 @@ void paint_divider(QPainter& painter, const CanvasState& state, const QRectF& vi
     painter.fillPath(arrows, QColor(40, 40, 40));
 }
 
+/// A frame that shows on every colour.
+void paint_lens(QPainter& painter, const CanvasState& state, qreal ratio) {
+    const QRectF area = state.second_area();
+    if (area.isEmpty()) return;
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 160), 3 * ratio), QPen(Qt::white, ratio)}) {
+        painter.setPen(pen);
+        painter.drawRect(area);
+    }
+}
+
 /// Names of levels and slices in the corner of their tiles, where a tile is large enough for it.
 void paint_tiles(QPainter& painter, const CanvasState& state, qreal ratio) {
     const Atlas& atlas = state.pictures[0].picture->atlas;
@@ -157,9 +172,13 @@ QString marked(const QString& label, const Picture* picture, bool stale) {
     return label.isEmpty() || mark.isEmpty() ? label + mark : label + QStringLiteral("  ·  ") + mark;
 }
 
-/// Labels keep to their side of the divider.
+/// Labels keep to their side of the divider, or to their half.
 void paint_labels(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
     QRectF left = view, right;
+    if (state.has_second() && state.has_lens) {
+        left.setWidth(view.width() / 2);
+        right = left.translated(left.width(), 0);
+    }
     if (state.has_divider()) {
         const qreal x = std::clamp<qreal>(state.divider_x(), 0, view.width());
         left.setRight(x);
@@ -169,14 +188,14 @@ void paint_labels(QPainter& painter, const CanvasState& state, const QRectF& vie
     paint_badge(painter, left,
                 marked(state.label, state.pictures[0].picture.get(), state.stale && state.has_image()),
                 side | Qt::AlignTop, Overlong::elide, ratio);
-    if (state.has_divider())
+    if (state.has_second())
         paint_badge(painter, right, marked(state.second_label, state.pictures[1].picture.get(), false),
                     Qt::AlignRight | Qt::AlignTop, Overlong::elide, ratio);
 }
 
 /// Of two pictures that are shown differently, one on either side.
 bool has_two_legends(const CanvasState& state) {
-    return state.has_divider() && state.pictures[0].display != state.pictures[1].display;
+    return state.has_second() && state.pictures[0].display != state.pictures[1].display;
 }
 
 QRectF picture_box(const CanvasState& state) {
@@ -400,9 +419,29 @@ int CanvasState::divider_x() const {
     return int(std::lround(transform.view_from_image({wipe * transform.image_size().width(), 0}).x()));
 }
 
+bool CanvasState::is_over_divider(QPointF place, qreal ratio) const {
+    if (!has_divider()) return false;
+    const QRectF picture = picture_box(*this);
+    return place.y() >= picture.top() && place.y() < picture.bottom() &&
+           std::abs(place.x() - divider_x()) <= divider_reach * ratio;
+}
+
+QRect CanvasState::second_area() const {
+    const QRect view(QPoint(0, 0), transform.view_size().toSize());
+    if (!has_second()) return {};
+    if (!has_lens) return view & QRect(divider_x(), 0, view.width(), view.height());
+    const QSizeF size = transform.image_size();
+    const QPoint middle =
+        transform.view_from_image({lens.x() * size.width(), lens.y() * size.height()}).toPoint();
+    const int half = int(lens_part / 2 * std::min(view.width(), view.height()));
+    return view & QRect(middle - QPoint(half, half), QSize(2 * half, 2 * half)) &
+           picture_box(*this).toAlignedRect();
+}
+
 const PreparedPicture& CanvasState::at(QPointF image_px) const {
-    const bool right = has_divider() && transform.view_from_image(image_px).x() >= divider_x();
-    return pictures[right ? 1 : 0];
+    const QPointF place = transform.view_from_image(image_px);
+    const bool is_second = has_divider() ? place.x() >= divider_x() : QRectF(second_area()).contains(place);
+    return pictures[is_second ? 1 : 0];
 }
 
 LegendPlace legend_place(const CanvasState& state, qreal ratio) {
@@ -434,6 +473,7 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
         paint_region(painter, state, ratio);
         paint_line(painter, state, ratio);
         if (state.has_divider()) paint_divider(painter, state, view, ratio);
+        if (state.has_lens) paint_lens(painter, state, ratio);
         for (const auto& pin : state.marks.pins) paint_pin(painter, state, pin, ratio);
         const QRectF picked = pixel_box(state, state.marks.picked, ratio);
         if (!picked.isNull()) paint_frame(painter, picked, Qt::white, ratio);

@@ -60,9 +60,8 @@ void RasterPainter::paint(QPainter& painter, const CanvasState& state, qreal pix
     if (!state.has_image()) return;
     const int half = pattern_half(pixel_ratio), x = state.divider_x();
     paint_picture(painter, state.pictures[0], state, view & QRect(0, 0, x, view.height()), half);
-    if (state.has_divider())
-        paint_picture(painter, state.pictures[1], state, view & QRect(x, 0, view.width(), view.height()),
-                      half);
+    if (const QRect area = state.second_area(); !area.isEmpty())
+        paint_picture(painter, state.pictures[1], state, area, half);
 }
 
 RasterPainter::Coloured& RasterPainter::coloured(const PreparedPicture& picture) {

@@ -100,6 +100,8 @@ QWidget* PlotPanel::make_content() {
     lines_->setAccessibleName(tr("Points that could not be measured, and notes"));
     lines_->setFrameShape(QFrame::NoFrame);
     lines_->setIconSize(QSize(14, 14));
+    lines_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // it would cover a single line
+    lines_->setTextElideMode(Qt::ElideRight);
     lines_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     add_copy(lines_, [this] {
         QStringList texts;

@@ -18,8 +18,9 @@ constexpr double reach = 12;  ///< logical pixels from the middle of a mark
 
 using Mark = PlotDrawing::Mark;
 
-/// From left to right, then from below.
-bool is_before(const Mark& a, const Mark& b) {
+/// From left to right, then from below; bars from the first row down.
+bool is_before(const Mark& a, const Mark& b, bool are_bars) {
+    if (are_bars) return a.y > b.y;
     return a.x != b.x ? a.x < b.x : a.y < b.y;
 }
 
@@ -89,6 +90,10 @@ void PlotView::choose(const QString& id) {
 QPointF PlotView::position_of(const QString& id) const {
     const auto* found = mark(id);
     if (!found) return {-1, -1};
+    if (drawing_->has_boxes()) {
+        const auto box = drawing_->box(*found);
+        return {(box.left + box.right) / 2, (box.top + box.bottom) / 2};
+    }
     const auto place = drawing_->place(*found);
     return {place.x, place.y};
 }
@@ -98,8 +103,10 @@ QString PlotView::point_at(const QPointF& place) const {
     double nearest = reach;
     QString found;
     for (const auto& mark : marks()) {
-        if (drawing_->plot().heat) {
-            if (drawing_->tile(mark).contains(at)) return QString::fromStdString(mark.id);
+        if (drawing_->has_boxes()) {
+            auto box = drawing_->box(mark);
+            if (data_.are_bars) box.left -= reach / 2, box.right += reach / 2;
+            if (box.contains(at)) return QString::fromStdString(mark.id);
             continue;
         }
         const auto [x, y] = drawing_->place(mark);
@@ -116,27 +123,28 @@ void PlotView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), colour_of(window_style().background));
     PlotPainter canvas(font(), &painter);
     drawing_->draw(canvas);
-    drawing_->plot().heat ? paint_chosen_tiles(painter) : paint_chosen_points(canvas);
+    drawing_->has_boxes() ? paint_chosen_boxes(painter) : paint_chosen_points(canvas);
     if (!hasFocus()) return;
     painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
-void PlotView::paint_chosen_tiles(QPainter& painter) const {
+void PlotView::paint_chosen_boxes(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
-    const auto frame = [&](const QString& id, double width) {
+    const auto surround = [&](const QString& id, double width) {
         const auto* chosen = mark(id);
         if (!chosen) return;
-        const auto tile = drawing_->tile(*chosen);
-        const auto box = QRectF(tile.left, tile.top, tile.width(), tile.height()).adjusted(1, 1, -1, -1);
+        const auto drawn = drawing_->box(*chosen);
+        const auto frame = QRectF(drawn.left, drawn.top, drawn.width(), drawn.height());
+        const auto box = data_.are_bars ? frame : frame.adjusted(1, 1, -1, -1);
         painter.setPen(QPen(colour_of(window_style().background), width + 2));
         painter.drawRect(box);
         painter.setPen(QPen(colour_of(window_style().selection), width));
         painter.drawRect(box);
     };
-    frame(hovered_, 1);
-    frame(selected_, 2.5);
+    surround(hovered_, 1);
+    surround(selected_, 2.5);
 }
 
 void PlotView::paint_chosen_points(PlotCanvas& canvas) const {
@@ -183,7 +191,8 @@ QString PlotView::neighbour(int steps) const {
     for (const auto& each : marks())
         if (!now || each.series == now->series) row.push_back(&each);
     if (row.empty()) return {};
-    std::stable_sort(row.begin(), row.end(), [](const Mark* a, const Mark* b) { return is_before(*a, *b); });
+    std::stable_sort(row.begin(), row.end(),
+                     [this](const Mark* a, const Mark* b) { return is_before(*a, *b, data_.are_bars); });
     if (!now) return QString::fromStdString(row.front()->id);
     const auto at = std::find(row.begin(), row.end(), now) - row.begin();
     const auto* to =
@@ -191,18 +200,19 @@ QString PlotView::neighbour(int steps) const {
     return QString::fromStdString(to->id);
 }
 
-/// The nearest point along x of the next series that has points.
+/// The nearest point along x, of bars in the row, of the next series that has points.
 QString PlotView::in_other_series(int steps) const {
     const auto* now = mark(selected_);
     if (!now) return neighbour(1);
     const int count = int(data().series.size());
+    const auto distance = [&](const Mark& mark) {
+        return data_.are_bars ? std::abs(mark.y - now->y) : std::abs(mark.x - now->x);
+    };
     for (int i = 1; i < count; ++i) {
         const int series = ((now->series + steps * i) % count + count) % count;
         const Mark* nearest = nullptr;
         for (const auto& each : marks())
-            if (each.series == series &&
-                (!nearest || std::abs(each.x - now->x) < std::abs(nearest->x - now->x)))
-                nearest = &each;
+            if (each.series == series && (!nearest || distance(each) < distance(*nearest))) nearest = &each;
         if (nearest) return QString::fromStdString(nearest->id);
     }
     return QString::fromStdString(now->id);
@@ -210,19 +220,20 @@ QString PlotView::in_other_series(int steps) const {
 
 void PlotView::keyPressEvent(QKeyEvent* event) {
     constexpr int all = 1 << 24;
+    const bool are_bars = data_.are_bars;  // their series run downwards
     switch (event->key()) {
         case Qt::Key_Left:
-            return choose(neighbour(-1));
+            return choose(are_bars ? in_other_series(-1) : neighbour(-1));
         case Qt::Key_Right:
-            return choose(neighbour(1));
+            return choose(are_bars ? in_other_series(1) : neighbour(1));
         case Qt::Key_Home:
             return choose(neighbour(-all));
         case Qt::Key_End:
             return choose(neighbour(all));
         case Qt::Key_Up:
-            return choose(in_other_series(-1));
+            return choose(are_bars ? neighbour(-1) : in_other_series(-1));
         case Qt::Key_Down:
-            return choose(in_other_series(1));
+            return choose(are_bars ? neighbour(1) : in_other_series(1));
         case Qt::Key_Return:
         case Qt::Key_Enter:
             if (!selected_.isEmpty()) emit activated(selected_);

@@ -51,7 +51,7 @@ class PlotView : public QWidget {
     void choose(const QString& id);
     QString neighbour(int steps) const;
     QString in_other_series(int steps) const;
-    void paint_chosen_tiles(QPainter& painter) const;
+    void paint_chosen_boxes(QPainter& painter) const;
     void paint_chosen_points(PlotCanvas& canvas) const;
 
     PlotData data_;

@@ -66,6 +66,7 @@ constexpr Drawing drawings[] = {
     {"experiment", "<path d='M6 1.5h4 M6.5 1.5v5L2.5 14.5h11L9.5 6.5v-5 M4.3 11h7.4'/>"},
     {"comparison", "<path d='M2 3h12v10H2z M8 1v14'/><path d='M8 3h6v10H8z' fill='#808080' stroke='none'/>"},
     {"image", "<path d='M2 3h12v10H2z M2 11l3.5-4 3 3.5 2-2 3.5 3'/><circle cx='11' cy='6' r='.9'/>"},
+    {"analysis", "<path d='M4.5 1.5v13 M4.5 4.5h9 M4.5 8H9 M1.5 11.5h6'/>"},
     {"sweep", "<path d='M2 2h4.5v4.5H2z M9.5 2H14v4.5H9.5z M2 9.5h4.5V14H2z M9.5 9.5H14V14H9.5z'/>"},
     {"plot",
      "<path d='M2 1.5v12.5h12.5'/><path d='M4 4c1.5 5 4 7 9 7.5'/><circle cx='4' cy='4' r='.9'/>"

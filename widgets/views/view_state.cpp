@@ -13,6 +13,7 @@ constexpr ModeText modes[] = {
     {ViewMode::single, "single", QT_TRANSLATE_NOOP("ViewMode", "One picture")},
     {ViewMode::side_by_side, "side-by-side", QT_TRANSLATE_NOOP("ViewMode", "Side by side")},
     {ViewMode::wipe, "wipe", QT_TRANSLATE_NOOP("ViewMode", "Wipe")},
+    {ViewMode::lens, "lens", QT_TRANSLATE_NOOP("ViewMode", "Lens")},
     {ViewMode::flip, "flip", QT_TRANSLATE_NOOP("ViewMode", "Flip")},
     {ViewMode::difference, "difference", QT_TRANSLATE_NOOP("ViewMode", "Difference")},
     {ViewMode::stages, "stages", QT_TRANSLATE_NOOP("ViewMode", "Stages")},

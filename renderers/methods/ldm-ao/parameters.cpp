@@ -42,7 +42,8 @@ void add_exact(ParameterTable<Parameters>& table) {
                   {"all", "All hits", "The maps are not queried."},
                   {"selected", "All hits of some pixels",
                    "Of pixels that have much within a texel or two, which 16 short rays find out. The others "
-                   "take all hits from the maps, and so do the sky's light and explanations."}}})
+                   "take all hits from the maps, and so do the sky's light and explanations."}},
+             .exact = {"near", "all"}})
         .add(&Parameters::exact_texels,
              {.key = "exact_texels",
               .label = "Reach of exact rays",

@@ -81,6 +81,7 @@ ParameterTable<Parameters> parameter_table() {
                      {"occlusion", "Directional occlusion",
                       "As published: directions along which the step finds no occluder let it in. Nothing "
                       "beyond the step keeps it out, so closed rooms are lit as if they were open."}},
+         .exact = {"samples"},
          .active_when = {"environment_light", {true}},
          .since_version = 2,
          .value_in_older_projects = std::string("occlusion")});

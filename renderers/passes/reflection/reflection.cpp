@@ -26,6 +26,7 @@ ParameterTable<ReceiverParameters> receiver_parameters(int since_version, const 
                      "irradiance and the mean direction.",
               .citation = "Smal19 §8.3",
               .choices = choices,
+              .exact = offers_full ? std::vector<std::string>{"full"} : std::vector<std::string>{},
               .active_when = highlights_when,
               .since_version = since_version,
               .value_in_older_projects = in_older_projects(std::string("diffuse"))})

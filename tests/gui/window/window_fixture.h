@@ -113,14 +113,21 @@ class WindowTest : public testing::Test {
     };
     /// What the sweep's thread does.
     engine::SweepRunner on_sweep = [](const engine::SweepRequest&, const engine::SweepCallbacks&) {};
-    MainWindow window{renderer,
-                      fake_registry(),
-                      {.remember = false,
-                       .surface = painted,
-                       .study_runner = [this](const auto& request,
-                                              const auto& callbacks) { return on_study(request, callbacks); },
-                       .sweep_runner = [this](const auto& request,
-                                              const auto& callbacks) { on_sweep(request, callbacks); }}};
+    /// What the analysis' thread does.
+    engine::AnalysisRunner on_analysis = [](const engine::AnalysisRequest&,
+                                            const engine::AnalysisCallbacks&) {
+        return engine::AnalysisResult{};
+    };
+    MainWindow window{
+        renderer,
+        fake_registry(),
+        {.remember = false,
+         .surface = painted,
+         .study_runner = [this](const auto& request,
+                                const auto& callbacks) { return on_study(request, callbacks); },
+         .sweep_runner = [this](const auto& request, const auto& callbacks) { on_sweep(request, callbacks); },
+         .analysis_runner = [this](const auto& request,
+                                   const auto& callbacks) { return on_analysis(request, callbacks); }}};
 };
 
 }  // namespace ir::gui

@@ -319,7 +319,7 @@ TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
     }
     window.action("layout-default")->trigger();
     QApplication::processEvents();
-    const QStringList quiet{"messages", "results",    "plots",   "sweeps",
+    const QStringList quiet{"messages", "results",    "plots",   "sweeps",  "analyses",
                             "timeline", "benchmarks", "profile", "pipeline"};
     for (auto* dock : docks)
         EXPECT_EQ(dock->isHidden(), quiet.contains(dock->objectName())) << dock->objectName().toStdString();

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <regex>
@@ -75,6 +76,45 @@ TEST(PlotSvg, RingsTheLevelAndEmptyPlotsAreDrawn) {
     EXPECT_EQ(plot_svg(sample(), 640, 400, false).find("Error &lt;of"),
               plot_svg(sample(), 640, 400, false).rfind("Error &lt;of"))
         << "a part of a page leaves the title to it";
+}
+
+TEST(PlotSvg, BarsLieInTheirRowsFromWhereTheyBegin) {
+    PlotData data;
+    data.title = "Waterfall";
+    data.x.title = "RMSE";
+    data.are_bars = true;
+    data.y.names = {"left", "a stage", "as it is"};  // from below
+    data.series = {{"", {}}};
+    const auto add = [&](const char* id, double row, double from, double to) {
+        PlotPoint point;
+        point.id = point.label = id;
+        point.x = to;
+        point.y = row;
+        point.value = from;
+        data.series[0].points.push_back(point);
+    };
+    add("base", 2, 0, 1);
+    add("stage", 1, 1, 0.25);
+    add("left", 0, 0, 0.25);
+    const auto svg = plot_svg(data, 640, plot_svg_height_of(data), true);
+    const std::regex bar(
+        R"re(<g><title>(\w+)</title><rect x="([\d.]+)" y="([\d.]+)" width="([\d.]+)" height="([\d.]+)")re");
+    std::map<std::string, std::array<double, 4>> bars;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), bar), end; it != end; ++it)
+        bars[(*it)[1]] = {std::stod((*it)[2]), std::stod((*it)[3]), std::stod((*it)[4]), std::stod((*it)[5])};
+    ASSERT_EQ(bars.size(), 3u) << svg;
+    const auto &base = bars["base"], &stage = bars["stage"], &left = bars["left"];
+    EXPECT_NEAR(stage[0] + stage[2], base[0] + base[2], 0.1) << "begins where the one before ends";
+    EXPECT_NEAR(stage[0], left[0] + left[2], 0.1);
+    EXPECT_NEAR(stage[2], 0.75 * base[2], 0.1);
+    EXPECT_LT(base[1] + base[3], stage[1]) << "the first row stands at the top";
+    EXPECT_LT(stage[1] + stage[3], left[1]);
+    for (const auto& name : data.y.names) EXPECT_NE(svg.find(">" + name + "</text>"), std::string::npos);
+    EXPECT_EQ(count(svg, "class=\"line"), 0u);
+    // Many rows keep their names, as the picture grows with them.
+    for (int i = 0; i < 40; ++i) data.y.names.push_back("row " + std::to_string(i));
+    const auto tall = plot_svg(data, 640, plot_svg_height_of(data), true);
+    for (const auto& name : data.y.names) EXPECT_NE(tall.find(">" + name + "</text>"), std::string::npos);
 }
 
 TEST(PlotStyle, SeriesDifferInColourOrShape) {

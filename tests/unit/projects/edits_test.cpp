@@ -103,6 +103,9 @@ void add_item_makers(std::map<std::string, Maker>& m) {
             plot.against_time = pick(r, 2) == 0;
             plot.metric = pick(r, 2) ? "rmse" : "flip";
         });
+    m["change<Analysis>"] =
+        changer(&Project::analyses, edits::change<Analysis>,
+                [](Analysis& analysis, Random& r) { analysis.parameters = {std::to_string(pick(r, 100))}; });
     m["change<Scene>"] = changer(&Project::scenes, edits::change<Scene>, [](Scene& s, Random& r) {
         s.parts[0].source = "elsewhere/" + std::to_string(pick(r, 99)) + ".glb";
         s.parts[0].materials["stone"].roughness = pick(r, 100) / 100.0;
@@ -188,6 +191,10 @@ std::map<std::string, Maker> all_makers() {
     add_list_makers(makers, "Comparison", &Project::comparisons, sample.comparisons[0]);
     add_list_makers(makers, "Sweep", &Project::sweeps, sample.sweeps[0]);
     add_list_makers(makers, "ErrorPlot", &Project::plots, sample.plots[0]);
+    Analysis analysis;
+    analysis.id = "what-matters";
+    analysis.name = "What matters";
+    add_list_makers(makers, "Analysis", &Project::analyses, analysis);
     add_item_makers(makers);
     add_experiment_makers(makers);
     return makers;

@@ -11,7 +11,8 @@ namespace ir::projects::testing {
 /// Methods "fog" (version 3, with parameters of every type and the transport) and "plain" (few parameters).
 const Registry& registry();
 
-/// A project whose every list has items, in the newest schema, all values complete.
+/// A project whose every list but that of analyses, which no frozen file has, has items, in the newest
+/// schema, all values complete.
 Project sample_project();
 
 /// A folder of its own for a test, removed at the end.

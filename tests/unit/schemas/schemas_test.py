@@ -118,7 +118,9 @@ class Schemas(unittest.TestCase):
             "sweeps": [{"id": "s", "experiment": "ao", "axes": [{"key": "directions", "values": [4, 8]},
                                                                 {"key": "size", "values": [[16, 16], [9000, 9000]]}]}],
             "plots": [{"id": "p", "reference": "ao", "experiments": ["other"], "over": "directions", "values": [4, 8],
-                       "metric": "rmse", "axis": "time"}]}
+                       "metric": "rmse", "axis": "time"}],
+            "analyses": [{"id": "q", "kind": "sensitivity", "experiments": ["ao"], "reference": "other",
+                          "parameters": ["directions"]}]}
 
     def written(self, document):
         """What the program makes of it."""

@@ -132,6 +132,7 @@ void add_visible(ParameterTable<Parameters>& table) {
                           {"triangles", "Triangles",
                            "The scene's triangles, by an exact ray; discs count beyond. Nothing leaks or "
                            "hangs over edges where it is seen best."}},
+              .exact = {"triangles"},
               .active_when = only_with_visibility,
               .since_version = 3,
               .value_in_older_projects = std::string("discs")})

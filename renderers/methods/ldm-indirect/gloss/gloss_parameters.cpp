@@ -45,6 +45,7 @@ ParameterTable<GlossParameters> gloss_parameters() {
                           "`tracer`. [Lischinski98]"},
                          {"rays", "Exact rays",
                           "By Embree, or by the device's hierarchy: right, and faster than the others."}},
+             .exact = {"rays"},
              .active_when = with_gloss,
              .since_version = since})
         .add(&GlossParameters::landing,

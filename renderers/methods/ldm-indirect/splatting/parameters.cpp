@@ -42,17 +42,17 @@ void add_ways(ParameterTable<Parameters>& table) {
 
 void add_footprints(ParameterTable<Parameters>& table) {
     table
-        .add(
-            &Parameters::environment_by,
-            {.key = "environment_by",
-             .label = "Direct light of the environment",
-             .doc = "How it is found. What it lights is reflected further either way.",
-             .citation = "Aalund15 fig. 11",
-             .choices =
-                 {{"samples", "Samples", "Rays, and the whole material: as in all methods of light."},
-                  {"maps", "Maps",
-                   "The maps' directions, each with the mean of the environment over its region. All "
-                   "surfaces reflect it as Lambert's; shadows have as many edges as there are directions."}}})
+        .add(&Parameters::environment_by,
+             {.key = "environment_by",
+              .label = "Direct light of the environment",
+              .doc = "How it is found. What it lights is reflected further either way.",
+              .citation = "Aalund15 fig. 11",
+              .choices =
+                  {{"samples", "Samples", "Rays, and the whole material: as in all methods of light."},
+                   {"maps", "Maps",
+                    "The maps' directions, each with the mean of the environment over its region. All "
+                    "surfaces reflect it as Lambert's; shadows have as many edges as there are directions."}},
+              .exact = {"samples"}})
         .add(&Parameters::splat_size,
              {.key = "splat_size",
               .label = "Splat size",

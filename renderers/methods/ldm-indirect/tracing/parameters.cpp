@@ -44,6 +44,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                           {"compute", "Compute",
                            "Exact: a bounding volume hierarchy on the device; further bounces by Embree."},
                           {"embree", "Embree", "Exact, on the processor: the oracle."}},
+              .exact = {"embree"},
               .on_change = OnChange::reallocate,
               .since_version = 6})
         .add(&Parameters::footprint,

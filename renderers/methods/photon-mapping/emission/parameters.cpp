@@ -35,6 +35,7 @@ void add_rsm(ParameterTable<Parameters>& table) {
               .choices = {{"rsm", "Reflective shadow map",
                            "What each light sees is drawn once; photons start where its texels are."},
                           {"traced", "Traced", "A ray from the light for each point, by its intensity."}},
+              .exact = {"traced"},
               .on_change = OnChange::reallocate})
         .add(&Parameters::rsm_resolution,
              {.key = "rsm_resolution",
@@ -100,6 +101,7 @@ void add_emission(ParameterTable<Parameters>& table) {
                           {"printed", "As printed",
                            "(P0/P)(π/4) of the uniform power. Wrong: a cone keeps 0.617 of its flux, and its "
                            "soft edge is lost."}},
+              .exact = {"exact"},
               .active_when = by_importance})
         .add(&Parameters::budget,
              {.key = "budget",

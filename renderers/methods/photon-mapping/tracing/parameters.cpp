@@ -20,7 +20,8 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                   {"embree", "Embree", "On the processor: the oracle.", Effect::cost},
                   {"cube", "Layered depth cube",
                    "On the processor: rays march through three layered depth maps along the axes, as coarse "
-                   "as their texels. [Lischinski98]"}}})
+                   "as their texels. [Lischinski98]"}},
+             .exact = {"embree"}})
         .add(&Parameters::roulette,
              {.key = "roulette",
               .label = "Russian roulette",

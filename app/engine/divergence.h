@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/engine/execution.h"
+
+namespace ir::engine {
+
+/// What counts as the same number on two machines.
+struct SameWithin {
+    double relative = 1e-3, absolute = 1e-5;
+    double share = 1e-3;  ///< of a buffer's values that may differ by more: edges that rays meet or miss
+};
+
+/// How a buffer differs between two machines.
+struct BufferDivergence {
+    std::string key;   ///< of the resource, with its level or layer
+    std::string pass;  ///< that writes it first
+    std::size_t values = 0, differing = 0;
+    double largest = 0;   ///< difference
+    std::string problem;  ///< one line: why nothing is compared, or what is to be known of it
+    bool diverges = false;
+};
+
+/// An experiment on two machines.
+struct Divergence {
+    std::string a, b;  ///< backend, device and processor
+    /// In the order in which the passes of A write them; what only one machine makes has a problem.
+    std::vector<BufferDivergence> buffers;
+    /// Null: none diverges.
+    const BufferDivergence* first() const;
+};
+
+/// Runs all frames on one machine after the other, with all buffers, and compares them. `begun` is told
+/// which machine begins. Throws as run_frames(), and Error where a machine cannot be made.
+Divergence find_divergence(const Experiment& experiment, const MachineOptions& a, const MachineOptions& b,
+                           const graph::FrameOptions& options, const SameWithin& same = {},
+                           const std::function<void(const std::string& name)>& begun = {});
+
+/// One buffer; channels are values of equal weight. The elements of a list may stand in any order, which
+/// atomics decide on a device: then each channel is compared by itself, and a problem says so.
+BufferDivergence compare_buffers(const ImageLayer& a, const ImageLayer& b, bool is_list,
+                                 const SameWithin& same);
+
+}  // namespace ir::engine

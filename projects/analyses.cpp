@@ -1,0 +1,136 @@
+#include "projects/analyses.h"
+
+#include <algorithm>
+
+#include "projects/text.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+/// Colours that are told apart in a picture of names.
+constexpr std::size_t max_disagreeing = 7;
+
+bool is_picture(const Project& project, const std::string& id) {
+    return find_item(project.experiments, id) || find_item(project.images, id);
+}
+
+/// Whether both see the same through the same pixels, as far as ids tell.
+bool is_seen_alike(const Experiment& a, const Experiment& b) {
+    const auto one = effective(a), other = effective(b);
+    return one.scene == other.scene && one.camera == other.camera && one.size == other.size;
+}
+
+std::string count_text(std::size_t count) {
+    return count == 1 ? "1 experiment" : std::to_string(count) + " experiments";
+}
+
+std::string why_not_counted(const AnalysisKind& kind, std::size_t count) {
+    if (count >= kind.min_experiments && count <= kind.max_experiments) return {};
+    const auto wanted =
+        kind.min_experiments == kind.max_experiments
+            ? count_text(kind.min_experiments)
+            : std::to_string(kind.min_experiments) + " to " + count_text(kind.max_experiments);
+    return "is about " + count_text(count) + ", and takes " + wanted;
+}
+
+std::string why_not_parameters(const AnalysisKind& kind, const Analysis& analysis,
+                               const MethodDescription& method) {
+    if (analysis.parameters.empty()) return {};
+    if (!kind.takes_parameters) return "takes no parameters; leave them out";
+    for (const auto& key : analysis.parameters)
+        if (!find(method.parameters, key))
+            return "'" + printable(key, 60) + "' is no parameter of " + method.id +
+                   known_are(key, words_of(method.parameters, &ParameterDescription::key));
+    return {};
+}
+
+}  // namespace
+
+const std::vector<AnalysisKind>& analysis_kinds() {
+    static const std::vector<AnalysisKind> kinds{
+        {"disagreement", "Disagreement",
+         "Where experiments differ from each other, and which of them is nearest to the reference. Without a "
+         "reference: which is farthest from the others.",
+         2, max_disagreeing},
+        {"sensitivity", "Sensitivity",
+         "How much the error changes with each number of an experiment, a step down and a step up, and where "
+         "in the picture. Without a reference: how much the picture changes.",
+         1, 1, false, false, true},
+        {"attribution", "Attribution",
+         "Which of the settings in which two experiments of one method differ makes how much of the "
+         "difference between their pictures or, with a reference, between their errors.",
+         2, 2, true},
+        {"waterfall", "Error waterfall",
+         "Which stage of a method owns the error: what is left of it when exact stand-ins take the place of "
+         "one stage after another.",
+         1, 1, false, true, true}};
+    return kinds;
+}
+
+const AnalysisKind* find_analysis_kind(const std::string& key) {
+    const auto& kinds = analysis_kinds();
+    const auto found = std::ranges::find(kinds, key, &AnalysisKind::key);
+    return found == kinds.end() ? nullptr : &*found;
+}
+
+std::string why_not_analysed(const Project& project, const Analysis& analysis, const Registry& registry) {
+    const auto* kind = find_analysis_kind(analysis.kind);
+    if (!kind)
+        return "question '" + printable(analysis.kind, 60) + "' is unknown" +
+               known_are(analysis.kind, words_of(analysis_kinds(), &AnalysisKind::key));
+    if (const auto why = why_not_counted(*kind, analysis.experiments.size()); !why.empty()) return why;
+    std::vector<const Experiment*> experiments;
+    for (const auto& id : analysis.experiments) {
+        const auto* experiment = find_item(project.experiments, id);
+        if (!experiment) return "there is no experiment '" + printable(id, 60) + "'; choose another";
+        if (!registry.find(experiment->method))
+            return "experiment '" + id + "' has the method '" + printable(experiment->method, 60) +
+                   "', which is unknown to this build";
+        experiments.push_back(experiment);
+    }
+    if (kind->needs_reference && analysis.reference.empty()) return "has no reference; choose one";
+    if (!analysis.reference.empty() && !is_picture(project, analysis.reference))
+        return "there is no experiment or image '" + printable(analysis.reference, 60) +
+               "' to be its reference; choose another";
+    if (std::ranges::find(analysis.experiments, analysis.reference) != analysis.experiments.end())
+        return "the reference is one of the experiments; take it out";
+    if (kind->needs_one_method && experiments[0]->method != experiments[1]->method)
+        return "asks about two experiments of one method, and '" + experiments[0]->id + "' is by " +
+               experiments[0]->method + ", '" + experiments[1]->id + "' by " + experiments[1]->method;
+    return why_not_parameters(*kind, analysis, registry.at(experiments[0]->method));
+}
+
+Analysis analysis_of(const Project& project, const std::string& kind_key, const std::string& id,
+                     const Registry& registry) {
+    const auto* kind = find_analysis_kind(kind_key);
+    if (!kind)
+        throw UsageError("question '" + printable(kind_key, 60) + "' is unknown" +
+                         known_are(kind_key, words_of(analysis_kinds(), &AnalysisKind::key)));
+    const auto& first = experiment_of(project, id);
+    Analysis analysis;
+    analysis.name = kind->label;
+    analysis.id = free_id_in(project.analyses, kind->label);
+    analysis.kind = kind->key;
+    analysis.experiments = {first.id};
+    analysis.reference = first.reference;
+    const auto add = [&](bool is_same_method) {
+        for (const auto& other : project.experiments) {
+            const auto* method = registry.find(other.method);
+            const bool fits = other.id != first.id && other.id != analysis.reference && method &&
+                              !method->is_reference && (other.method == first.method) == is_same_method &&
+                              is_seen_alike(first, other);
+            if (fits && analysis.experiments.size() < kind->max_experiments)
+                analysis.experiments.push_back(other.id);
+        }
+    };
+    add(true);
+    if (!kind->needs_one_method) add(false);
+    return analysis;
+}
+
+std::string analysis_path(const std::string& analysis) {
+    return "analyses/" + analysis;
+}
+
+}  // namespace ir::projects

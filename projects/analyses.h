@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "projects/document.h"
+
+namespace ir::projects {
+
+/// A question that an analysis may ask.
+struct AnalysisKind {
+    std::string key;         ///< "sensitivity"
+    std::string label, doc;  ///< for lists and tooltips
+    std::size_t min_experiments = 1, max_experiments = 1;
+    bool needs_one_method = false, needs_reference = false, takes_parameters = false;
+};
+
+/// All that this build can answer.
+const std::vector<AnalysisKind>& analysis_kinds();
+/// Null for an unknown one.
+const AnalysisKind* find_analysis_kind(const std::string& key);
+
+/// Why the analysis cannot be carried out as the document has it, in one line; empty: nothing is known
+/// against it.
+std::string why_not_analysed(const Project& project, const Analysis& analysis, const Registry& registry);
+
+/// An analysis of this kind about the experiment, judged by its reference. Where the kind asks about several,
+/// the others are those of the same scene, camera and size, first those of the same method; its ground truth
+/// is none of them. Throws UsageError for an unknown kind or experiment.
+Analysis analysis_of(const Project& project, const std::string& kind, const std::string& experiment,
+                     const Registry& registry);
+
+/// Where the answer is kept: a folder relative to results/, '/' as separator, and what is in it.
+std::string analysis_path(const std::string& analysis);
+inline constexpr const char* analysis_file = "analysis.json";
+inline constexpr const char* analysis_pictures = "pictures.exr";
+
+}  // namespace ir::projects

@@ -1,0 +1,255 @@
+// Analyses in the window: ask, run, cancel, look at the answer, find it again.
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "app/engine/analysis/kept_analysis.h"
+#include "projects/document_json.h"
+#include "renderers/core/error.h"
+#include "tests/gui/window/window_fixture.h"
+
+namespace ir::gui {
+namespace {
+
+/// Two rows of bars and two pictures: what matters, and who is nearest.
+engine::AnalysisResult made_up() {
+    engine::AnalysisResult result;
+    auto& data = result.data;
+    data.title = "Made up";
+    data.x.title = "Change";
+    data.are_bars = true;
+    data.y.names = {"Grain", "Level"};
+    data.headings = {"Parameter", "Change"};
+    data.series = {{"a step down", {}}, {"a step up", {}}};
+    const auto add = [&](std::size_t series, const char* id, double row, double change) {
+        PlotPoint point;
+        point.id = point.label = id;
+        point.x = change;
+        point.y = row;
+        point.cells = {{id}, {std::to_string(change), change}};
+        data.series[series].points.push_back(point);
+    };
+    add(0, "level:down", 1, -2);
+    add(1, "level:up", 1, 3);
+    add(1, "grain:up", 0, 1);
+    data.problems = {"depth: has no effect"};
+    Image level(8, 6, 1, 0.5f), grain(8, 6, 1, 1);
+    for (int y = 0; y < 6; ++y) grain.at(0, y) = 2;
+    result.pictures.push_back({"level", "Level", "Where it matters.", true, {}, level});
+    result.pictures.push_back({"grain",
+                               "Grain",
+                               "Who is nearest.",
+                               false,
+                               {{1, "here", tints::orange}, {2, "there", tints::sky}},
+                               grain});
+    result.device = "abacus";
+    return result;
+}
+
+class AnalysesWindowTest : public WindowTest {
+  protected:
+    void SetUp() override {
+        on_analysis = [this](const engine::AnalysisRequest& request, const engine::AnalysisCallbacks& told) {
+            ++runs;
+            while (holds) {
+                told.progress("counting beads", 0.5);
+                told.cancel->check();
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+            if (fails) throw Error("out of beads");
+            const auto result = made_up();
+            if (request.keeps)
+                engine::keep_analysis(request.project, request.analysis, request.folder, result);
+            return result;
+        };
+        WindowTest::SetUp();
+        open_scene();
+        window.docks().apply("analyses");
+        ASSERT_TRUE(settle());
+    }
+    void TearDown() override {
+        holds = false;
+        WindowTest::TearDown();
+    }
+    AnalysesDock& dock() { return *window.findChild<AnalysesDock*>(); }
+    widgets::AnalysisPanel& panel() { return dock().panel(); }
+    template <class Widget>
+    Widget* find(const char* name) {
+        return panel().findChild<Widget*>(QLatin1String(name));
+    }
+    void press(const char* name) { QTest::mouseClick(find<QToolButton>(name), Qt::LeftButton); }
+    const projects::Analysis& analysis() { return window.session().document().analyses.at(0); }
+    /// As a person asks: the button's menu, then a kind.
+    void ask(const char* kind) {
+        auto* entry = find<QToolButton>("new")->menu()->findChild<QAction*>(QStringLiteral("new:") +
+                                                                            QLatin1String(kind));
+        ASSERT_TRUE(entry) << kind;
+        entry->trigger();
+        ASSERT_TRUE(settle());
+    }
+    void save() {
+        window.session().files().save_as(project_file());
+        ASSERT_TRUE(settle());
+    }
+    std::string project_file() { return folder.path().toStdString() + "/asked.interreflect"; }
+    /// In the place of an answer; the chart has such a page, too.
+    bool offers_one() {
+        const auto buttons = panel().findChildren<QPushButton*>(QStringLiteral("empty-button"));
+        return std::any_of(buttons.begin(), buttons.end(),
+                           [](const QPushButton* button) { return button->isVisible(); });
+    }
+    std::size_t bars() { return panel().chart().data().count(); }
+    void click_bar(const char* id) {
+        auto& view = panel().chart().view();
+        QTest::mouseClick(&view, Qt::LeftButton, {}, view.position_of(QLatin1String(id)).toPoint());
+    }
+
+    QTemporaryDir folder;
+    std::atomic<int> runs = 0;
+    std::atomic<bool> holds = false, fails = false;
+};
+
+TEST_F(AnalysesWindowTest, AsksRunsAndShowsTheAnswer) {
+    EXPECT_TRUE(offers_one());
+    EXPECT_EQ(find<QToolButton>("new")->menu()->actions().size(), 4);
+    ask("sensitivity");
+    ASSERT_EQ(window.session().document().analyses.size(), 1u);
+    EXPECT_EQ(analysis().experiments.front(), window.session().experiment()->id);
+    EXPECT_EQ(bars(), 0u);
+    EXPECT_EQ(find<QLabel>("waiting")->text(), "Run the analysis to get its answer.");
+    press("run");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(bars(), 3u);
+    EXPECT_EQ(panel().shown(), "level");
+    EXPECT_EQ(panel().view().display().colour_map, "coolwarm");
+    EXPECT_TRUE(find<QLabel>("foot")->text().contains("not kept: save the project first"));
+    // A bar shows its picture, whose numbers are names here.
+    click_bar("grain:up");
+    EXPECT_EQ(panel().shown(), "grain");
+    EXPECT_EQ(panel().view().picture()->categories.size(), 2u);
+    click_bar("level:down");
+    EXPECT_EQ(panel().shown(), "level");
+    // By keys: rows downwards, series sideways.
+    panel().chart().view().setFocus();
+    QTest::keyClick(&panel().chart().view(), Qt::Key_Right);
+    EXPECT_EQ(panel().chart().selected(), "level:up");
+    QTest::keyClick(&panel().chart().view(), Qt::Key_Down);
+    EXPECT_EQ(panel().shown(), "grain");
+    // What the cursor is over is told by name.
+    const auto& view = panel().view();
+    emit panel().view().cursor_moved({0, 0});
+    EXPECT_TRUE(find<QLabel>("value")->text().endsWith("there"))
+        << find<QLabel>("value")->text().toStdString();
+    emit panel().view().cursor_moved({3, 3});
+    EXPECT_TRUE(find<QLabel>("value")->text().endsWith("here"));
+    EXPECT_EQ(view.image().width, 8);
+    trigger("undo");
+    EXPECT_TRUE(window.session().document().analyses.empty());
+    EXPECT_TRUE(offers_one());
+}
+
+TEST_F(AnalysesWindowTest, CancelsAndFailsInALine) {
+    ask("sensitivity");
+    holds = true;
+    press("run");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text() == "counting beads"; }, 5000));
+    EXPECT_EQ(find<QToolButton>("run")->text(), "Cancel");
+    EXPECT_FALSE(window.is_settled());
+    press("run");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(bars(), 0u);
+    EXPECT_EQ(find<QToolButton>("run")->text(), "Run");
+    holds = false;
+    fails = true;
+    press("run");
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(find<QLabel>("foot")->text().startsWith("out of beads"));
+    EXPECT_TRUE(window.banners().text("analyses").contains("out of beads"));
+    fails = false;
+    press("run");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(bars(), 3u);
+    EXPECT_FALSE(find<QLabel>("foot")->text().contains("out of beads"));
+}
+
+TEST_F(AnalysesWindowTest, AnswersAreThereAgainAndGoStale) {
+    save();
+    ask("sensitivity");
+    press("run");
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(find<QLabel>("foot")->text().contains("stale"));
+    EXPECT_FALSE(find<QLabel>("foot")->text().contains("not kept"));
+    type_level("7");
+    EXPECT_TRUE(find<QLabel>("foot")->text().startsWith("stale"))
+        << find<QLabel>("foot")->text().toStdString();
+    trigger("undo");
+    EXPECT_FALSE(find<QLabel>("foot")->text().contains("stale"));
+    click_bar("grain:up");
+    window.session().files().save();
+    window.session().files().close();
+    ASSERT_TRUE(window.open_path(QString::fromStdString(project_file())));
+    ASSERT_TRUE(settle());
+    window.docks().raise("analyses");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bars() == 3; }, 5000)) << "read from the project's folder";
+    EXPECT_EQ(panel().view().image().width, 8);
+    EXPECT_EQ(panel().shown(), "grain") << "as it was left";
+    EXPECT_EQ(runs, 1);
+    EXPECT_TRUE(find<QLabel>("foot")->text().contains("abacus"));
+}
+
+TEST_F(AnalysesWindowTest, WhatCannotBeAskedIsEditedInTheProject) {
+    ask("attribution");  // about two experiments, and there is one
+    EXPECT_FALSE(find<QToolButton>("run")->isEnabled());
+    EXPECT_TRUE(find<QToolButton>("run")->toolTip().contains("takes 2 experiments"));
+    auto& editor = window.document().editor();
+    EXPECT_TRUE(editor.findChild<QLabel*>("analysis-problem")->text().contains("takes 2 experiments"));
+    auto* parameters = editor.findChild<QWidget*>("parameters");
+    ASSERT_TRUE(parameters);
+    add_second_experiment(5);
+    auto* checks = editor.findChild<QListWidget*>("experiments");
+    ASSERT_TRUE(checks);
+    const auto second = window.session().document().experiments[1].id;
+    window.session().edit([&](const projects::Project& project) {
+        auto changed = project.analyses[0];
+        changed.experiments.push_back(second);
+        return projects::edits::change(project, changed);
+    });
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(find<QToolButton>("run")->isEnabled()) << find<QToolButton>("run")->toolTip().toStdString();
+}
+
+/// The real thing, without a fake.
+TEST(Analyses, RunOnAMachineOfTheirOwn) {
+    const projects::Json json = {
+        {"schema", 6},
+        {"name", "Small"},
+        {"scenes", {{{"id", "box"}, {"parts", {{{"source", "builtin:cornell@1"}}}}}}},
+        {"experiments", {{{"id", "a"}, {"scene", "box"}, {"method", "hbao"}, {"size", {8, 6}}}}}};
+    engine::AnalysisRequest request;
+    request.project = projects::read_project(json.dump(), "test.json", engine::registry()).project;
+    request.analysis = projects::analysis_of(request.project, "sensitivity", "a", engine::registry());
+    request.analysis.parameters = {"directions", "steps", "angle_bias"};
+    AnalysisRuns asked({});
+    std::shared_ptr<const engine::AnalysisResult> result;
+    QString problem;
+    QObject::connect(&asked, &AnalysisRuns::finished, &asked, [&](const auto& found) { result = found; });
+    QObject::connect(&asked, &AnalysisRuns::failed, &asked,
+                     [&](const QString& error, bool) { problem = error; });
+    ASSERT_TRUE(asked.start(request));
+    EXPECT_FALSE(asked.start(request));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !asked.is_running(); }, 60000));
+    EXPECT_EQ(problem, "");
+    ASSERT_TRUE(result);
+    EXPECT_GT(result->data.count(), 0u);
+}
+
+}  // namespace
+}  // namespace ir::gui

@@ -1,0 +1,85 @@
+// Analyses as items of the document.
+#include "projects/analyses.h"
+
+#include <gtest/gtest.h>
+
+#include "projects/check.h"
+#include "projects/document_json.h"
+#include "projects/edits.h"
+#include "renderers/core/error.h"
+#include "tests/unit/projects/sample.h"
+
+namespace ir::projects {
+namespace {
+
+class AnalysesTest : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        project = testing::sample_project();
+        ASSERT_GE(project.experiments.size(), 2u);
+        auto copy = project.experiments[0];
+        copy.id = "copy";
+        project.experiments.push_back(copy);
+        analysis.id = analysis.name = "q";
+        analysis.kind = "attribution";
+        analysis.experiments = {project.experiments[0].id, "copy"};
+        project.analyses = {analysis};
+    }
+    std::string why_not() const { return why_not_analysed(project, analysis, testing::registry()); }
+
+    Project project;
+    Analysis analysis;
+};
+
+TEST_F(AnalysesTest, AreWrittenAndReadAndOlderBuildsSeeNothingOfNone) {
+    project.analyses[0].parameters = {"x"};
+    project.analyses[0].notes = "why";
+    const auto text = write_project(project);
+    const auto again = read_project(text, "p", testing::registry()).project;
+    EXPECT_EQ(again.analyses, project.analyses);
+    project.analyses.clear();
+    EXPECT_EQ(write_project(project).find("analyses"), std::string::npos);
+}
+
+TEST_F(AnalysesTest, SayWhatIsWrongWithThem) {
+    EXPECT_EQ(why_not(), "");
+    analysis.experiments = {"copy"};
+    EXPECT_EQ(why_not(), "is about 1 experiment, and takes 2 experiments");
+    analysis.experiments = {"copy", "gone"};
+    EXPECT_EQ(why_not(), "there is no experiment 'gone'; choose another");
+    analysis.experiments = {"copy", project.experiments[0].id};
+    analysis.reference = "copy";
+    EXPECT_EQ(why_not(), "the reference is one of the experiments; take it out");
+    analysis.reference = "gone";
+    EXPECT_NE(why_not().find("'gone'"), std::string::npos);
+    analysis.reference.clear();
+    analysis.parameters = {"x"};
+    EXPECT_EQ(why_not(), "takes no parameters; leave them out");
+    analysis.kind = "attributions";
+    EXPECT_NE(why_not().find("did you mean 'attribution'?"), std::string::npos) << why_not();
+    analysis.kind = "waterfall";
+    analysis.parameters.clear();
+    analysis.experiments = {"copy"};
+    EXPECT_EQ(why_not(), "has no reference; choose one");
+}
+
+TEST_F(AnalysesTest, KeepTheirExperimentsFromBeingRemoved) {
+    EXPECT_THROW(edits::remove<Experiment>(project, "copy"), UsageError);
+    edits::remove<Analysis>(project, "q")->apply(project);
+    EXPECT_TRUE(project.analyses.empty());
+    EXPECT_NO_THROW(edits::remove<Experiment>(project, "copy"));
+}
+
+TEST_F(AnalysesTest, AskAboutWhatIsSeenAlike) {
+    const auto& first = project.experiments[0].id;
+    const auto made = analysis_of(project, "attribution", first, testing::registry());
+    EXPECT_EQ(made.experiments, (std::vector<std::string>{first, "copy"}));
+    EXPECT_EQ(made.name, "Attribution");
+    project.experiments.back().active_preset.clear();
+    project.experiments.back().size = {3, 3};
+    EXPECT_EQ(analysis_of(project, "attribution", first, testing::registry()).experiments.size(), 1u);
+    EXPECT_THROW(analysis_of(project, "guess", first, testing::registry()), UsageError);
+}
+
+}  // namespace
+}  // namespace ir::projects
