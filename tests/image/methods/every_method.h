@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <deque>
 #include <map>
 #include <memory>
 #include <ranges>
@@ -126,28 +125,9 @@ class Studio {
     const graph::Method& method() const { return method_; }
     const std::string& scene() const { return shot_.scene; }
 
-    /// The outputs after the shot's frames, in which everything was wanted. What was rendered lately is not
-    /// rendered again: many parameters are tried beside the same values of the others.
+    /// The outputs after the shot's frames, in which everything was wanted.
     Frame render(const Settings& settings) { return render(settings, shot_.frames); }
     Frame render(const Settings& settings, int frames) {
-        const auto found = std::ranges::find_if(lately_, [&](const Rendered& each) {
-            return each.frames == frames && each.settings == settings;
-        });
-        if (found != lately_.end()) return found->frame;
-        if (lately_.size() == most_kept) lately_.pop_front();
-        lately_.push_back({settings, frames, render_anew(settings, frames)});
-        return lately_.back().frame;
-    }
-
-  private:
-    struct Rendered {
-        Settings settings;
-        int frames;
-        Frame frame;
-    };
-    static constexpr std::size_t most_kept = 12;
-
-    Frame render_anew(const Settings& settings, int frames) {
         execution_.update(experiment(settings));
         execution_.restart();
         execution_.inspect(shot_.inspection);
@@ -172,6 +152,7 @@ class Studio {
         return frame;
     }
 
+  private:
     engine::Experiment experiment(const Settings& settings) const {
         engine::Experiment result;
         result.scene = shot_.scene;
@@ -196,7 +177,6 @@ class Studio {
     const graph::Method& method_;
     Shot shot_;
     engine::Execution execution_;
-    std::deque<Rendered> lately_;
 };
 
 /// One for each of `scenes`.
