@@ -16,6 +16,7 @@
 
 #include "app/engine/version.h"
 #include "app/gui/display_dock.h"
+#include "app/gui/gestures.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/resources_path.h"
@@ -471,33 +472,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::show_shortcuts() {
-    const QList<QPair<QString, QString>> gestures = {
-        {tr("Zoom the picture about the cursor"), tr("Wheel")},
-        {tr("Move the picture"), tr("Middle drag, Space+drag")},
-        {tr("Mark a pixel (Inspect)"), tr("Click")},
-        {tr("Explain a pixel (Inspect)"), tr("Shift+click")},
-        {tr("See what can be done at a pixel"), tr("Right click")},
-        {tr("See one of several pictures (Wipe, Flip, Difference)"), tr("Hold 1 … 9")},
-        {tr("Choose two of a row to be compared (Stages)"), tr("1 … 9, 0 for none")},
-        {tr("Go on to the next picture (Flip)"), tr("Tab")},
-        {tr("Move the divider (Wipe)"), tr("Drag it")},
-        {tr("Move, resize what is drawn (Rectangle, Line)"), tr("Drag, arrows; Shift+arrows")},
-        {tr("Clear it (Rectangle, Line)"), tr("Esc, Del")},
-        {tr("Draw a whole row, a whole column (Line)"), tr("← →, ↑ ↓")},
-        {tr("Move, turn the chosen light by its handles"), tr("Drag; Esc takes it back")},
-        {tr("Nudge the chosen light; nearer, farther; turn it"), tr("Arrows; Ctrl+↑ ↓; Alt+arrows")},
-        {tr("Turn, slide, approach, frame (3D)"), tr("Drag, Shift+drag, wheel, double click")},
-        {tr("Choose what an element stands for (3D, sphere)"), tr("Click it")},
-        {tr("Turn the camera about its target (Orbit)"), tr("Drag")},
-        {tr("Look around (Fly)"), tr("Drag")},
-        {tr("Slide the camera (Orbit, Fly)"), tr("Shift+drag, right drag")},
-        {tr("Camera nearer or farther (Orbit, Fly)"), tr("Ctrl+wheel")},
-        {tr("Move the camera (Fly)"), tr("W A S D, Q E; Shift is faster")},
-        {tr("Load a point's or variation's setting (Plots, Sweeps)"), tr("Click, Enter")},
-        {tr("Zoom all pictures, move them, show all of them (Sweeps)"), tr("Ctrl+wheel, + −; drag; 0")},
-        {tr("Walk through points (Plots)"), tr("Arrows, Home, End")},
-    };
-    auto* dialog = new widgets::ShortcutsDialog(actions_.in_order(), gestures, this);
+    auto* dialog = new widgets::ShortcutsDialog(actions_.in_order(), gestures(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->show();
 }
