@@ -102,9 +102,8 @@ void add_visible(ParameterTable<Parameters>& table) {
               .citation = "Nalbach15 §4.1",
               .choices = {{"overhang", "Overhang", "They count there, too, as published."},
                           {"clipped", "Clipped",
-                           "They count only where a triangle lies within 0.15 of their radius from the place "
-                           "that is met, by a short ray. Hits are right, and what is smaller than its discs "
-                           "is met too seldom."}},
+                           "They count only where a triangle lies close to the place that is met, by a short "
+                           "ray. Hits are right, and what is smaller than its discs is met too seldom."}},
               .active_when = only_with_visibility,
               .since_version = 8,
               .value_in_older_projects = std::string("overhang")})
