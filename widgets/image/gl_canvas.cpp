@@ -208,7 +208,8 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
         p.setUniformValue("channels", picture.shown->channels);
         set_place();
         set_display(picture.display);
-        gl.glScissor(area.x(), 0, area.width(), area.height());
+        const int view_height = state_.transform.view_size().toSize().height();
+        gl.glScissor(area.x(), view_height - area.y() - area.height(), area.width(), area.height());
         gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 

@@ -125,14 +125,18 @@ TEST_P(CompareTest, TheLensShowsTheOtherPictureAboutTheCursor) {
     show(view);
     ImageView& main = view.main_view();
     QSignalSpy cursor(&view, &CompareView::cursor_moved);
-    // Wherever the cursor was before, it comes from elsewhere.
-    for (const auto& to : {QPoint(13, 3), QPoint(3, 9)}) {
-        QTest::mouseMove(&main, point(main, to.x() + 0.5, to.y() + 0.5));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !cursor.isEmpty() && cursor.last()[0].toPoint() == to; }));
-    }
+    const auto move_to = [&](QPoint pixel) {
+        QTest::mouseMove(&main, point(main, pixel.x() + 0.5, pixel.y() + 0.5));
+        return QTest::qWaitFor([&] { return !cursor.isEmpty() && cursor.last()[0].toPoint() == pixel; });
+    };
+    ASSERT_TRUE(move_to({13, 2}));
+    EXPECT_NEAR(grey_at(main, 13, 2), grey_of(0.15), 2) << "B's upper right";
+    EXPECT_NEAR(grey_at(main, 13, 10), grey_of(1), 2) << "A below it";
+    ASSERT_TRUE(move_to({3, 9}));
     EXPECT_EQ(cursor.last()[1].toInt(), 1) << "values are those of B";
     EXPECT_NEAR(grey_at(main, 3, 10), grey_of(0.3), 2) << "B's lower left";
-    EXPECT_NEAR(grey_at(main, 13, 10), grey_of(1), 2) << "A elsewhere";
+    EXPECT_NEAR(grey_at(main, 13, 2), grey_of(0.3), 2) << "A elsewhere";
+    EXPECT_NEAR(grey_at(main, 13, 10), grey_of(1), 2);
     EXPECT_NEAR(grey_at(main, 3, 2), grey_of(0.1), 2);
     const QRect lens = main.state().second_area();
     EXPECT_NEAR(lens.center().x(), main.transform().view_from_image({3.5, 9.5}).x(), 2);
