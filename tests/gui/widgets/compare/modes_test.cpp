@@ -202,7 +202,7 @@ TEST_P(CompareTest, FloatingAndDockingKeepsThePicture) {
     for (bool floating : {false, true, false, true, false}) {
         dock->setFloating(floating);
         ASSERT_TRUE(QTest::qWaitForWindowExposed(floating ? static_cast<QWidget*>(dock) : &window));
-        test::handle_events();
+        ir::test::handle_events();
         view->active_view().fit();
         ASSERT_EQ(dock->isFloating(), floating);
         expect_quarters(*view->views()[0], 1);

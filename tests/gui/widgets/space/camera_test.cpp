@@ -16,11 +16,11 @@ TEST(PicturePacer, TheNextRequestWaitsForTheAnswer) {
     QSignalSpy due(&pacer, &PicturePacer::due), late(&pacer, &PicturePacer::late);
     for (int i = 0; i < 5; ++i) {
         pacer.want();
-        test::handle_events();
+        ir::test::handle_events();
     }
     EXPECT_EQ(due.count(), 1);
     pacer.answered();
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_EQ(due.count(), 2);
     EXPECT_EQ(late.count(), 0);
 }
@@ -40,16 +40,16 @@ TEST(PicturePacer, HeldRequestsFollowLater) {
     QSignalSpy due(&pacer, &PicturePacer::due);
     pacer.set_held(true);
     pacer.want();
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_EQ(due.count(), 0);
     pacer.set_held(false);
     pacer.want();
     pacer.want();
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_EQ(due.count(), 1);
     EXPECT_FALSE(pacer.is_idle());
     pacer.answered();
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_EQ(due.count(), 1);
     EXPECT_TRUE(pacer.is_idle());
 }

@@ -35,7 +35,7 @@ TEST_P(DockedSpace, FloatingAndDockingKeepThePicture) {
     window.resize(900, 500);
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-    test::handle_events();
+    ir::test::handle_events();
     answers = false;  // what is seen from now on is the old picture
     const auto shown = [&] {
         const QImage seen = view->grab().toImage();
@@ -53,7 +53,7 @@ TEST_P(DockedSpace, FloatingAndDockingKeepThePicture) {
     for (const bool floating : {true, false, true, false}) {
         dock->setFloating(floating);
         ASSERT_TRUE(QTest::qWaitForWindowExposed(floating ? static_cast<QWidget*>(dock) : &window));
-        test::handle_events();
+        ir::test::handle_events();
         EXPECT_GT(shown(), docked / 4) << (floating ? "floating" : "docked");
     }
 }

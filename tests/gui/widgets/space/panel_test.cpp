@@ -329,7 +329,7 @@ TEST(SpacePane, AClickMarksTheElementAndChoosesItsLayer) {
     pane.resize(900, 560);
     pane.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&pane));
-    test::handle_events();
+    ir::test::handle_events();
     const QPointF at = test::place_of(pane.view().picture(), 0, 250);
     QTest::mouseClick(&pane.view(), Qt::LeftButton, {}, test::in_view(pane.view(), at));
     EXPECT_EQ(pane.panel().current_layer(), 1);

@@ -41,7 +41,7 @@ class SpaceViewTest : public testing::Test {
         ASSERT_FALSE(view_.picture().colour.empty());
     }
     void settle() {
-        test::handle_events();
+        ir::test::handle_events();
         ASSERT_TRUE(
             QTest::qWaitFor([&] { return sizes_.size() > 0 && sizes_.back() == view_.wanted_size(); }));
     }
@@ -54,7 +54,7 @@ class SpaceViewTest : public testing::Test {
             QApplication::sendEvent(&view_, &move);
         }
         QTest::mouseRelease(&view_, button, keys, middle() + by);
-        test::handle_events();
+        ir::test::handle_events();
     }
     void wheel(QPointF at, int steps) {
         QWheelEvent event(at, view_.mapToGlobal(at), {}, {0, 120 * steps}, Qt::NoButton, Qt::NoModifier,
@@ -104,7 +104,7 @@ TEST_F(SpaceViewTest, ADragOrbitsFromTheExperimentsCamera) {
 TEST_F(SpaceViewTest, HomeReturnsToTheExperimentsCamera) {
     drag(Qt::LeftButton, {}, {60, 20});
     QTest::keyClick(&view_, Qt::Key_Home);
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_FALSE(view_.is_free());
     EXPECT_FALSE(wanted_.back().camera.has_value());
     EXPECT_EQ(view_.pose(), space_.experiment);
@@ -179,7 +179,7 @@ TEST_F(SpaceViewTest, ItsKeysGoBeforeShortcutsOfTheWindow) {
 TEST_F(SpaceViewTest, FramesWhatIsShown) {
     QTest::keyClick(&view_, Qt::Key_W);
     QTest::keyClick(&view_, Qt::Key_F);
-    test::handle_events();
+    ir::test::handle_events();
     const CameraPose framed = view_.pose();
     EXPECT_EQ(framed.target, glm::dvec3(0));
     for (int i : {0, 100, 200, 399}) EXPECT_GE(place_of(view_.picture(), 0, i).x(), 0) << i;
@@ -283,7 +283,7 @@ TEST_F(SpaceViewTest, HiddenLayersShiftNoClicks) {
     hidden.key = "other";
     hidden.visible = false;
     view_.set_layers({hidden, FakeSpace::layer()});
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_EQ(view_.element_at(in_view(view_, place_of(view_.picture(), 0, 250))), (SpaceElement{1, 250}));
 }
 
@@ -294,7 +294,7 @@ TEST_F(SpaceViewTest, TheLegendIsOfThePictureThatIsShown) {
     SpaceLayer layer = FakeSpace::layer();
     layer.colour_by = "depth";
     view_.set_layers({layer});
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_EQ(view_.snapshot(true), before);  // still coloured by layer, and says so
     view_.set_picture(space_.draw(wanted_.back(), view_.wanted_size()));
     EXPECT_NE(view_.snapshot(true), before);
@@ -332,7 +332,7 @@ TEST_F(SpaceViewTest, ASphereIsSeenFromOutside) {
     SpaceLayer sphere = default_layer(FakeSpace::directions());
     EXPECT_EQ(sphere.colour_by, "accessibility");
     view_.set_layers({sphere});
-    test::handle_events();
+    ir::test::handle_events();
     ASSERT_TRUE(wanted_.back().camera.has_value());
     EXPECT_EQ(wanted_.back().camera->target, glm::dvec3(0));
     EXPECT_FALSE(action("experiment_camera")->isEnabled());
@@ -340,28 +340,28 @@ TEST_F(SpaceViewTest, ASphereIsSeenFromOutside) {
     EXPECT_TRUE(action("show_centres")->isVisible());
     drag(Qt::LeftButton, {}, {40, 0});
     wheel(view_.picture_area().center(), 40);
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_NEAR(glm::length(view_.pose().eye), 1.3, 1e-9);
     EXPECT_FALSE(view_.is_free());  // the scene's camera stays what it was
     view_.set_layers({FakeSpace::layer()});
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_FALSE(wanted_.back().camera.has_value());
 }
 
 TEST_F(SpaceViewTest, ASpaceOfItsOwnHasNeitherSceneNorExperimentsCamera) {
     space_.fields = {{"place", FieldType::f32, 3}};
     view_.refresh();
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_FALSE(action("show_scene")->isVisible());
     EXPECT_EQ(action("experiment_camera")->text(), "From the front");
     drag(Qt::LeftButton, {}, {40, 0});
     EXPECT_TRUE(view_.is_free()) << "it can be orbited all the same";
     QTest::keyClick(&view_, Qt::Key_F);
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_FALSE(wanted_.back().camera.has_value()) << "the renderer knows how large it is";
     space_.fields = FakeSpace::buffer().fields;
     view_.refresh();
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_TRUE(action("show_scene")->isVisible());
 }
 
@@ -383,7 +383,7 @@ TEST_F(SpaceViewTest, ASphereFitsTheSmallerSide) {
 TEST_F(SpaceViewTest, TicksAskForThePicture) {
     QSignalSpy changes(&view_, &SpaceView::scene_changed);
     action("show_scene")->trigger();
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_FALSE(wanted_.back().show_scene);
     EXPECT_EQ(changes.count(), 1);
 }
@@ -392,7 +392,7 @@ TEST_F(SpaceViewTest, AsksForNothingWhileHidden) {
     view_.hide();
     wanted_.clear();
     view_.refresh();
-    test::handle_events();
+    ir::test::handle_events();
     EXPECT_TRUE(wanted_.empty());
     view_.show();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !wanted_.empty(); }));
