@@ -312,7 +312,7 @@ TEST_F(PlotsWindowTest, ExportsAreTheStudysNumbersAndAPicture) {
 
 TEST_F(PlotsWindowTest, APlotInTheTreeBringsTheDockForward) {
     add_plot();
-    window.findChild<QDockWidget*>("messages")->raise();
+    window.findChild<QDockWidget*>("plots")->hide();
     ASSERT_TRUE(QTest::qWaitFor([&] { return panel().visibleRegion().isEmpty(); }));
     emit window.document().tree().item_activated(
         {widgets::ItemKind::plot, QString::fromStdString(plot().id)});
