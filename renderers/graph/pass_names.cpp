@@ -159,10 +159,6 @@ GLuint PassContext::sampler_of(const scene::Sampler& sampler) const {
 
 const gl::Program& PassContext::method_program(const gl::ProgramSource& source) const {
     auto& s = frame_;
-    if (const auto forgotten = s.cache.programs->forgotten(); forgotten != s.cache.forgotten_programs) {
-        s.cache.programs_with_parameters.clear();
-        s.cache.forgotten_programs = forgotten;
-    }
     auto& made = s.cache.programs_with_parameters[source];
     if (made) {
         s.cache.programs->touch(*made);
@@ -177,7 +173,13 @@ const gl::Program& PassContext::method_program(const gl::ProgramSource& source) 
 }
 
 const gl::Program& PassContext::program(const gl::ProgramSource& source) const {
-    return sees_parameters(source) ? method_program(source) : frame_.cache.programs->get(source);
+    auto& cache = frame_.cache;
+    if (const auto forgotten = cache.programs->forgotten(); forgotten != cache.forgotten_programs) {
+        cache.programs_with_parameters.clear();
+        cache.compared_records.clear();
+        cache.forgotten_programs = forgotten;
+    }
+    return sees_parameters(source) ? method_program(source) : cache.programs->get(source);
 }
 
 const gl::Program& PassContext::use(const gl::ProgramSource& source) const {

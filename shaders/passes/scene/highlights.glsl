@@ -11,8 +11,8 @@ float triangle_curvature(uint triangle) {
     float largest = 0.0;
     for (uint i = 0u; i < 3u; ++i) {
         uint a = first[i], b = first[(i + 1u) % 3u];
-        vec3 turn = hit_vertices[b + 1u].xyz - hit_vertices[a + 1u].xyz, way = hit_vertices[b].xyz - hit_vertices[a].xyz;
-        largest = max(largest, length(turn) / max(length(way), 1e-6));
+        float turn = distance(hit_vertices[a + 1u].xyz, hit_vertices[b + 1u].xyz);
+        largest = max(largest, turn / max(distance(hit_vertices[a].xyz, hit_vertices[b].xyz), 1e-6));
     }
     return largest;
 }

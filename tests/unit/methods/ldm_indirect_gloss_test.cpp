@@ -249,8 +249,9 @@ TEST_F(LdmIndirectGlossOnBoth, HighlightsInHighlightsAreNoDots) {
         return std::sqrt(sum);
     };
     const auto wide = picture(1, 4), as_they_are = picture(0, 4);
-    std::printf("light %.3f, RMSE over that of highlights as they are %.3f\n", light(wide),
-                rmse(wide) / rmse(as_they_are));
+    RecordProperty("light", std::to_string(light(wide)));
+    RecordProperty("rmse_over_that_of_highlights_as_they_are",
+                   std::to_string(rmse(wide) / rmse(as_they_are)));
     EXPECT_NEAR(light(wide), 1, 0.1);
     EXPECT_LT(rmse(wide), 0.5 * rmse(as_they_are));
     EXPECT_NEAR(light(picture(1, 64)), 1, 0.05) << "the more directions, the less they are widened";
@@ -290,6 +291,9 @@ TEST_F(LdmIndirectGlossOnBoth, NothingOfThePictureIsReadBack) {
     scene.lights = {lamp};
     const Shot shot(std::move(scene), looking({0, 1.6f, 1.9f}, {0, 1, -1}), 40, 32);
     const auto report = render(shot, Processor::gl, {}, 1, {"radiance"});
+    EXPECT_TRUE(std::ranges::any_of(report.passes, [](const auto& pass) {
+        return pass.name == "gloss" && pass.queue == "gl" && !pass.culled;
+    }));
     for (const auto& pass : report.passes)
         if (pass.queue == "cpu" && !pass.culled) {
             EXPECT_EQ(pass.name, "device BVH");

@@ -1,5 +1,5 @@
-// Takes the light of what each pixel's ray met, and draws where its path goes on. After the last event the path is added
-// to the picture; after the last sample, PROGRESSIVE, to the frames before.
+// Takes the light of what each pixel's ray met, and draws where its path goes on. After the last event the path is
+// added to the picture, and after the last sample, with PROGRESSIVE, the picture to the frames before.
 layout(local_size_x = 64) in;
 
 #include "methods/ldm-indirect/gloss/path.glsl"

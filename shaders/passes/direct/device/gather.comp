@@ -1,5 +1,5 @@
-// Adds what the rays of a sample brought to the pixels of a band, or to what their rays met (HITS). PANES: rays that met a sheet of clear glass go on
-// behind it, weakened: passes::Panes (renderers/passes/direct/panes.h).
+// Adds what the rays of a sample brought to the pixels of a band, or to what their rays met (HITS). PANES: rays that
+// met a sheet of clear glass go on behind it, weakened: passes::Panes (renderers/passes/direct/panes.h).
 layout(local_size_x = 64) in;
 
 #include "lib/floats.glsl"

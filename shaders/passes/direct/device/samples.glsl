@@ -1,6 +1,7 @@
-// What the programs share that sample direct light (renderers/passes/direct/device/light_rays.h). They go over a band of
-// pixels, one sample of each at a time. Each sample has two rays: towards a source, and along a direction drawn from the
-// material. MATERIALS: as Transport::Materials counts. HITS: of surfaces that further rays met, in place of the pixels'.
+// What the programs share that sample direct light (renderers/passes/direct/device/light_rays.h). They go over a band
+// of pixels, one sample of each at a time. Each sample has two rays: towards a source, and along a direction drawn from
+// the material. MATERIALS: as Transport::Materials counts. HITS: the surfaces are those that further rays met, in place
+// of the pixels'.
 #include "lib/bsdf.glsl"
 #include "lib/material.glsl"
 #include "passes/raytracing/ray_offset.glsl"
