@@ -1,6 +1,8 @@
 #include "app/engine/film.h"
 
+#include <fcntl.h>
 #include <spawn.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <glm/gtc/quaternion.hpp>
 #include <sstream>
 #include <thread>
@@ -18,7 +21,9 @@
 #include "app/engine/run_frames.h"
 #include "projects/motion.h"
 #include "projects/samples.h"
+#include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
 
 extern char** environ;
 
@@ -33,7 +38,10 @@ std::filesystem::path program_in_path(const std::string& name) {
     std::istringstream folders(path ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');) {
         const auto file = std::filesystem::path(folder) / name;
-        if (::access(file.c_str(), X_OK) == 0) return file;
+        std::error_code ignored;  // what is no folder, or closed to us, has none
+        if (!folder.empty() && std::filesystem::is_regular_file(file, ignored) &&
+            ::access(file.c_str(), X_OK) == 0)
+            return file;
     }
     return {};
 }
@@ -76,14 +84,21 @@ std::filesystem::path picture_file(const std::filesystem::path& folder, int numb
     return folder / name;
 }
 
-/// Runs a program and waits for it; a cancelled one is ended. Throws Error where it fails.
-void run_program(std::vector<std::string> words, const CancelToken* cancel) {
+/// Runs a program and waits for it; a cancelled one is ended. What it complains of goes into the file `said`.
+/// Throws Error, with the first line of that, where it fails.
+void run_program(std::vector<std::string> words, const std::filesystem::path& said,
+                 const CancelToken* cancel) {
     std::vector<char*> arguments;
     for (auto& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    ::posix_spawn_file_actions_init(&files);
+    ::posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                       S_IRUSR | S_IWUSR);
     pid_t child = 0;
-    if (::posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
-        throw Error(words.front() + " cannot be started");
+    const int problem = ::posix_spawn(&child, arguments[0], &files, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_destroy(&files);
+    if (problem != 0) throw Error(words.front() + " cannot be started");
     int status = 0;
     while (::waitpid(child, &status, WNOHANG) == 0) {
         if (cancel && cancel->is_cancelled()) {
@@ -93,7 +108,12 @@ void run_program(std::vector<std::string> words, const CancelToken* cancel) {
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    if (status != 0) throw Error(words.front() + " failed; its own words stand above");
+    if (status == 0) return;
+    if (cancel) cancel->check();  // Ctrl+C ends both
+    std::ifstream text(said);
+    std::string line;
+    std::getline(text, line);
+    throw Error(words.front() + " failed" + (line.empty() ? "" : ": " + projects::printable(line, 300)));
 }
 
 /// The video is there whole or not at all.
@@ -119,8 +139,8 @@ void encode(const std::filesystem::path& folder, const std::filesystem::path& vi
     words.push_back("file:" + partial.string());
     std::error_code ignored;
     try {
-        run_program(words, cancel);
-        std::filesystem::rename(partial, video);
+        run_program(words, folder / "ffmpeg.txt", cancel);
+        real_file_system().rename(partial, video);
     } catch (...) {
         std::filesystem::remove(partial, ignored);
         throw;

@@ -121,7 +121,9 @@ void AnalysesDock::connect_runs() {
                 update();
             });
     connect(&runs_, &AnalysisRuns::failed, this, [this](const QString& error, bool cancelled) {
-        answers_[std::exchange(running_, {})].problem = error;
+        const auto id = std::exchange(running_, {});
+        if (id.empty()) return update();  // of a project that was closed
+        answers_[id].problem = error;
         cancelled ? emit said(tr("Cancelled the analysis")) : emit failed(error);
         update();
     });

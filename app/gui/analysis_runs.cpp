@@ -3,6 +3,7 @@
 #include "app/engine/thread_priority.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
+#include "renderers/core/reason.h"
 
 namespace ir::gui {
 
@@ -41,7 +42,7 @@ std::function<void()> AnalysisRuns::work(const engine::AnalysisRequest& request,
     } catch (const Cancelled&) {
         return [this] { emit failed({}, true); };
     } catch (const std::exception& error) {
-        return [this, what = text_of(error.what())] { emit failed(what, false); };
+        return [this, what = text_of(reason_of(error))] { emit failed(what, false); };
     }
 }
 

@@ -3,6 +3,7 @@
 #include <QProgressDialog>
 
 #include "app/gui/text_of.h"
+#include "renderers/core/reason.h"
 
 namespace ir::gui {
 
@@ -20,7 +21,7 @@ void FileJob::start(const QString& file, const Work& work) {
     cancel_.reset();
     clock_.start();
     remaining_.start(0);
-    dialog_ = new QProgressDialog(tr("Reading …"), tr("Cancel"), 0, 1000, &window_);
+    dialog_ = new QProgressDialog(tr("Starting …"), tr("Cancel"), 0, 1000, &window_);
     dialog_->setObjectName(QString::fromLatin1(name_) + QStringLiteral("-progress"));
     dialog_->setWindowTitle(title_);
     dialog_->setAutoClose(false);
@@ -41,7 +42,7 @@ void FileJob::run(const QString& file, const Work& work) {
     } catch (const Cancelled&) {
         cancelled = true;
     } catch (const std::exception& failure) {
-        error = QString::fromUtf8(failure.what());
+        error = text_of(reason_of(failure));
     }
     QMetaObject::invokeMethod(this, [this, file, error, cancelled] { finish(file, error, cancelled); });
 }

@@ -40,6 +40,10 @@ FilmDialog::FilmDialog(double begin, double moves_until, double exposure, QWidge
     time_->setToolTip(tr("Camera, lights, parts and animation move as in the timeline, from %1 s on")
                           .arg(begin, 0, 'g', 4));
     turn_->setToolTip(tr("About what it looks at; everything else moves on"));
+    until_->setAccessibleName(tr("Time passes until"));
+    until_->setToolTip(time_->toolTip());
+    seconds_->setAccessibleName(tr("Camera turns once in"));
+    seconds_->setToolTip(turn_->toolTip());
     exposure_->setToolTip(tr("The same for all pictures"));
     video_->setObjectName(QStringLiteral("film-video"));
     video_->setToolTip(tr("Made by ffmpeg, which has to be installed"));
@@ -79,10 +83,11 @@ void FilmDialog::update() {
     until_->setEnabled(time_->isChecked());
     seconds_->setEnabled(turn_->isChecked());
     const int pictures = engine::count_pictures(film(), begin_, 0);
-    const bool fits = pictures <= engine::max_film_pictures;
+    const bool fits = pictures >= 1 && pictures <= engine::max_film_pictures;
     count_->setText(
         fits ? tr("%1 at 30 a second").arg(pictures == 1 ? tr("1 picture") : tr("%1 pictures").arg(pictures))
-             : tr("At most %1 pictures").arg(engine::max_film_pictures));
+        : pictures == 0 ? tr("No time passes")
+                        : tr("At most %1 pictures").arg(engine::max_film_pictures));
     for (auto* button : {video_, pictures_}) button->setEnabled(fits);
 }
 

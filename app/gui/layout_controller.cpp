@@ -25,21 +25,27 @@ LayoutController::LayoutController(QMainWindow& window, DockLayout& docks, widge
       views_(views),
       actions_(actions),
       remember_(remember),
-      menu_(new QMenu(tr("&Layouts"), &window)) {
+      menu_(new QMenu(tr("&Layouts"), &window)),
+      removed_(new QMenu(tr("&Remove"), menu_)) {
     actions_.add("layout-default", tr("&Default layout"), nullptr,
-                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)}, [this] { docks_.restore_default(); });
+                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)}, [this] {
+                     end_pictures_alone();
+                     docks_.restore_default();
+                 });
     int number = 0;
     for (const auto& [name, title] : DockLayout::titles())
         actions_.add(prefix + name, tr("Layout: %1").arg(title), nullptr,
-                     {QKeySequence(modifiers | Qt::Key(Qt::Key_1 + number++))},
-                     [this, name = name] { docks_.apply(name); });
+                     {QKeySequence(modifiers | Qt::Key(Qt::Key_1 + number++))}, [this, name = name] {
+                         end_pictures_alone();
+                         docks_.apply(name);
+                     });
     actions_
         .add("layout-keep", tr("&Keep this layout …"), nullptr, {QKeySequence(modifiers | Qt::Key_0)},
              [this] { ask_for_name(); })
         ->setData(tr("Panels and views as they stand, for all projects"));
-    actions_.add_switch("pictures-alone", tr("Pictures a&lone"), nullptr,
-                        {QKeySequence(Qt::SHIFT | Qt::Key_F11)}, false,
-                        [this](bool on) { show_pictures_alone(on); });
+    alone_ = actions_.add_switch("pictures-alone", tr("Pictures a&lone"), nullptr,
+                                 {QKeySequence(Qt::SHIFT | Qt::Key_F11)}, false,
+                                 [this](bool on) { show_pictures_alone(on); });
     if (remember_) {
         QSettings settings;
         const int count = settings.beginReadArray(group);
@@ -65,6 +71,7 @@ void LayoutController::keep(const QString& name) {
 void LayoutController::apply(const QString& name) {
     const auto found = own_.constFind(name);
     if (found == own_.constEnd()) return;
+    end_pictures_alone();
     views_.restore(found->views);
     docks_.load(found->docks);
 }
@@ -87,6 +94,10 @@ void LayoutController::ask_for_name() {
     dialog->open();
 }
 
+void LayoutController::end_pictures_alone() {
+    alone_->setChecked(false);
+}
+
 void LayoutController::show_pictures_alone(bool alone) {
     if (!alone) return docks_.load(before_);
     before_ = docks_.save();
@@ -100,12 +111,12 @@ void LayoutController::fill_menu() {
     menu_->addSeparator();
     for (const auto& name : own_.keys())
         menu_->addAction(QString(name).replace('&', "&&"), this, [this, name] { apply(name); });
-    auto* removed = new QMenu(tr("&Remove"), menu_);
-    removed->setEnabled(!own_.isEmpty());
+    removed_->clear();
+    removed_->setEnabled(!own_.isEmpty());
     for (const auto& name : own_.keys())
-        removed->addAction(QString(name).replace('&', "&&"), this, [this, name] { remove(name); });
+        removed_->addAction(QString(name).replace('&', "&&"), this, [this, name] { remove(name); });
     menu_->addAction(actions_.find("layout-keep"));
-    menu_->addMenu(removed);
+    menu_->addMenu(removed_);
 }
 
 void LayoutController::write() const {

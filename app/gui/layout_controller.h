@@ -29,6 +29,7 @@ class LayoutController : public QObject {
     void keep(const QString& name);
     void apply(const QString& name);  ///< an own one
     void remove(const QString& name);
+    void end_pictures_alone();  ///< panels are back, where they were hidden
 
   private:
     struct Own {
@@ -45,7 +46,8 @@ class LayoutController : public QObject {
     Actions& actions_;
     const bool remember_;
     QMap<QString, Own> own_;
-    QMenu* menu_;
+    QMenu *menu_, *removed_;
+    QAction* alone_;
     QByteArray before_;  ///< the panels, while pictures are alone
 };
 

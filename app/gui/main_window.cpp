@@ -433,6 +433,7 @@ void MainWindow::end_work() {
     sweeps_->cancel();
     analyses_->cancel();
     profile_.leave();
+    layouts_.end_pictures_alone();
     if (remember_) docks_.remember();
 }
 

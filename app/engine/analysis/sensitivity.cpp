@@ -97,7 +97,7 @@ class Sensitivity {
 
     void add(const ParameterDescription& parameter) {
         NumberRow row{parameter.key, parameter.label};
-        bool has_steps = false;
+        bool has_steps = false, has_failed = false;
         for (const int direction : {-1, 1}) {
             const auto value = stepped(parameter, base_.values.at(parameter.key), direction);
             if (!value) continue;
@@ -108,12 +108,14 @@ class Sensitivity {
                 add_side(row, direction > 0, to_string(*value), varied);
             } catch (const Error& error) {
                 if (run_.is_device_lost()) throw;
+                has_failed = true;
                 problems_.push_back(parameter.key + "=" + to_string(*value) + ": " +
                                     projects::printable(error.what(), 300));
             }
         }
         if (!has_steps) problems_.push_back(parameter.key + ": has no range that says how long a step is");
-        keep(std::move(row));
+        // Of what was not tried, or failed, nobody knows that it has no effect.
+        if (!row.matters.empty() || (has_steps && !has_failed)) keep(std::move(row));
     }
 
     /// What noise alone changes.

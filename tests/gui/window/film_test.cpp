@@ -51,7 +51,7 @@ TEST_F(FilmTest, IsMadeOfTheDocumentAsItIs) {
 TEST_F(FilmTest, IsCancelled) {
     std::atomic<bool> has_ended = false;
     films().set_maker([&](const FilmController::Request&, const CancelToken& cancel,
-                                 const ProgressCallback&) -> std::vector<Message> {
+                          const ProgressCallback&) -> std::vector<Message> {
         while (!cancel.is_cancelled()) std::this_thread::yield();
         has_ended = true;
         throw Cancelled();
@@ -76,8 +76,10 @@ TEST_F(FilmTest, AsksWhatItShows) {
     EXPECT_TRUE(count->text().contains("31")) << count->text().toStdString();
     EXPECT_EQ(dialog->film().until, 1);
     EXPECT_EQ(dialog->film().turntable, 0);
-    dialog->findChild<QDoubleSpinBox*>("film-until")->setValue(1e6);
-    EXPECT_FALSE(dialog->findChild<QPushButton*>("film-video")->isEnabled());
+    for (const double nothing_or_too_much : {0.0, 1e6}) {
+        dialog->findChild<QDoubleSpinBox*>("film-until")->setValue(nothing_or_too_much);
+        EXPECT_FALSE(dialog->findChild<QPushButton*>("film-video")->isEnabled()) << nothing_or_too_much;
+    }
     QTest::keyClick(dialog, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.findChild<FilmDialog*>("film"); }));
 }

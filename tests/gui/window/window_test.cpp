@@ -402,6 +402,10 @@ TEST_F(WindowTest, PicturesAloneAndBack) {
     alone->trigger();
     EXPECT_TRUE(window.findChild<QDockWidget*>("parameters")->isVisible());
     EXPECT_TRUE(window.findChild<QDockWidget*>("results")->isHidden());
+    alone->trigger();
+    window.action("layout-compare")->trigger();
+    EXPECT_FALSE(alone->isChecked()) << "a layout has panels";
+    EXPECT_TRUE(window.findChild<QDockWidget*>("metrics")->isVisible());
 }
 
 TEST_F(WindowTest, KeysBringACoveredPanelForwardAndHideTheOneInFront) {

@@ -78,8 +78,8 @@ TEST_F(FilmCommand, ShowsEachPictureAtItsTime) {
 TEST_F(FilmCommand, MakesAVideoByFfmpeg) {
     const auto ffmpeg = file("ffmpeg");
     std::ofstream(ffmpeg) << "#!/bin/sh\nfor word; do echo \"$word\"; done >" + file("words") +
-                                 "\nfor word; do last=${word#file:}; done\nls \"$(dirname \"$(grep %04d " +
-                                 file("words") + ")\")\" >\"$last\"\n";
+                                 "\nfor word; do last=${word#file:}; done\ncd \"$(dirname \"$(grep %04d " +
+                                 file("words") + ")\")\" && ls *.png >\"$last\"\n";
     fs::permissions(ffmpeg, fs::perms::owner_all);
     ::setenv("PATH", (folder_.string() + ":" + path_).c_str(), 1);
     const auto made = run(turn_ + file("turn.mp4"));
@@ -88,11 +88,11 @@ TEST_F(FilmCommand, MakesAVideoByFfmpeg) {
     EXPECT_NE(read(file("words")).find("-framerate\n30\n"), std::string::npos);
     EXPECT_FALSE(fs::exists(file(".turn.partial.mp4")));
 
-    std::ofstream(ffmpeg)
-        << "#!/bin/sh\nfor word; do last=${word#file:}; done\necho half >\"$last\"\nexit 1\n";
+    std::ofstream(ffmpeg) << "#!/bin/sh\nfor word; do last=${word#file:}; done\necho half >\"$last\"\n"
+                             "echo 'no such encoder' >&2\nexit 1\n";
     const auto failed = run(turn_ + file("broken.mp4"));
     EXPECT_EQ(failed.status, 1);
-    EXPECT_NE(failed.err.find("ffmpeg failed"), std::string::npos) << failed.err;
+    EXPECT_NE(failed.err.find("ffmpeg failed: no such encoder"), std::string::npos) << failed.err;
     EXPECT_FALSE(fs::exists(file("broken.mp4")));
     EXPECT_FALSE(fs::exists(file(".broken.partial.mp4")));
 }
