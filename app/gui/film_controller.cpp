@@ -30,6 +30,19 @@ std::vector<Message> make_request(const FilmController::Request& request, const 
         .messages;
 }
 
+/// Empty: none was chosen. Without an ending it is an .mp4, before the dialog asks whether to replace it.
+QString ask_for_video(QWidget& parent, const QString& proposal) {
+    QFileDialog chooser(&parent, QObject::tr("Film"));
+    chooser.setAcceptMode(QFileDialog::AcceptSave);
+    chooser.setNameFilter(
+        QObject::tr("Video (%1)")
+            .arg(QString::fromLatin1(engine::video_endings).replace('.', "*.").remove(',')));
+    chooser.setDefaultSuffix(QStringLiteral("mp4"));
+    chooser.setDirectory(QFileInfo(proposal).absolutePath());
+    chooser.selectFile(QFileInfo(proposal).fileName());
+    return chooser.exec() == QDialog::Accepted ? chooser.selectedFiles().value(0) : QString();
+}
+
 }  // namespace
 
 FilmController::FilmController(QWidget& window, Session& session, LivePictures& live, Workspace& workspace,
@@ -75,15 +88,12 @@ void FilmController::ask(bool for_video) {
     QString file;
     const auto proposal = export_proposal(text_of(chosen->name), QStringLiteral(".mp4"));
     if (for_video)
-        file = QFileDialog::getSaveFileName(
-            dialog_, tr("Film"), proposal,
-            tr("Video (%1)").arg(QString::fromLatin1(engine::video_endings).replace('.', "*.").remove(',')));
+        file = ask_for_video(*dialog_, proposal);
     else
         file = QFileDialog::getExistingDirectory(dialog_, tr("Folder for the pictures"),
                                                  QFileInfo(proposal).absolutePath());
     if (file.isEmpty() || !dialog_) return;
     remember_export(file);
-    if (for_video && !engine::is_video(file.toStdString())) file += QStringLiteral(".mp4");
     auto film = dialog_->film();
     film.out = file.toStdString();
     dialog_->accept();

@@ -14,7 +14,7 @@ QDoubleSpinBox* make_number(double min, double max, double value, const QString&
     auto* number = new QDoubleSpinBox;
     number->setObjectName(QLatin1String(name));
     number->setRange(min, max);
-    number->setDecimals(2);
+    number->setDecimals(4);
     number->setSuffix(unit);
     number->setValue(value);
     return number;

@@ -3,6 +3,7 @@
 // along one direction and keeps the nearest surfel. [Nalbach15; Nalbach14]
 #include <algorithm>
 #include <iomanip>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -170,11 +171,26 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     note_reach(builder, parameters);
 }
 
+/// Weights of neighbours, which the pass describes and whose defaults are this method's own since version 8.
+void keep_older_weights(std::vector<ParameterDescription>& parameters) {
+    const std::map<std::string, double> before{
+        {"blur_plane_tolerance", 0.1}, {"blur_normal_power", 16}, {"balance", 0.1}};
+    for (auto& parameter : parameters) {
+        const auto older = before.find(parameter.key);
+        if (older == before.end()) continue;
+        parameter.since_version = 8;
+        parameter.value_in_older_projects = older->second;
+    }
+}
+
 }  // namespace
 
 const graph::Method& method() {
-    static const auto method =
-        graph::make_method<Parameters>(description(), parameter_table(), setup, benchmarks());
+    static const auto method = [] {
+        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup, benchmarks());
+        keep_older_weights(made.description.parameters);
+        return made;
+    }();
     return method;
 }
 

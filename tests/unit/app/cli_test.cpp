@@ -172,6 +172,8 @@ TEST_F(Cli, DescribesOneParameterOutputOrSelector) {
     EXPECT_EQ(parameter.out.find("max_distance"), std::string::npos) << parameter.out;
     const auto json = nlohmann::json::parse(run("describe ldm-ao exact --json").out);
     EXPECT_EQ(json["key"], "exact");
+    const auto older = nlohmann::json::parse(run("describe deep-screen-space blur_normal_power --json").out);
+    EXPECT_EQ(older["value_in_older_projects"], 16) << "whose default the pass does not know";
     EXPECT_NE(run("describe ldm-ao valid").out.find("semantic: "), std::string::npos);
     expect_refused("describe ldm-ao exact_texel", 2, "did you mean 'exact_texels'");
     expect_refused("describe ldm-ao exact --glsl", 2, "--glsl");
