@@ -39,6 +39,8 @@ Analysis own_analysis(const AnalyseFlags& flags, const projects::Project& projec
 }
 
 std::vector<Analysis> chosen_analyses(const AnalyseFlags& flags, const projects::Project& project) {
+    if (!flags.kind.empty() && !flags.names.empty())
+        throw UsageError("give the ids of analyses, or --kind, not both");
     if (!flags.kind.empty()) return {own_analysis(flags, project)};
     if (project.analyses.empty())
         throw UsageError(

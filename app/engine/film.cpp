@@ -21,6 +21,7 @@
 #include "app/engine/run_frames.h"
 #include "projects/motion.h"
 #include "projects/samples.h"
+#include "projects/store.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
@@ -168,6 +169,8 @@ int check_film(Machine& machine, const FilmSubject& subject, const Film& film) {
         throw UsageError(film.out.string() +
                          ": videos are made by ffmpeg, which is not in PATH; install it, or give a folder, "
                          "which gets PNG files");
+    if (!is_video(film.out) && std::filesystem::exists(film.out / projects::project_file_name))
+        throw UsageError(film.out.string() + " is a project's folder; give another one");
     const auto run = projects::effective(subject.experiment);
     const auto scene = machine.scenes().load(resolved(subject).composition());
     const int pictures = count_pictures(
@@ -219,6 +222,10 @@ FrameReport make_film(Machine& machine, const FilmSubject& subject, const Film& 
         total = std::move(report);
         write_png(picture_file(folder, i + 1), displayed_result(execution), film.exposure);
     }
+    if (const auto next = picture_file(folder, pictures + 1); std::filesystem::exists(next))
+        add_message(total.messages, {Severity::note, "film",
+                                     "the folder has further pictures of another film, from " +
+                                         next.filename().string() + " on"});
     if (is_video(film.out)) encode(folder, film.out, options.cancel);
     return total;
 }

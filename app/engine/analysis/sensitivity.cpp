@@ -92,6 +92,9 @@ class Sensitivity {
             problems_.push_back("ask for other light than the reference has: " + projects::listed(transport));
         if (!costs.empty())
             problems_.push_back("change only what the picture costs: " + projects::listed(costs));
+        if (!wanted.empty() && parameters.empty())
+            throw UsageError("no parameter to step: " +
+                             projects::printable(projects::listed(problems_), 300));
         return parameters;
     }
 
@@ -206,9 +209,11 @@ std::optional<Value> stepped(const ParameterDescription& parameter, const Value&
     const bool is_factor = range.min > 0 && range.max >= factor_of_logs * range.min && now > 0;
     const double next = is_factor ? rounded(now * std::pow(range.max / range.min, double(direction) / steps))
                                   : rounded(now + direction * (range.max - range.min) / steps);
-    const double moved =
-        is_whole ? (direction > 0 ? std::max(std::round(next), now + 1) : std::min(std::round(next), now - 1))
-                 : next;
+    // 0 often means that there is none, or no limit; and the least that is allowed is no step.
+    const double next_or_half = direction < 0 && now > 0 && next <= 0 ? now / 2 : next;
+    const double moved = is_whole ? (direction > 0 ? std::max(std::round(next_or_half), now + 1)
+                                                   : std::min(std::round(next_or_half), now - 1))
+                                  : next_or_half;
     const double kept = std::clamp(moved, parameter.hard.min, parameter.hard.max);
     if (kept == now) return {};
     return parameter.checked(is_whole ? Value(std::int64_t(kept)) : Value(kept));

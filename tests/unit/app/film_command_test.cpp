@@ -49,6 +49,9 @@ TEST_F(FilmCommand, TurnsTheCameraOnceAboutItsTarget) {
     EXPECT_TRUE(are_equal("out/0001.png", "still.png"));
     ASSERT_EQ(run(turn_ + file("twice") + " --until 0.1").status, 0);
     EXPECT_TRUE(are_equal("twice/0004.png", "twice/0001.png")) << "it goes on turning";
+    const auto shorter = run(turn_ + file("twice"));
+    EXPECT_NE(shorter.err.find("further pictures of another film, from 0004.png on"), std::string::npos)
+        << shorter.err;
 }
 
 TEST_F(FilmCommand, ShowsEachPictureAtItsTime) {
@@ -104,6 +107,8 @@ TEST_F(FilmCommand, SaysWhatIsWrongBeforeItRenders) {
     EXPECT_NE(nothing.err.find("nothing moves"), std::string::npos) << nothing.err;
     EXPECT_EQ(run(still + file("out") + " --time 2 --until 1").status, 2);
     EXPECT_EQ(run(turn_ + file("out.avi")).status, 2);
+    write_project({});
+    EXPECT_EQ(run(turn_ + file("project")).status, 2);
     EXPECT_EQ(run(turn_ + file("none/out.mp4")).status, 2);
     EXPECT_EQ(run("film --scene builtin:cornell --out " + file("out")).status, 2);
     ::setenv("PATH", folder_.c_str(), 1);

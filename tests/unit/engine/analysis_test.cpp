@@ -163,7 +163,7 @@ TEST(Stepped, StepsAreOfTheRangeThatTheSliderSpans) {
     p.soft = {0, 16};
     EXPECT_EQ(stepped(p, Value(4.0), 1), Value(6.0));
     EXPECT_EQ(stepped(p, Value(4.0), -1), Value(2.0));
-    EXPECT_EQ(stepped(p, Value(1.0), -1), Value(0.0)) << "not beyond what is allowed";
+    EXPECT_EQ(stepped(p, Value(1.0), -1), Value(0.5)) << "half of it, as 0 may mean no limit";
     EXPECT_FALSE(stepped(p, Value(0.0), -1));
     p.soft = {1, 256};  // a factor
     EXPECT_EQ(stepped(p, Value(16.0), 1), Value(32.0));
