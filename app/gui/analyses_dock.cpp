@@ -1,6 +1,5 @@
 #include "app/gui/analyses_dock.h"
 
-#include <QFileDialog>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -343,11 +342,8 @@ void AnalysesDock::write_svg(const QString& file) const {
 
 template <class Write>
 void AnalysesDock::export_to(const QString& suffix, const QString& filter, Write write) {
-    auto file =
-        QFileDialog::getSaveFileName(this, tr("Export"), export_proposal(text_of(chosen()), suffix), filter);
+    const auto file = ask_for_export(this, tr("Export"), text_of(chosen()), filter, {suffix});
     if (file.isEmpty()) return;
-    remember_export(file);
-    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
     try {
         (this->*write)(file);
         emit said(tr("Wrote %1").arg(file));

@@ -1,7 +1,6 @@
 #include "app/gui/benchmark_dock.h"
 
 #include <QDateTime>
-#include <QFileDialog>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -169,11 +168,8 @@ void BenchmarkDock::write_json(const QString& file) const {
 
 void BenchmarkDock::export_to(const QString& suffix, const QString& filter,
                               void (BenchmarkDock::*write)(const QString&) const) {
-    auto file =
-        QFileDialog::getSaveFileName(this, tr("Export"), export_proposal(text_of(chosen_), suffix), filter);
+    const auto file = ask_for_export(this, tr("Export"), text_of(chosen_), filter, {suffix});
     if (file.isEmpty()) return;
-    remember_export(file);
-    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
     try {
         (this->*write)(file);
         emit said(tr("Wrote %1").arg(file));

@@ -1,10 +1,13 @@
 #include "app/gui/dialog_folder.h"
 
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include "app/gui/session.h"
 
@@ -57,6 +60,21 @@ QString export_proposal(const QString& title, const QString& suffix) {
 
 void remember_export(const QString& file) {
     QSettings().setValue(export_key(), QFileInfo(QDir::cleanPath(file)).absolutePath());
+}
+
+QString ask_for_export(QWidget* parent, const QString& title, const QString& name, const QString& filter,
+                       const QStringList& endings) {
+    auto file = QFileDialog::getSaveFileName(parent, title, export_proposal(name, endings.front()), filter,
+                                             nullptr, QFileDialog::DontConfirmOverwrite);
+    if (file.isEmpty()) return {};
+    const auto is_ending = [&](const QString& ending) { return file.endsWith(ending, Qt::CaseInsensitive); };
+    if (std::none_of(endings.begin(), endings.end(), is_ending)) file += endings.front();
+    if (QFileInfo::exists(file) &&
+        QMessageBox::question(parent, title, QObject::tr("%1 exists. Replace it?").arg(file)) !=
+            QMessageBox::Yes)
+        return {};
+    remember_export(file);
+    return file;
 }
 
 QString clean_file_name(const QString& title) {

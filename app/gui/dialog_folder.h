@@ -1,6 +1,8 @@
 #pragma once
 
-#include <QString>
+#include <QStringList>
+
+class QWidget;
 
 namespace ir::gui {
 
@@ -17,6 +19,10 @@ void remember_folder_of(const QString& chosen);
 QString export_proposal(const QString& title, const QString& suffix);
 /// To be told where a person exported to.
 void remember_export(const QString& file);
+/// Asks for the file of an export, and proposes a name made of `name`. A name with none of the endings gets
+/// the first before it is asked whether to replace a file. Empty: it is not to be written.
+QString ask_for_export(QWidget* parent, const QString& title, const QString& name, const QString& filter,
+                       const QStringList& endings);
 
 /// A name for a file in any language and on any system: letters, digits and single dashes between them.
 QString clean_file_name(const QString& title);

@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 
 #include "app/gui/dialog_folder.h"
@@ -75,11 +74,8 @@ void ExportController::copy_view() {
 }
 
 void ExportController::export_to(const QString& suffix, const QString& filter, Save save) {
-    QString file = QFileDialog::getSaveFileName(&window_, tr("Export"),
-                                                export_proposal(exports_.title(), suffix), filter);
+    const auto file = ask_for_export(&window_, tr("Export"), exports_.title(), filter, {suffix});
     if (file.isEmpty()) return;
-    remember_export(file);
-    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
     if (notices_.attempt([&] { (exports_.*save)(file); }, tr("Cannot export")))
         notices_.say(tr("Wrote %1").arg(file));
 }

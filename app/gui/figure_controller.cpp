@@ -1,8 +1,6 @@
 #include "app/gui/figure_controller.h"
 
 #include <QAction>
-#include <QFileDialog>
-#include <QFileInfo>
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/json_fields.h"
@@ -87,18 +85,10 @@ void FigureController::offer_rectangle() {
 }
 
 void FigureController::ask() {
-    const QFileInfo proposal(export_proposal(text_of(session_.document().name) + QStringLiteral(" figure"),
-                                             QStringLiteral(".pdf")));
-    QFileDialog chooser(&window_, tr("Figure"));
-    chooser.setAcceptMode(QFileDialog::AcceptSave);
-    chooser.setNameFilter(tr("Figure (*.pdf *.svg *.png)"));
-    chooser.setDefaultSuffix(QStringLiteral("pdf"));
-    chooser.setDirectory(proposal.absolutePath());
-    chooser.selectFile(proposal.fileName());
-    if (chooser.exec() != QDialog::Accepted) return;
-    const QString file = chooser.selectedFiles().value(0);
+    const auto file =
+        ask_for_export(&window_, tr("Figure"), text_of(session_.document().name) + tr(" figure"),
+                       tr("Figure (*.pdf *.svg *.png)"), {".pdf", ".svg", ".png"});
     if (file.isEmpty()) return;
-    remember_export(file);
     dialog_->save_to(file);
 }
 

@@ -30,19 +30,6 @@ std::vector<Message> make_request(const FilmController::Request& request, const 
         .messages;
 }
 
-/// Empty: none was chosen. Without an ending it is an .mp4, before the dialog asks whether to replace it.
-QString ask_for_video(QWidget& parent, const QString& proposal) {
-    QFileDialog chooser(&parent, QObject::tr("Film"));
-    chooser.setAcceptMode(QFileDialog::AcceptSave);
-    chooser.setNameFilter(
-        QObject::tr("Video (%1)")
-            .arg(QString::fromLatin1(engine::video_endings).replace('.', "*.").remove(',')));
-    chooser.setDefaultSuffix(QStringLiteral("mp4"));
-    chooser.setDirectory(QFileInfo(proposal).absolutePath());
-    chooser.selectFile(QFileInfo(proposal).fileName());
-    return chooser.exec() == QDialog::Accepted ? chooser.selectedFiles().value(0) : QString();
-}
-
 }  // namespace
 
 FilmController::FilmController(QWidget& window, Session& session, LivePictures& live, Workspace& workspace,
@@ -85,15 +72,17 @@ void FilmController::open() {
 void FilmController::ask(bool for_video) {
     const auto* chosen = session_.experiment();
     if (!chosen) return dialog_->reject();
-    QString file;
-    const auto proposal = export_proposal(text_of(chosen->name), QStringLiteral(".mp4"));
-    if (for_video)
-        file = ask_for_video(*dialog_, proposal);
-    else
-        file = QFileDialog::getExistingDirectory(dialog_, tr("Folder for the pictures"),
-                                                 QFileInfo(proposal).absolutePath());
+    const auto endings = QString::fromLatin1(engine::video_endings).split(QStringLiteral(", "));
+    const auto file =
+        for_video
+            ? ask_for_export(dialog_, tr("Film"), text_of(chosen->name),
+                             tr("Video (%1)").arg(QStringLiteral("*") + endings.join(QStringLiteral(" *"))),
+                             endings)
+            : QFileDialog::getExistingDirectory(
+                  dialog_, tr("Folder for the pictures"),
+                  QFileInfo(export_proposal(text_of(chosen->name), {})).absolutePath());
     if (file.isEmpty() || !dialog_) return;
-    remember_export(file);
+    if (!for_video) remember_export(file);
     auto film = dialog_->film();
     film.out = file.toStdString();
     dialog_->accept();

@@ -1,6 +1,5 @@
 #include "app/gui/pipeline_dock.h"
 
-#include <QFileDialog>
 #include <algorithm>
 
 #include "app/gui/dialog_folder.h"
@@ -116,13 +115,9 @@ void PipelineDock::update() {
 void PipelineDock::write_svg() {
     if (!live_.result(experiment())) return;
     const auto drawn = pipeline();
-    const auto suffix = QStringLiteral(".svg");
-    auto file = QFileDialog::getSaveFileName(panel_, tr("Export"),
-                                             export_proposal(text_of(drawn.title) + tr(" passes"), suffix),
-                                             tr("Drawings (*.svg)"));
+    const auto file = ask_for_export(panel_, tr("Export"), text_of(drawn.title) + tr(" passes"),
+                                     tr("Drawings (*.svg)"), {QStringLiteral(".svg")});
     if (file.isEmpty()) return;
-    remember_export(file);
-    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
     if (notices_.attempt([&] { write_file(file.toStdString(), pipeline_svg(drawn)); },
                          tr("The graph was not written")))
         notices_.say(tr("%1 is written").arg(file));

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -453,11 +452,7 @@ void PlotsDock::write_numbers(const QString& file) const {
 }
 
 QString PlotsDock::ask_for_file(const QString& suffix, const QString& filter) {
-    auto file =
-        QFileDialog::getSaveFileName(this, tr("Export"), export_proposal(text_of(chosen()), suffix), filter);
-    if (file.isEmpty()) return {};
-    remember_export(file);
-    return file.endsWith(suffix, Qt::CaseInsensitive) ? file : file + suffix;
+    return ask_for_export(this, tr("Export"), text_of(chosen()), filter, {suffix});
 }
 
 void PlotsDock::export_picture(int scale, bool on_paper, bool to_clipboard) {

@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QDesktopServices>
-#include <QFileDialog>
 #include <QUrl>
 
 #include "app/gui/dialog_folder.h"
@@ -46,12 +45,7 @@ void ReportController::update() {
 }
 
 QString ReportController::ask_for_file(const QString& title) {
-    const QString suffix = QStringLiteral(".html");
-    const auto file = QFileDialog::getSaveFileName(&window_, tr("Report"), export_proposal(title, suffix),
-                                                   tr("Web page (*.html)"));
-    if (file.isEmpty()) return {};
-    remember_export(file);
-    return file.endsWith(suffix, Qt::CaseInsensitive) ? file : file + suffix;
+    return ask_for_export(&window_, tr("Report"), title, tr("Web page (*.html)"), {QStringLiteral(".html")});
 }
 
 void ReportController::ask_for_sweep(const std::filesystem::path& folder, const QString& title) {

@@ -470,12 +470,9 @@ void SweepsDock::write_csv(const QString& file) const {
 }
 
 void SweepsDock::export_csv() {
-    const auto suffix = QStringLiteral(".csv");
-    auto file = QFileDialog::getSaveFileName(this, tr("Export"), export_proposal(text_of(chosen()), suffix),
-                                             tr("Comma-separated values (*.csv)"));
+    const auto file = ask_for_export(this, tr("Export"), text_of(chosen()),
+                                     tr("Comma-separated values (*.csv)"), {QStringLiteral(".csv")});
     if (file.isEmpty()) return;
-    remember_export(file);
-    if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
     try {
         write_csv(file);
         emit said(tr("Wrote %1").arg(file));
