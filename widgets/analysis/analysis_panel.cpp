@@ -75,12 +75,7 @@ QWidget* AnalysisPanel::make_head() {
     run_ = add_button(row, "run", "rerun", tr("Run"));
     connect(run_, &QToolButton::clicked, this,
             [this] { fields_.runs ? emit cancel_wanted() : emit run_wanted(); });
-    progress_ = new QProgressBar;
-    progress_->setObjectName(QStringLiteral("progress"));
-    progress_->setRange(0, 1000);
-    progress_->setMinimumWidth(50);
-    progress_->setMaximumHeight(16);
-    row->addWidget(progress_, 1);
+    progress_ = add_progress(row);
     doing_ = make_cut_label("doing");
     row->addWidget(doing_, 3);
     files_ = add_button(row, "files", "export", tr("Export"));

@@ -63,12 +63,7 @@ QWidget* BenchmarkPanel::make_head() {
     run_ = add_button(row, "run", "rerun", tr("Run"));
     connect(run_, &QToolButton::clicked, this,
             [this] { fields_.is_running ? emit cancel_wanted() : emit run_wanted(); });
-    progress_ = new QProgressBar;
-    progress_->setObjectName(QStringLiteral("progress"));
-    progress_->setRange(0, 1000);
-    progress_->setMinimumWidth(60);
-    progress_->setMaximumHeight(16);
-    row->addWidget(progress_, 1);
+    progress_ = add_progress(row);
     doing_ = make_cut_label("doing");
     row->addWidget(doing_, 4);
     export_ = add_button(row, "export", "export", tr("Export"));

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QStringList>
 #include <QToolButton>
@@ -54,6 +55,16 @@ QComboBox* add_list(QBoxLayout* row, const char* name, const QString& label, int
     list->setMinimumContentsLength(letters);
     row->addWidget(list, stretch);
     return list;
+}
+
+QProgressBar* add_progress(QBoxLayout* row) {
+    auto* progress = new QProgressBar;
+    progress->setObjectName(QStringLiteral("progress"));
+    progress->setRange(0, 1000);
+    progress->setMinimumWidth(50);
+    progress->setMaximumHeight(16);
+    row->addWidget(progress, 1);
+    return progress;
 }
 
 EmptyPage make_empty_page() {

@@ -10,6 +10,7 @@ class QBoxLayout;
 class QComboBox;
 class QItemSelectionModel;
 class QLabel;
+class QProgressBar;
 class QPushButton;
 class QToolButton;
 class QWidget;
@@ -28,6 +29,8 @@ QToolButton* add_button(QBoxLayout* row, const char* name, const char* drawing, 
 QToolButton* add_icon_button(QBoxLayout* row, const char* name, const char* drawing, const QString& text);
 /// A list in a panel's row that is as wide as so many letters at least. Its tool tip is the label.
 QComboBox* add_list(QBoxLayout* row, const char* name, const QString& label, int letters, int stretch = 1);
+/// How far a panel's work is, in thousandths.
+QProgressBar* add_progress(QBoxLayout* row);
 
 /// What a panel shows in place of its content, and what a person may do about it; tests find both by the
 /// names "empty" and "empty-button".

@@ -105,12 +105,7 @@ QWidget* SweepPanel::make_head() {
     pause_ = add_button(row, "pause", "pause", tr("Pause"));
     connect(pause_, &QToolButton::clicked, this,
             [this] { emit pause_wanted(fields_.run == SweepFields::Run::running); });
-    progress_ = new QProgressBar;
-    progress_->setObjectName(QStringLiteral("progress"));
-    progress_->setRange(0, 1000);
-    progress_->setMinimumWidth(50);
-    progress_->setMaximumHeight(16);
-    row->addWidget(progress_, 1);
+    progress_ = add_progress(row);
     doing_ = make_cut_label("doing");
     row->addWidget(doing_, 3);
     files_ = add_button(row, "files", "export", tr("Results"));

@@ -11,18 +11,11 @@ constexpr int sent_width = 48, sent_height = 36;
 
 void add_facing_square(scene::Scene& scene, int material, glm::vec3 centre, float half, float facing,
                        glm::vec3 shading_normal) {
-    scene::Mesh mesh;
-    mesh.material = material;
     const float x = facing * half;
-    mesh.positions = {centre + glm::vec3(-x, -half, 0), centre + glm::vec3(x, -half, 0),
-                      centre + glm::vec3(x, half, 0), centre + glm::vec3(-x, half, 0)};
-    mesh.normals.assign(4, shading_normal);
-    mesh.uv0.assign(4, {0, 0});
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    scene::Node node;
-    node.meshes = {static_cast<int>(scene.meshes.size())};
-    scene.meshes.push_back(std::move(mesh));
-    scene.nodes.push_back(node);
+    add_quad(scene, material,
+             {centre + glm::vec3(-x, -half, 0), centre + glm::vec3(x, -half, 0),
+              centre + glm::vec3(x, half, 0), centre + glm::vec3(-x, half, 0)},
+             shading_normal);
 }
 
 struct FirstSender {

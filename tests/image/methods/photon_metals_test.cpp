@@ -38,22 +38,15 @@ scene::Mesh metal_ball(int material) {
 void add_room(scene::Scene& scene, int material) {
     for (int axis = 0; axis < 3; ++axis)
         for (const float side : {-2.0f, 2.0f}) {
-            scene::Mesh mesh;
-            mesh.material = material;
             glm::vec3 normal(0);
             normal[axis] = side < 0 ? 1.0f : -1.0f;
+            std::vector<glm::vec3> corners;
             for (const auto& [u, v] : {std::pair{-2.0f, -2.0f}, {2.0f, -2.0f}, {2.0f, 2.0f}, {-2.0f, 2.0f}}) {
-                glm::vec3 corner(0);
-                corner[axis] = side, corner[(axis + 1) % 3] = u, corner[(axis + 2) % 3] = v;
-                mesh.positions.push_back(corner);
+                corners.emplace_back(0);
+                corners.back()[axis] = side;
+                corners.back()[(axis + 1) % 3] = u, corners.back()[(axis + 2) % 3] = v;
             }
-            mesh.normals.assign(4, normal);
-            mesh.uv0.assign(4, {0, 0});
-            mesh.indices = {0, 1, 2, 0, 2, 3};
-            scene::Node node;
-            node.meshes = {static_cast<int>(scene.meshes.size())};
-            scene.meshes.push_back(std::move(mesh));
-            scene.nodes.push_back(node);
+            add_quad(scene, material, corners, normal);
         }
 }
 
