@@ -166,7 +166,7 @@ void DocumentDock::use_in_experiment(const ItemRef& item) {
             case ItemKind::part:
                 return edits::set_scene_of(project, experiment, id);
             default:
-                return edits::group("Nothing", {});
+                return projects::EditPtr();
         }
     });
 }

@@ -21,6 +21,7 @@
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
+#include "renderers/core/reason.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/metrics.h"
 #include "widgets/style/theme.h"
@@ -343,7 +344,7 @@ void FigureDialog::draw() {
             const auto png = QByteArray::fromStdString(draw_figure(now, report::FigureFormat::png));
             return [this, png] { show_preview(png, {}); };
         } catch (const std::exception& error) {
-            return [this, text = QString::fromUtf8(error.what())] { show_preview({}, text); };
+            return [this, text = QString::fromStdString(reason_of(error))] { show_preview({}, text); };
         }
     });
 }
@@ -372,7 +373,7 @@ void FigureDialog::write(std::function<std::function<void()>(const report::Figur
         try {
             then = work(now);
         } catch (const std::exception& error) {
-            then = [this, text = QString::fromUtf8(error.what())] { emit failed(text); };
+            then = [this, text = QString::fromStdString(reason_of(error))] { emit failed(text); };
         }
         return [this, then] {
             update_buttons();

@@ -2,6 +2,8 @@
 
 #include <exception>
 
+#include "renderers/core/reason.h"
+
 namespace ir::gui {
 
 using Kind = widgets::BannerStack::Kind;
@@ -18,9 +20,9 @@ bool Notices::attempt(const std::function<void()>& work, const QString& what) {
         banners_.hide_banner(banner);
         return true;
     } catch (const std::exception& error) {
-        add({Severity::error, "project", error.what()});
+        add({Severity::error, "project", reason_of(error)});
         banners_.show_banner(banner, Kind::error,
-                             QStringLiteral("%1: %2").arg(what, QString::fromUtf8(error.what())));
+                             QStringLiteral("%1: %2").arg(what, QString::fromStdString(reason_of(error))));
         return false;
     }
 }

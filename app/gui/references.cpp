@@ -56,7 +56,7 @@ void References::match(const std::string& experiment) {
         is_refused = true;  // until match() returns
         auto edit = projects::match(project, experiment, session_.registry(), scene_facts().is_animated);
         is_refused = false;
-        return edit ? std::move(edit) : projects::edits::group("Nothing", {});
+        return edit;
     });
     session_.end_gesture();
     const auto* judged = session_.experiment(experiment);

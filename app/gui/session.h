@@ -40,10 +40,14 @@ class Session : public QObject {
     const MethodDescription* first_method() const;
     void select_experiment(const std::string& id);
 
-    /// Applies an edit made by `make(project)`; errors become messages. Returns whether the document changed.
+    /// Applies an edit made by `make(project)`, null: none; errors become messages. Returns whether the
+    /// document changed.
     template <class Make>
     bool edit(Make make) {
-        return change([&](projects::OpenProject& open) { return open.edit(make(open.project())); });
+        return change([&](projects::OpenProject& open) {
+            projects::EditPtr edit = make(open.project());
+            return edit && open.edit(std::move(edit));
+        });
     }
     /// As edit(), for what is done to the open project otherwise: `work` says whether it changed.
     template <class Work>

@@ -43,7 +43,7 @@ void SetUpController::show_methods(const std::string& paths) {
             project, session_.experiment()->id, paths, session_.registry(),
             [this](const std::string& scene) { return live_.scene_end(scene) > 0; });
         shown = std::move(made.experiments);
-        return made.edit ? std::move(made.edit) : projects::edits::group("Nothing", {});
+        return std::move(made.edit);
     });
     session_.end_gesture();
     if (shown.empty() || !session_.experiment(shown.back())) return;

@@ -1,4 +1,5 @@
 #include "app/gui/studies.h"
+#include "renderers/core/reason.h"
 
 #include <algorithm>
 #include <utility>
@@ -86,7 +87,7 @@ QString Studies::study_keep(const std::string& plot, std::uint64_t serial, const
     try {
         engine::keep_study(request.project, request.plot, request.folder, study);
     } catch (const std::exception& error) {
-        return QString::fromStdString(error.what());
+        return QString::fromStdString(reason_of(error));
     }
     return {};
 }
@@ -131,7 +132,7 @@ void Studies::start_reading(const Place& place) {
             if (auto found = engine::load_study(place.folder, place.plot))
                 kept = std::make_shared<const engine::KeptStudy>(std::move(*found));
         } catch (const std::exception& failure) {
-            error = QString::fromStdString(failure.what());
+            error = QString::fromStdString(reason_of(failure));
         }
         QMetaObject::invokeMethod(
             this,

@@ -3,6 +3,7 @@
 #include "app/engine/thread_priority.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
+#include "renderers/core/reason.h"
 
 namespace ir::gui {
 
@@ -121,7 +122,7 @@ void SweepRuns::sweep_run(const engine::SweepRequest& request) {
     } catch (const Cancelled&) {
         fail("cancelled", true);
     } catch (const std::exception& error) {
-        fail(error.what(), false);
+        fail(reason_of(error), false);
     }
 }
 
