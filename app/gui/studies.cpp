@@ -1,8 +1,9 @@
 #include "app/gui/studies.h"
-#include "renderers/core/reason.h"
 
 #include <algorithm>
 #include <utility>
+
+#include "renderers/core/reason.h"
 
 namespace ir::gui {
 
