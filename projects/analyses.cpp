@@ -87,6 +87,8 @@ std::string why_not_analysed(const Project& project, const Analysis& analysis, c
         if (!registry.find(experiment->method))
             return "experiment '" + id + "' has the method '" + printable(experiment->method, 60) +
                    "', which is unknown to this build";
+        if (std::ranges::find(experiments, experiment) != experiments.end())
+            return "experiment '" + id + "' is named twice; take one out";
         experiments.push_back(experiment);
     }
     if (kind->needs_reference && analysis.reference.empty()) return "has no reference; choose one";

@@ -64,17 +64,13 @@ void print(const Analysis& analysis, const engine::AnalysisResult& result) {
     std::cout << analysis.id << ": " << data.title << "\n";
     std::vector<std::vector<std::string>> rows{data.headings};
     std::set<std::size_t> numbers;
-    // Row by row, as the chart has them.
-    for (double row = double(data.y.names.size()) - 1; row >= 0; --row)
-        for (const auto& series : data.series)
-            for (const auto& point : series.points) {
-                if (point.y != row) continue;
-                rows.emplace_back();
-                for (std::size_t i = 0; i < point.cells.size(); ++i) {
-                    rows.back().push_back(point.cells[i].text);
-                    if (point.cells[i].number) numbers.insert(i);
-                }
-            }
+    for (const auto& [point, series] : data.in_reading_order()) {
+        rows.emplace_back();
+        for (std::size_t i = 0; i < point->cells.size(); ++i) {
+            rows.back().push_back(point->cells[i].text);
+            if (point->cells[i].number) numbers.insert(i);
+        }
+    }
     print_table(std::cout, rows, numbers);
     for (const auto* lines : {&data.problems, &data.notes})
         for (const auto& line : *lines) std::cout << "note: " << line << "\n";
@@ -107,6 +103,11 @@ class AnalyseCommand {
 
   private:
     void prepare() const {
+        // Several may go on without one of them; one that has no answer ends before anything is done.
+        const auto& first = analyses_.front();
+        const auto why_not = projects::why_not_analysed(loaded_.project, first, engine::registry());
+        if (analyses_.size() == 1 && !why_not.empty())
+            throw InputError(flags_.project + ": " + with_name(first, why_not));
         OutputFiles files;
         files.reads(loaded_);
         for (const auto& [option, file] : {std::pair("--csv", flags_.csv), std::pair("--svg", flags_.svg)}) {

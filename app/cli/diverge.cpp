@@ -23,7 +23,7 @@ struct DivergeFlags {
     ExperimentFlags experiment;
     engine::SameWithin same;
     std::string method, scene = "builtin:cornell", a = "gl", b = "host";
-    bool json = false, quiet = false;
+    bool all = false, json = false, quiet = false;
 };
 
 /// "host", "osmesa,gl": backend and processor in place of those of the other options.
@@ -49,23 +49,36 @@ std::string short_number(double value) {
     return text;
 }
 
-void print(const Divergence& found) {
+std::string buffers_text(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + (count == 1 ? " buffer " + one : " buffers " + many);
+}
+
+/// Buffers that are the same to the bit are counted, as most are.
+void print(const Divergence& found, bool all) {
     std::cout << "A: " << found.a << "\nB: " << found.b << "\n";
+    std::size_t same = 0, missing = 0;
     std::vector<std::vector<std::string>> rows{
         {"buffer", "written by", "values", "differ", "by at most", ""}};
     for (const auto& each : found.buffers) {
         const bool has_numbers = each.values > 0;
+        same += each.is_same() ? 1 : 0;
+        missing += has_numbers || each.diverges ? 0 : 1;
+        if (each.is_same() && !all) continue;
         const auto said = each.diverges && each.problem.empty() ? std::string("diverges") : each.problem;
         rows.push_back({each.key, each.pass, has_numbers ? std::to_string(each.values) : "",
                         has_numbers ? std::to_string(each.differing) : "",
                         has_numbers ? short_number(each.largest) : "", said});
     }
     print_table(std::cout, rows, {2, 3, 4});
+    if (same > 0) std::cout << buffers_text(same, "is", "are") << " the same to the bit\n";
+    if (missing > 0)
+        std::cout << buffers_text(missing, "is", "are")
+                  << " of one machine alone and compared with nothing\n";
     if (const auto* first = found.first())
         std::cout << "the first that diverges is " << first->key << ", which pass '" << first->pass
                   << "' writes\n";
     else
-        std::cout << "no buffer diverges\n";
+        std::cout << "no buffer that both have diverges\n";
 }
 
 Json to_json(const Divergence& found) {
@@ -98,7 +111,7 @@ int diverge(const DivergeFlags& flags) {
     if (flags.json)
         std::cout << to_json(found).dump(2) << "\n";
     else
-        print(found);
+        print(found, flags.all);
     return found.first() ? limit_exceeded : done;
 }
 
@@ -120,10 +133,16 @@ void add_diverge(CLI::App& app, Run& run) {
         ->check(within(0, 1))
         ->capture_default_str();
     command
+        ->add_option("--absolute", flags->same.absolute,
+                     "Difference up to which numbers are the same, whatever their size")
+        ->check(within(0, 1e9))
+        ->capture_default_str();
+    command
         ->add_option("--share", flags->same.share,
                      "Part of a buffer's values that may differ by more: edges that rays meet or miss")
         ->check(within(0, 1))
         ->capture_default_str();
+    command->add_flag("--all", flags->all, "List the buffers that are the same to the bit, too");
     add_experiment_flags(*command, flags->experiment);
     add_json_flag(*command, flags->json);
     add_quiet_flag(*command, flags->quiet);

@@ -10,8 +10,9 @@ namespace ir::engine {
 
 /// What counts as the same number on two machines.
 struct SameWithin {
-    double relative = 1e-3, absolute = 1e-5;
-    double share = 1e-3;  ///< of a buffer's values that may differ by more: edges that rays meet or miss
+    double relative = 1e-3;
+    double absolute = 2e-5;  ///< more than a step of 16 bits that stand for 0 to 1
+    double share = 1e-3;     ///< of a buffer's values that may differ by more: edges that rays meet or miss
 };
 
 /// How a buffer differs between two machines.
@@ -22,6 +23,8 @@ struct BufferDivergence {
     double largest = 0;   ///< difference
     std::string problem;  ///< one line: why nothing is compared, or what is to be known of it
     bool diverges = false;
+    /// There is nothing to say of it.
+    bool is_same() const { return values > 0 && largest == 0 && problem.empty(); }
 };
 
 /// An experiment on two machines.

@@ -46,6 +46,7 @@ QImage picture_of(widgets::ViewPane& pane) {
         case widgets::ViewPane::Content::table:
             return {};
         case widgets::ViewPane::Content::picture:
+            if (pane.compare().compared().mode == widgets::ViewMode::stages) return pane.snapshot(false);
             return pane.compare().main_view().snapshot(false, false,
                                                        widgets::ImageView::SnapshotScale::picture_pixels);
         default:
@@ -60,12 +61,14 @@ QImage with_shape(const QImage& picture, QSize size) {
     return small.copy(QRect(QPoint(left, top), size));
 }
 
-QByteArray card_of(Workspace& workspace) {
+QByteArray card_of(Workspace& workspace, bool last) {
     QImage picture;
     for (const int view : workspace.area().open_views()) {
         auto* pane = workspace.pane(view);
-        if (pane) picture = picture_of(*pane);
-        if (!picture.isNull()) break;
+        const auto shown = pane ? picture_of(*pane) : QImage();
+        if (shown.isNull()) continue;
+        picture = shown;
+        if (!last) break;
     }
     QByteArray bytes;
     for (int width = card_width; !picture.isNull() && width > 32; width = width * 7 / 8) {

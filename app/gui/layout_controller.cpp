@@ -4,6 +4,7 @@
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMessageBox>
 #include <QSettings>
 
 #include "widgets/views/view_area.h"
@@ -94,6 +95,11 @@ void LayoutController::ask_for_name() {
     dialog->open();
 }
 
+void LayoutController::ask_to_remove(const QString& name) {
+    const auto answer = QMessageBox::question(&window_, tr("Layouts"), tr("Remove the layout %1?").arg(name));
+    if (answer == QMessageBox::Yes) remove(name);
+}
+
 void LayoutController::end_pictures_alone() {
     alone_->setChecked(false);
 }
@@ -114,7 +120,8 @@ void LayoutController::fill_menu() {
     removed_->clear();
     removed_->setEnabled(!own_.isEmpty());
     for (const auto& name : own_.keys())
-        removed_->addAction(QString(name).replace('&', "&&"), this, [this, name] { remove(name); });
+        removed_->addAction(QString(name).replace('&', "&&") + "…", this,
+                            [this, name] { ask_to_remove(name); });
     menu_->addAction(actions_.find("layout-keep"));
     menu_->addMenu(removed_);
 }

@@ -36,6 +36,7 @@ class LayoutController : public QObject {
         QByteArray docks, views;
     };
     void ask_for_name();
+    void ask_to_remove(const QString& name);
     void show_pictures_alone(bool alone);
     void fill_menu();
     void write() const;

@@ -78,7 +78,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
       export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
       report_(*this, session_, notices_, actions_),
-      set_ups_(session_, live_, workspace_, actions_),
+      set_ups_(*this, session_, live_, workspace_, actions_),
       layouts_(*this, docks_, workspace_.area(), actions_, remember_),
       film_(*this, session_, live_, workspace_, preferences_, notices_, actions_),
       figure_(*this, session_, workspace_, notices_, actions_),
@@ -211,7 +211,7 @@ void MainWindow::make_menus() {
         "scene-add image-add bookmark comparison-add | light-here light-camera headlight | preferences")
         ->setToolTipsVisible(true);
     auto* set_up = menuBar()->addMenu(tr("&Set up"));
-    actions_.fill(set_up, "set-up-occlusion set-up-light set-up-space stages");
+    actions_.fill(set_up, "set-ups | set-up-occlusion set-up-light match set-up-space stages");
     set_up->setToolTipsVisible(true);
     auto* experiment = new QMenu(this);
     actions_.fill(experiment,

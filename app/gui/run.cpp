@@ -32,7 +32,7 @@ constexpr int settle_ms = 400, look_ms = 50;
 constexpr int failed = 1, bad_input = 3;
 
 struct Arguments {
-    std::string project, layout, theme, screenshot, thumbnail, size, plot, plot_file;
+    std::string project, layout, set_up, theme, screenshot, thumbnail, size, plot, plot_file;
     engine::MachineFlags machine;
     int scale = 1;
     bool dark = false;
@@ -48,6 +48,12 @@ void describe(CLI::App& command, Arguments& arguments) {
                        "Project folder, scene file (.gltf, .glb) or builtin:NAME to open");
     command.add_option("--layout", arguments.layout,
                        "Arrangement of the docks: " + DockLayout::names().join(", ").toStdString());
+    std::vector<std::string> set_ups;
+    for (const auto& name : SetUpController::names()) set_ups.push_back(name.toStdString());
+    command
+        .add_option("--set-up", arguments.set_up,
+                    "What the menu Set up does, once the first pictures are there")
+        ->check(CLI::IsMember(set_ups));
     command.add_option("--theme", arguments.theme, "system, dark or light, for this run")
         ->check(CLI::IsMember({"system", "dark", "light"}));
     command.add_option("--screenshot", arguments.screenshot,
@@ -84,6 +90,24 @@ QStringList missing(MainWindow& window) {
     return reasons;
 }
 
+/// Once what the window shows has arrived, as some of what is set up depends on it. Says what cannot be.
+void set_up(MainWindow& window, const Arguments& arguments, const std::function<void(bool was_done)>& then) {
+    auto* looks = new QTimer(&window);
+    QObject::connect(looks, &QTimer::timeout, &window, [&window, looks, then, name = arguments.set_up] {
+        if (!window.is_settled()) return;
+        looks->stop();
+        looks->deleteLater();
+        auto* action = window.action(SetUpController::action_of(QString::fromStdString(name)));
+        const bool can = action->isEnabled();
+        if (!can)
+            std::cerr << "interreflect: --set-up " << name << ": "
+                      << action->toolTip().section('\n', -1).toStdString() << "\n";
+        action->trigger();  // nothing where it is disabled
+        then(can);
+    });
+    looks->start(look_ms);
+}
+
 /// Saves the window once nothing has been under way for a while, and ends the program. The state is looked at
 /// again and again: whatever forgot to say that it is done would be waited for in vain.
 void take_screenshot(MainWindow& window, const Arguments& arguments) {
@@ -103,7 +127,8 @@ void take_screenshot(MainWindow& window, const Arguments& arguments) {
                                  write_picture(QString::fromStdString(arguments.screenshot),
                                                window.grab().toImage());
                              if (!arguments.thumbnail.empty()) {
-                                 write_file(arguments.thumbnail, card_of(window.workspace()).toStdString());
+                                 const auto card = card_of(window.workspace(), !arguments.set_up.empty());
+                                 write_file(arguments.thumbnail, card.toStdString());
                                  std::cout << double(begun.elapsed() - still.elapsed()) / 1000 << "\n";
                              }
                          } catch (const Error& error) {
@@ -167,7 +192,7 @@ int run_window(const Arguments& arguments) {
     window.show();
     const auto codecs = load_image_codecs();
     const auto project = QString::fromStdString(arguments.project);
-    if (screenshot) take_screenshot(window, arguments);
+    if (screenshot && arguments.set_up.empty()) take_screenshot(window, arguments);
     if (!project.isEmpty() && !window.open_path(project) && screenshot) {
         std::cerr << "interreflect: "
                   << in_one_line(window.banners().text(QStringLiteral("file")).toStdString()) << "\n";
@@ -179,6 +204,11 @@ int run_window(const Arguments& arguments) {
         window.show_plot(arguments.plot);
         window.plots().run_if_needed();
     }
+    if (!arguments.set_up.empty())
+        set_up(window, arguments, [&](bool was_done) {
+            if (screenshot && was_done) take_screenshot(window, arguments);
+            if (screenshot && !was_done) QApplication::exit(failed);
+        });
     QSocketNotifier notifier(engine::interruption_descriptor(), QSocketNotifier::Read);
     QObject::connect(&notifier, &QSocketNotifier::activated, &window, [&] {
         notifier.setEnabled(false);
@@ -221,6 +251,8 @@ int run(int argc, char** argv) {
             !DockLayout::names().contains(QString::fromStdString(arguments.layout)))
             throw UsageError("unknown layout '" + arguments.layout + "'; known are " +
                              DockLayout::names().join(", ").toStdString());
+        if (!arguments.set_up.empty() && arguments.project.empty())
+            throw UsageError("--set-up needs a project or a scene to begin with");
         if (arguments.exports()) check_plot_file(arguments.plot_file);
         check_display(arguments);
         // Off screen Qt says what is no news to anybody; stderr is for the one line that says what failed.

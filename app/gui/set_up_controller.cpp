@@ -4,11 +4,29 @@
 
 #include "app/gui/beside.h"
 #include "projects/set_up.h"
+#include "renderers/core/resources_path.h"
+#include "widgets/panels/action_cards.h"
 
 namespace ir::gui {
+namespace {
 
-SetUpController::SetUpController(Session& session, LivePictures& live, Workspace& workspace, Actions& actions)
-    : session_(session), live_(live), workspace_(workspace) {
+constexpr std::pair<const char*, const char*> set_ups[] = {{"occlusion", "set-up-occlusion"},
+                                                           {"light", "set-up-light"},
+                                                           {"truth", "match"},
+                                                           {"space", "set-up-space"},
+                                                           {"stages", "stages"}};
+
+/// One that comes with the program; null: an installation without.
+QImage picture_of(const QString& name) {
+    const auto file = samples_directory() / "set-ups" / (name.toStdString() + ".jpg");
+    return QImage(QString::fromStdString(file.string()));
+}
+
+}  // namespace
+
+SetUpController::SetUpController(QWidget& window, Session& session, LivePictures& live, Workspace& workspace,
+                                 Actions& actions)
+    : window_(window), actions_(actions), session_(session), live_(live), workspace_(workspace) {
     using K = QKeySequence;
     const auto add = [&](const char* name, const QString& text, Qt::Key key, const char* paths,
                          const QString& doc) {
@@ -23,8 +41,30 @@ SetUpController::SetUpController(Session& session, LivePictures& live, Workspace
     space_ = actions.add("set-up-space", tr("&What stands in space"), nullptr,
                          {K(Qt::CTRL | Qt::ALT | Qt::Key_P)}, [this] { show_space(); });
     space_->setData(tr("The method's points, lines and directions over its scene, beside the picture"));
+    actions.add("set-ups", tr("&Choose by a picture …"), nullptr, {K(Qt::CTRL | Qt::ALT | Qt::Key_S)},
+                [this] { show_cards(); });
     follow(session_, this, &SetUpController::update);
     update();
+}
+
+QStringList SetUpController::names() {
+    QStringList result;
+    for (const auto& each : set_ups) result << QLatin1String(each.first);
+    return result;
+}
+
+QString SetUpController::action_of(const QString& name) {
+    for (const auto& [known, action] : set_ups)
+        if (name == QLatin1String(known)) return QLatin1String(action);
+    return {};
+}
+
+void SetUpController::show_cards() {
+    std::vector<widgets::ActionCards::Content> cards;
+    for (const auto& name : names()) cards.push_back({actions_.find(action_of(name)), picture_of(name)});
+    auto* dialog = new widgets::ActionCards(tr("Set up"), cards, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void SetUpController::update() {

@@ -11,13 +11,21 @@ namespace ir::gui {
 class SetUpController : public QObject {
     Q_OBJECT
   public:
-    SetUpController(Session& session, LivePictures& live, Workspace& workspace, Actions& actions);
+    SetUpController(QWidget& window, Session& session, LivePictures& live, Workspace& workspace,
+                    Actions& actions);
+
+    /// As the command line calls them, in the order of their cards.
+    static QStringList names();
+    static QString action_of(const QString& name);
 
   private:
+    void show_cards();
     void show_methods(const std::string& paths);
     void show_space();
     void update();
 
+    QWidget& window_;
+    Actions& actions_;
     Session& session_;
     LivePictures& live_;
     Workspace& workspace_;

@@ -74,9 +74,7 @@ void add_remark(PlacedPlot& plot, int count, const std::string& one, const std::
 
 PlotColour PlacedPlot::Heat::colour(double value) const {
     const auto& [r, g, b] = entry_of(*this, value);
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", r, g, b);
-    return text;
+    return plot_colour({std::uint8_t(r), std::uint8_t(g), std::uint8_t(b)});
 }
 
 PlotColour PlacedPlot::Heat::ink(double value) const {

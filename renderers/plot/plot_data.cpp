@@ -1,5 +1,7 @@
 #include "renderers/plot/plot_data.h"
 
+#include <algorithm>
+
 namespace ir {
 
 const PlotPoint* PlotData::find(const std::string& id) const {
@@ -20,6 +22,16 @@ std::size_t PlotData::count() const {
     std::size_t count = 0;
     for (const auto& each : series) count += each.points.size();
     return count;
+}
+
+std::vector<std::pair<const PlotPoint*, int>> PlotData::in_reading_order() const {
+    std::vector<std::pair<const PlotPoint*, int>> points;
+    for (std::size_t s = 0; s < series.size(); ++s)
+        for (const auto& point : series[s].points) points.emplace_back(&point, int(s));
+    if (are_bars)
+        std::ranges::stable_sort(points, std::ranges::greater{},
+                                 [](const auto& each) { return each.first->y; });
+    return points;
 }
 
 }  // namespace ir

@@ -2,7 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "renderers/core/category.h"
 
 namespace ir {
 
@@ -19,7 +22,8 @@ struct PlotPoint {
     std::string label;  ///< what a tooltip says, several lines
     bool ring = false;  ///< marked
     std::vector<PlotCell> cells = {};
-    double value = 0;  ///< of a heat map's tile; where a bar begins
+    double value = 0;                 ///< of a heat map's tile; where a bar begins
+    std::optional<Tint> colour = {};  ///< of its bar, in place of that of its series
     bool operator==(const PlotPoint&) const = default;
 };
 
@@ -73,6 +77,8 @@ struct PlotData {
     /// The series of a point; -1: none.
     int series_of(const std::string& id) const;
     std::size_t count() const;
+    /// Points with their series as a table has them: bars by row from the top, others by series.
+    std::vector<std::pair<const PlotPoint*, int>> in_reading_order() const;
     bool operator==(const PlotData&) const = default;
 };
 

@@ -254,8 +254,11 @@ void PlotDrawing::draw_tile(PlotCanvas& canvas, const Mark& mark) const {
 /// With a line where x is 0.
 void PlotDrawing::draw_bars(PlotCanvas& canvas) const {
     for (const auto& mark : plot_.marks) {
+        const auto& own = point(mark).colour;
         canvas.begin_point(point(mark));
-        canvas.box(box(mark), {style_.series(mark.series), "mark " + series_name(style_, mark.series)});
+        canvas.box(box(mark), own ? PlotCanvas::Ink{plot_colour(*own), "own"}
+                                  : PlotCanvas::Ink{style_.series(mark.series),
+                                                    "mark " + series_name(style_, mark.series)});
         canvas.end_point();
     }
     const double zero = plot_.x.place(0);

@@ -51,16 +51,19 @@ double width_of(const std::string& text, double font) {
     return 0.58 * font * double(letters);
 }
 
+PlotColour plot_colour(const Tint& tint) {
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", tint[0], tint[1], tint[2]);
+    return text;
+}
+
 PlotColour mixed(const PlotColour& a, const PlotColour& b, double fraction) {
     const auto channel = [&](std::size_t at) {
         const double from = std::stoi(a.substr(at, 2), nullptr, 16),
                      to = std::stoi(b.substr(at, 2), nullptr, 16);
-        return int(std::lround(from + (to - from) * fraction));
+        return std::uint8_t(std::lround(from + (to - from) * fraction));
     };
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", unsigned(channel(1)) & 255, unsigned(channel(3)) & 255,
-                  unsigned(channel(5)) & 255);
-    return text;
+    return plot_colour({channel(1), channel(3), channel(5)});
 }
 
 std::vector<std::pair<double, double>> mark_corners(int series) {

@@ -4,10 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "renderers/core/category.h"
+
 namespace ir {
 
 /// sRGB, as "#1b2c3d".
 using PlotColour = std::string;
+PlotColour plot_colour(const Tint& tint);
 
 /// Colours of a plot. Series differ in colour and in the shape of their marks, so that they can be told apart
 /// without either.

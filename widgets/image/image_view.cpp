@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
+#include "widgets/image/arrow_keys.h"
 #include "widgets/image/legend.h"
 #include "widgets/image/raster_painter.h"
 
@@ -436,6 +437,16 @@ bool ImageView::takes_light_key(const QKeyEvent& event) const {
     return light_tool_.takes(event) && !moves_divider;
 }
 
+/// By fractions of the picture. What is read is the pixel in its middle.
+void ImageView::move_lens(QPointF way) {
+    auto& at = state_.lens;
+    at = {std::clamp(at.x() + way.x(), 0.0, 1.0), std::clamp(at.y() + way.y(), 0.0, 1.0)};
+    const QSize size = state_.transform.image_size().toSize();
+    repaint_all();
+    emit cursor_moved({std::min(int(at.x() * size.width()), size.width() - 1),
+                       std::min(int(at.y() * size.height()), size.height() - 1)});
+}
+
 void ImageView::keyPressEvent(QKeyEvent* event) {
     if (light_tool_.is_dragging() && takes_light_key(*event)) return light_tool_.press_key(*event);
     if (event->key() == Qt::Key_Space) {
@@ -452,6 +463,8 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
         return move_wipe(state_.wipe + (event->key() == Qt::Key_Left ? -step : step));
     }
     if (takes_light_key(*event)) return light_tool_.press_key(*event);
+    if (const QPoint way = arrow_of(event->key()); state_.has_lens && !way.isNull())
+        return move_lens(QPointF(way) * (event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01));
     QWidget::keyPressEvent(event);
 }
 

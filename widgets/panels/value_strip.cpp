@@ -89,11 +89,12 @@ void ValueStrip::resizeEvent(QResizeEvent* event) {
     update_line();
 }
 
-void ValueStrip::show_pixel(const Picture& picture, QPoint pixel) {
+void ValueStrip::show_pixel(const Picture& picture, QPoint pixel, const QString& who) {
     // The cursor may rest where a smaller picture has no pixel.
     const auto place = place_text(picture, pixel);
     if (place.isEmpty()) return say(summary(), true);
-    say(place + QLatin1Char(' ') + channels_text(*picture.image, pixel, picture.semantic, picture.unit),
+    say((who.isEmpty() ? QString() : who + QStringLiteral("   ")) + place + QLatin1Char(' ') +
+            channels_text(*picture.image, pixel, picture.semantic, picture.unit),
         false);
 }
 

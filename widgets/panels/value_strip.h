@@ -18,8 +18,8 @@ class ValueStrip : public QWidget {
     void set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit,
                      const Atlas& atlas = {});
     /// "x 12  y 40   R 0.25  G 0.5  B 1 W/(m² sr)"; levels and slices of an atlas by their own pixels. The
-    /// summary for a pixel that the picture does not have.
-    void show_pixel(const Picture& picture, QPoint pixel);
+    /// summary for a pixel that the picture does not have. `who`, "B", stands before it; may be empty.
+    void show_pixel(const Picture& picture, QPoint pixel, const QString& who = {});
     /// Anything else about the pixel under the cursor.
     void show_text(const QString& text) { say(text, false); }
     void set_zoom(double zoom);

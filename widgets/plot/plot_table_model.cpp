@@ -9,14 +9,18 @@
 namespace ir::widgets {
 namespace {
 
-QIcon mark_icon(int series) {
+QIcon mark_icon(int series, const std::optional<Tint>& own) {
     constexpr int size = 14, sharpness = 2;
     QPixmap pixmap(size * sharpness, size * sharpness);
     pixmap.setDevicePixelRatio(sharpness);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     PlotPainter canvas({}, &painter);
-    draw_plot_mark(canvas, {size / 2.0, size / 2.0}, series, mark_radius(0), window_style());
+    constexpr double edge = 2;
+    if (own)
+        canvas.box({edge, edge, size - edge, size - edge}, {plot_colour(*own), "own"});
+    else
+        draw_plot_mark(canvas, {size / 2.0, size / 2.0}, series, mark_radius(0), window_style());
     return pixmap;
 }
 
@@ -24,8 +28,7 @@ QIcon mark_icon(int series) {
 
 void PlotTableModel::set_data(const PlotData& data) {
     std::vector<Row> rows;
-    for (std::size_t s = 0; s < data.series.size(); ++s)
-        for (const auto& point : data.series[s].points) rows.push_back({point, int(s)});
+    for (const auto& [point, series] : data.in_reading_order()) rows.push_back({*point, series});
     const auto same_shape = [&] {
         if (headings_ != data.headings || rows_.size() != rows.size()) return false;
         for (std::size_t i = 0; i < rows.size(); ++i)
@@ -73,7 +76,7 @@ QVariant PlotTableModel::data(const QModelIndex& index, int role) const {
         case sort_role:
             return is_number ? QVariant(*cell.number) : QVariant(QString::fromStdString(cell.text));
         case Qt::DecorationRole:
-            return index.column() == 0 ? QVariant(mark_icon(row.series)) : QVariant();
+            return index.column() == 0 ? QVariant(mark_icon(row.series, row.point.colour)) : QVariant();
         case Qt::TextAlignmentRole:
             return int((is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         default:

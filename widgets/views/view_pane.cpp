@@ -100,11 +100,16 @@ void ViewPane::show_pixel() {
     if (!picture->draft.isEmpty())
         return values_->show_text(place_text(*picture, cursor_) + QStringLiteral("   ") +
                                   full_picture_awaited());
-    const bool difference = compare_->compared().mode == CompareView::Mode::difference;
+    const auto mode = compare_->compared().mode;
+    const bool difference = mode == CompareView::Mode::difference;
     const QString more =
         difference ? compare_->compared().difference_text(compare_->difference_picture().get(), cursor_)
                    : QString();
-    if (more.isEmpty()) return values_->show_pixel(*picture, cursor_);
+    // Of two in one picture: whose numbers these are.
+    const bool are_two =
+        (mode == CompareView::Mode::wipe || mode == CompareView::Mode::lens) && picture_at(1);
+    const QString who = are_two ? QString(QLatin1Char(picture == picture_at(1) ? 'B' : 'A')) : QString();
+    if (more.isEmpty()) return values_->show_pixel(*picture, cursor_, who);
     values_->show_text(place_text(*picture, cursor_) + QStringLiteral("   ") + more);
 }
 

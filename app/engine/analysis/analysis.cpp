@@ -28,14 +28,13 @@ std::string analysis_csv(const PlotData& data) {
     std::string text;
     for (const auto& heading : data.headings) text += (text.empty() ? "" : ",") + csv_field(heading);
     text += "\n";
-    for (const auto& series : data.series)
-        for (const auto& point : series.points) {
-            std::string line;
-            for (const auto& cell : point.cells)
-                line += (&cell == &point.cells.front() ? "" : ",") +
-                        (cell.number ? csv_number(*cell.number) : csv_field(cell.text));
-            text += line + "\n";
-        }
+    for (const auto& [point, series] : data.in_reading_order()) {
+        std::string line;
+        for (const auto& cell : point->cells)
+            line += (&cell == &point->cells.front() ? "" : ",") +
+                    (cell.number ? csv_number(*cell.number) : csv_field(cell.text));
+        text += line + "\n";
+    }
     return text;
 }
 

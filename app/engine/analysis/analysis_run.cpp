@@ -12,6 +12,7 @@
 #include "renderers/graph/shared_contents.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/metrics.h"
+#include "renderers/plot/plot_scale.h"
 
 namespace ir::engine {
 namespace {
@@ -109,6 +110,9 @@ const Image& AnalysisRun::reference() {
     auto truth = study_reference(machine_, project_, analysis_.reference, folder_, options);
     machine_.context().make_current();
     for (const auto& line : truth.notes) note(line);
+    if (truth.noise > 0)
+        note("the reference has an RMSE of about " + plot_number(truth.noise) +
+             " left of its own; what is nearer to it than that is as good");
     ++done_;
     *reference_ = take(std::move(truth.image), truth.valid, "the reference");
     return *reference_;

@@ -21,7 +21,7 @@ void Bars::begin_row(const std::string& name) {
     data_.y.names.push_back(name);
 }
 
-void Bars::add(const std::string& id, double from, double to, std::vector<PlotCell> cells, int series) {
+PlotPoint& Bars::add(const std::string& id, double from, double to, std::vector<PlotCell> cells, int series) {
     PlotPoint point;
     point.id = id;
     point.x = to;
@@ -30,7 +30,7 @@ void Bars::add(const std::string& id, double from, double to, std::vector<PlotCe
     for (std::size_t i = 0; i < cells.size(); ++i)
         point.label += (i == 0 ? "" : "\n" + data_.headings.at(i) + " ") + cells[i].text;
     point.cells = std::move(cells);
-    data_.series.at(std::size_t(series)).points.push_back(std::move(point));
+    return data_.series.at(std::size_t(series)).points.emplace_back(std::move(point));
 }
 
 PlotData Bars::finish(const std::vector<std::string>& notes) && {

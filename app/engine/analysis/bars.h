@@ -15,7 +15,8 @@ class Bars {
          const std::vector<std::string>& series = {""});
     void begin_row(const std::string& name);
     /// In the row that began last, from `from` to `to`. Its cells are those of the headings.
-    void add(const std::string& id, double from, double to, std::vector<PlotCell> cells, int series = 0);
+    PlotPoint& add(const std::string& id, double from, double to, std::vector<PlotCell> cells,
+                   int series = 0);
     void add_problem(const std::string& line) { data_.problems.push_back(line); }
     PlotData finish(const std::vector<std::string>& notes) &&;
 

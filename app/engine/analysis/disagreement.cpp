@@ -139,9 +139,11 @@ AnalysisResult disagreement(AnalysisRun& run) {
     for (std::size_t i = 0; i < count; ++i) {
         const double rmse = run.rmse(pictures[i], middle), share = double(won[i + 1]) / valid;
         bars.begin_row(run.name(i));
-        bars.add((is_judged ? "nearest:" : "farthest:") + run.analysis().experiments[i], 0,
-                 has_winner ? share : rmse,
-                 {{run.name(i)}, has_winner ? percent_cell(share) : PlotCell{"—"}, number_cell(rmse)});
+        auto& bar =
+            bars.add((is_judged ? "nearest:" : "farthest:") + run.analysis().experiments[i], 0,
+                     has_winner ? share : rmse,
+                     {{run.name(i)}, has_winner ? percent_cell(share) : PlotCell{"—"}, number_cell(rmse)});
+        if (has_winner) bar.colour = colours[i];  // as in the picture
     }
     if (has_winner)
         run.note(percent_cell(double(won[alike]) / valid).text +

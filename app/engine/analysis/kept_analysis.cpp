@@ -29,6 +29,7 @@ Json to_json(const PlotPoint& point) {
                               {"to", number_json(point.x)},
                               {"label", point.label},
                               {"cells", Json::array()}});
+    if (point.colour) json["colour"] = *point.colour;
     for (const auto& cell : point.cells) {
         Json one = Json::object({{"text", cell.text}});
         if (cell.number) one["number"] = number_json(*cell.number);
@@ -58,6 +59,14 @@ double read_number(ObjectReader& reader, const std::string& key) {
     return json ? number_from(*json, "", reader, key) : 0;
 }
 
+Tint read_colour(ObjectReader& reader) {
+    double colour[3] = {0, 0, 0};
+    reader.numbers("colour", colour, 3);
+    Tint tint{};
+    for (std::size_t c = 0; c < tint.size(); ++c) tint[c] = std::uint8_t(std::clamp(colour[c], 0.0, 255.0));
+    return tint;
+}
+
 PlotPoint read_bar(ObjectReader& reader) {
     PlotPoint point;
     point.id = reader.text("id");
@@ -65,6 +74,7 @@ PlotPoint read_bar(ObjectReader& reader) {
     point.value = read_number(reader, "from");
     point.x = read_number(reader, "to");
     point.label = reader.text("label");
+    if (reader.has("colour")) point.colour = read_colour(reader);
     reader.each("cells", [&](const Json& json, const std::string& pointer) {
         ObjectReader inner(json, reader.file(), pointer);
         PlotCell cell{inner.text("text")};
@@ -114,10 +124,7 @@ AnalysisPicture read_picture(ObjectReader& reader) {
         Category category;
         category.value = int(inner.integer("value", 0, 0, 1'000'000));
         category.label = inner.text("label");
-        double colour[3] = {0, 0, 0};
-        inner.numbers("colour", colour, 3);
-        for (int c = 0; c < 3; ++c)
-            category.colour[std::size_t(c)] = std::uint8_t(std::clamp(colour[c], 0.0, 255.0));
+        category.colour = read_colour(inner);
         picture.categories.push_back(std::move(category));
     });
     return picture;

@@ -1,6 +1,8 @@
 #include <QAction>
 
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/panels/action_cards.h"
+#include "widgets/panels/cards.h"
 
 namespace ir::gui {
 namespace {
@@ -33,6 +35,29 @@ TEST_F(SetUpWindowTest, AllMethodsAndTheTruthStandInOneRowAndGoWithOneUndo) {
     EXPECT_EQ(window.session().document().experiments.size(), before + 2) << "they are there already";
     trigger("undo");
     EXPECT_EQ(window.session().document().experiments.size(), before);
+}
+
+TEST_F(SetUpWindowTest, CardsDoWhatTheMenuDoesAndSayWhyTheyCannot) {
+    const auto cards = [this] {
+        trigger("set-ups");
+        auto* dialog = window.findChild<widgets::ActionCards*>();
+        return std::pair(dialog, dialog->findChildren<widgets::SampleCard*>());
+    };
+    const auto [empty, grey] = cards();
+    ASSERT_EQ(grey.size(), SetUpController::names().size());
+    for (const auto* card : grey) {
+        EXPECT_FALSE(card->isEnabled()) << card->text().toStdString();
+        EXPECT_FALSE(card->toolTip().isEmpty()) << card->text().toStdString();
+    }
+    delete empty;
+    open_scene();
+    const auto [dialog, all] = cards();
+    const QPointer<widgets::ActionCards> open = dialog;
+    const int light = int(SetUpController::names().indexOf(QStringLiteral("light")));
+    ASSERT_TRUE(all[light]->isEnabled());
+    all[light]->click();
+    EXPECT_EQ(window.views().active_state().mode, widgets::ViewMode::stages);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return open.isNull(); })) << "one click is all";
 }
 
 }  // namespace

@@ -13,9 +13,11 @@ class DivergeCommand : public CommandTest {
 
 TEST_F(DivergeCommand, NamesTheFirstBufferThatDiffers) {
     const auto same = output(command("--tolerance 0.01 --share 0.02"));
-    EXPECT_NE(same.find("no buffer diverges"), std::string::npos) << same;
+    EXPECT_NE(same.find("no buffer that both have diverges"), std::string::npos) << same;
     EXPECT_NE(same.find("gbuffer.position"), std::string::npos) << same;
-    const auto strict = run(command("--tolerance 0 --share 0"));
+    EXPECT_EQ(same.find("scene.positions"), std::string::npos) << "the same to the bit: counted\n" << same;
+    EXPECT_NE(same.find("are the same to the bit"), std::string::npos) << same;
+    const auto strict = run(command("--tolerance 0 --absolute 0 --share 0"));
     EXPECT_EQ(strict.status, 4);
     EXPECT_NE(strict.out.find("the first that diverges is "), std::string::npos) << strict.out;
     const auto json = Json::parse(run(command("--tolerance 0 --share 0 --json")).out);
@@ -24,8 +26,9 @@ TEST_F(DivergeCommand, NamesTheFirstBufferThatDiffers) {
 }
 
 TEST_F(DivergeCommand, AMachineAgreesWithItself) {
-    const auto text = output(command("--a host --b host --tolerance 0 --share 0"));
-    EXPECT_NE(text.find("no buffer diverges"), std::string::npos) << text;
+    const auto text = output(command("--a host --b host --tolerance 0 --absolute 0 --share 0 --all"));
+    EXPECT_NE(text.find("no buffer that both have diverges"), std::string::npos) << text;
+    EXPECT_NE(text.find("scene.positions"), std::string::npos) << text;
 }
 
 TEST_F(DivergeCommand, RefusesOtherWords) {

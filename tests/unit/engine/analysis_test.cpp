@@ -127,8 +127,11 @@ TEST_F(AnalysisTest, WhoIsNearestIsNearest) {
             EXPECT_EQ(distances[winner - 1], sorted[0]) << i;
     }
     ASSERT_GT(valid, 100u);
-    for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(result.data.series[0].points[i].x, double(won[i + 1]) / double(valid), 1e-9);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& bar = result.data.series[0].points[i];
+        EXPECT_NEAR(bar.x, double(won[i + 1]) / double(valid), 1e-9);
+        EXPECT_EQ(bar.colour, nearest.categories[i + 1].colour) << "as the picture has it";
+    }
     // A picture has no spread with itself.
     project.experiments.push_back(project.experiments[0]);
     project.experiments.back().id = "copy";
@@ -201,6 +204,11 @@ TEST_F(AnalysisTest, ErrorsOfStepsAreThoseOfTheSettings) {
         for (const auto& point : series.points)
             if (point.y == double(data.y.names.size()) - 1) top = std::max(top, std::abs(point.x));
     EXPECT_EQ(top, largest);
+    // Both steps of a number are one below the other in tables.
+    const auto rows = data.in_reading_order();
+    EXPECT_TRUE(
+        std::ranges::is_sorted(rows, std::ranges::greater{}, [](const auto& row) { return row.first->y; }));
+    EXPECT_LT(analysis_csv(data).find(up->cells[0].text), analysis_csv(data).find("Another seed"));
     EXPECT_GT(find(result, "max_distance").image.pixels.size(), 0u);
     // Ambient light is no part of the main result: no pixel changes, and that is said.
     bool is_said = false;

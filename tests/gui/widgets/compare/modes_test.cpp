@@ -140,6 +140,10 @@ TEST_P(CompareTest, TheLensShowsTheOtherPictureAboutTheCursor) {
     EXPECT_NEAR(grey_at(main, 3, 2), grey_of(0.1), 2);
     const QRect lens = main.state().second_area();
     EXPECT_NEAR(lens.center().x(), main.transform().view_from_image({3.5, 9.5}).x(), 2);
+    QTest::keyClick(&main, Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_GT(main.state().second_area().center().x(), lens.center().x()) << "arrow keys move it";
+    EXPECT_EQ(main.state().second_area().center().y(), lens.center().y());
+    EXPECT_GT(cursor.last()[0].toPoint().x(), 3) << "what is read is the pixel in its middle";
     view.set_mode(Mode::wipe);
     EXPECT_NEAR(grey_at(main, 3, 10), grey_of(0.6), 2) << "left of the divider";
 }

@@ -1,0 +1,207 @@
+// Ten everyday tasks by mouse and keys alone, and how many steps each takes (docs/testing.md).
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QTabBar>
+
+#include "tests/gui/window/sweeps_fixture.h"
+#include "widgets/panels/finder_dialog.h"
+
+namespace ir::gui {
+namespace {
+
+using widgets::ViewMode;
+
+/// A step is a key with what is held, a click, a drag, a place that is pointed at, or a text that is typed.
+class TenTasks : public SweepsWindowTest {
+  protected:
+    void SetUp() override {
+        SweepsWindowTest::SetUp();
+        window.docks().restore_default();
+        ASSERT_TRUE(settle());
+    }
+    /// The keys that menus name beside an action, in the window.
+    void press(const char* action) {
+        ++count;
+        const auto* pressed = window.action(action);
+        ASSERT_TRUE(pressed->isEnabled()) << action;
+        ASSERT_FALSE(pressed->shortcut().isEmpty()) << action;
+        ASSERT_TRUE(activate(window));
+        window.view().setFocus();
+        QTest::keySequence(&window.view(), pressed->shortcut());
+        ASSERT_TRUE(settle());
+    }
+    void key(QWidget* widget, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        ++count;
+        QTest::keyClick(widget, key, modifiers);
+        ASSERT_TRUE(settle());
+    }
+    void type(QWidget* field, const char* text) {
+        ++count;
+        if (auto* line = qobject_cast<QLineEdit*>(field)) line->selectAll();
+        QTest::keyClicks(field, text);
+    }
+    void click(QWidget* widget) {
+        ++count;
+        ASSERT_TRUE(widget);
+        ASSERT_TRUE(widget->isVisible() && widget->isEnabled()) << widget->objectName().toStdString();
+        QTest::mouseClick(widget, Qt::LeftButton);
+        ASSERT_TRUE(settle());
+    }
+    void click_tool(const char* name) { click(find<QToolButton>(name)); }
+    QPoint place_of(QPoint pixel) {
+        auto& view = window.view();
+        return (view.transform().view_from_pixel(pixel) / view.devicePixelRatioF()).toPoint();
+    }
+    void point_at(QPoint pixel) {
+        ++count;
+        ASSERT_TRUE(QTest::qWaitFor([&] {
+            QTest::mouseMove(&window.view(), place_of(pixel) + QPoint(3, 2));
+            QTest::mouseMove(&window.view(), place_of(pixel));
+            return window.inspector().pointed().x() >= 0;
+        }));
+    }
+    void drag(QPoint from, QPoint to) {
+        ++count;
+        QTest::mousePress(&window.view(), Qt::LeftButton, {}, place_of(from));
+        QTest::mouseMove(&window.view(), place_of((from + to) / 2));
+        QTest::mouseMove(&window.view(), place_of(to));
+        QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, place_of(to));
+        ASSERT_TRUE(settle());
+    }
+    bool is_seen(const char* dock) { return window.docks().is_seen(dock); }
+    /// One of a list, by its arrow keys or the mouse.
+    void pick(QComboBox* combo, const QString& id) {
+        choose(combo, combo->itemText(combo->findData(id)));
+        ++count;
+    }
+    template <class Field>
+    Field* in_form(const char* name) {
+        return window.document().editor().findChild<Field*>(QLatin1String(name));
+    }
+
+    int count = 0;
+};
+
+TEST_F(TenTasks, FindABufferAmongAll) {
+    press("find");
+    widgets::FinderDialog* box = nullptr;
+    for (auto* each : window.findChildren<widgets::FinderDialog*>())
+        if (each->isVisible()) box = each;
+    ASSERT_TRUE(box);
+    auto* line = box->findChild<QLineEdit*>();
+    type(line, "dep buf");
+    key(line, Qt::Key_Return);
+    EXPECT_EQ(window.views().shown_key(), "depth");
+    EXPECT_LE(count, 3);
+}
+
+TEST_F(TenTasks, SeeWhereThePictureIsWrong) {
+    press("match");
+    press("mode-difference");
+    EXPECT_EQ(window.views().active_state().mode, ViewMode::difference);
+    EXPECT_EQ(window.session().experiment(window.views().active_state().b.owner)->method, "truth");
+    EXPECT_LE(count, 2);
+}
+
+TEST_F(TenTasks, PutAllMethodsBesideTheTruth) {
+    press("set-up-light");
+    EXPECT_EQ(window.views().active_state().mode, ViewMode::stages);
+    EXPECT_FALSE(window.views().active_state().more.empty());
+    EXPECT_LE(count, 1);
+}
+
+TEST_F(TenTasks, LookAtWhatStandsInSpace) {
+    press("set-up-space");
+    EXPECT_EQ(window.workspace().area().open_views().size(), 3u);
+    EXPECT_LE(count, 1);
+}
+
+TEST_F(TenTasks, ReadAProfileAlongALine) {
+    press("line");
+    drag({10, 8}, {40, 20});
+    EXPECT_TRUE(is_seen("profile"));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return window.profile().panel().profile().data().series.size() == 1; }, 5000));
+    EXPECT_LE(count, 2);
+}
+
+TEST_F(TenTasks, LightAPlace) {
+    point_at({20, 10});
+    press("light-here");
+    ASSERT_EQ(window.session().document().lights.size(), 1u);
+    EXPECT_EQ(window.session().experiment()->lights, first_lights().id) << "it shines at once";
+    EXPECT_LE(count, 2);
+}
+
+TEST_F(TenTasks, AskHowAPixelCameAbout) {
+    point_at({20, 10});
+    press("explain");
+    EXPECT_TRUE(window.inspector().explained().has_value());
+    EXPECT_LE(count, 2);
+}
+
+TEST_F(TenTasks, AskWhichNumbersMatter) {
+    bool is_asked = false;
+    on_analysis = [&](const engine::AnalysisRequest& request, const engine::AnalysisCallbacks&) {
+        is_asked = request.analysis.kind == "sensitivity";
+        return engine::AnalysisResult{};
+    };
+    press("dock-analyses");
+    auto* panel = window.findChild<AnalysesDock*>();
+    auto* menu = panel->findChild<QToolButton*>("new")->menu();
+    count += 2;  // the button, and an entry of its menu
+    menu->findChild<QAction*>("new:sensitivity")->trigger();
+    ASSERT_TRUE(settle());
+    window.docks().raise("analyses");
+    click(panel->findChild<QToolButton*>("run"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return is_asked && window.is_settled(); }, 5000));
+    EXPECT_LE(count, 4);
+}
+
+TEST_F(TenTasks, SweepTwoParametersWithPlotAndReport) {
+    save();
+    press("dock-sweeps");
+    click(find<QPushButton>("empty-button"));
+    ASSERT_EQ(window.session().document().sweeps.size(), 1u);
+    pick(in_form<QComboBox>("axis-key"), "level");
+    type(in_form<QLineEdit>("axis-values"), "4, 2, 1");
+    key(in_form<QLineEdit>("axis-values"), Qt::Key_Return);
+    auto* axes = in_form<QWidget>("axes")->findChild<QListWidget*>();
+    axes->setFocus();
+    key(axes, Qt::Key_Insert);
+    pick(in_form<QComboBox>("axis-key"), "seed");
+    type(in_form<QLineEdit>("axis-values"), "1, 2");
+    key(in_form<QLineEdit>("axis-values"), Qt::Key_Return);
+    ASSERT_EQ(sweep().axes.size(), 2u);
+    press("dock-sweeps");
+    click_tool("run");
+    ASSERT_TRUE(finish());
+    EXPECT_EQ(count_done(), 6);
+    ++count;
+    find<QTabBar>("tabs")->setCurrentIndex(widgets::SweepPanel::plot_tab);
+    ASSERT_TRUE(settle());
+    EXPECT_GT(panel().plot().data().count(), 0u);
+    EXPECT_TRUE(find<QToolButton>("report")->isEnabled());
+    count += 2;  // the button, and Enter in the file dialog
+    EXPECT_LE(count, 15);
+}
+
+TEST_F(TenTasks, ShareAComparison) {
+    save();
+    press("match");
+    press("comparison-add");
+    ASSERT_EQ(window.session().document().comparisons.size(), 1u);
+    EXPECT_TRUE(window.action("report")->isEnabled());
+    count += 2;  // its keys, and Enter in the file dialog
+    window.reports().write_to(folder.filePath("shared.html"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.reports().is_writing(); }, 10000));
+    EXPECT_GT(std::filesystem::file_size(folder.filePath("shared.html").toStdString()), 1000u);
+    EXPECT_LE(count, 4);
+}
+
+}  // namespace
+}  // namespace ir::gui
