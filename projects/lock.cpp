@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -114,16 +115,26 @@ class FolderGuard {
     int descriptor_;
 };
 
+/// A network may lose the answer of what was done; asked again, it says that the name is taken. [open(2)]
+bool has_two_names(const fs::path& file) {
+    struct stat info {};
+    return ::stat(file.c_str(), &info) == 0 && info.st_nlink == 2;
+}
+
 /// Creates the lock whole or not at all: written aside, then linked to its name, which must be free. Returns
 /// 0 or errno.
 int create_lock(const fs::path& file, const std::string& text) {
-    const fs::path aside = file.string() + "." + std::to_string(::getpid());
-    const int descriptor = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
+    const fs::path aside = file.string() + "." + host_name() + "-" + std::to_string(::getpid());
+    ::unlink(aside.c_str());  // of an earlier process of this number
+    const int descriptor = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
     if (descriptor < 0) return errno;
     const bool written = ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
     int error = written ? 0 : (errno != 0 ? errno : EIO);
     ::close(descriptor);
-    if (error == 0 && ::link(aside.c_str(), file.c_str()) != 0) error = errno;
+    if (error == 0 && ::link(aside.c_str(), file.c_str()) != 0) {
+        error = errno;
+        if (has_two_names(aside)) error = 0;
+    }
     ::unlink(aside.c_str());
     if (error != EPERM && error != ENOTSUP) return error;
     // No hard links here: exclusive creation is the next best.

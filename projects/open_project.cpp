@@ -161,6 +161,7 @@ void OpenProject::write(const std::string& expected_hash) {
     if (recovery_ && recovery_->file == folder_ / autosave_file_name)
         recovery_->file = put_autosave_aside(folder_, files_);
     autosaved_revision_ = revision() - 1;  // what was dropped is asked for again if saving fails
+    const auto saved_revision = revision();
     try {
         file_hash_ = save_project(project_, folder_, expected_hash, files_);
     } catch (const Error&) {
@@ -171,10 +172,14 @@ void OpenProject::write(const std::string& expected_hash) {
             file_hash_ = written;
         throw;
     }
-    undo_.set_clean();
-    begins_unsaved_ = false;
     schema_in_file_ = schema_version;
     reading_messages_.clear();
+    begins_unsaved_ = revision() != saved_revision;  // by events, while the disk was waited for
+    if (begins_unsaved_) {
+        autosaved_revision_ = saved_revision;  // an autosave of meanwhile is of another base
+        return;
+    }
+    undo_.set_clean();
     drop_autosave();
     forget_taken();
 }

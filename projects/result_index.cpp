@@ -282,7 +282,8 @@ Pruned prune_results(const Project& project, const Registry& registry, const fs:
     for (const auto& file : unnamed) {
         if (cancel) cancel->check();
         pruned.files.push_back(file.lexically_relative(results).generic_string());
-        if (!fs::remove(file, ignored)) throw Error(file.string() + ": cannot be removed; check permissions");
+        if (std::error_code error; !fs::remove(file, error) && error)
+            throw Error(file.string() + ": cannot be removed; check permissions");
     }
     // Deepest first; folders that still hold something stay.
     for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)

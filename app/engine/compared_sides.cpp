@@ -201,8 +201,10 @@ Side load_side(const std::string& file, const std::string& layer) {
     auto layers = read_layers(file, &attributes);
     const auto is_wanted = [&](const ImageLayer& each) { return layer.empty() || each.name == layer; };
     const auto found = std::find_if(layers.begin(), layers.end(), is_wanted);
-    // Without such a layer read_image() says which there are.
-    auto image = found == layers.end() ? read_image(file, layer) : found->image;
+    // Without such a layer read_image() says which there are. The picture itself is nobody's mask.
+    auto image = found == layers.end() ? read_image(file, layer)
+                 : found->name.empty() ? std::move(found->image)
+                                       : found->image;
     return side_of(file, std::move(image), std::move(layers), std::move(attributes), layer);
 }
 

@@ -11,6 +11,7 @@
 #include "app/gui/card_picture.h"
 #include "app/gui/dialog_folder.h"
 #include "app/gui/exports.h"
+#include "app/gui/patient_files.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
@@ -231,7 +232,8 @@ void FileController::save_thumbnail() {
     const QString file = thumbnail_file(QString::fromStdString(session_.open_project().folder().string()));
     QDir().mkpath(QFileInfo(file).path());
     try {
-        write_picture(file, picture.scaledToWidth(thumbnail_width, Qt::SmoothTransformation));
+        const QImage small = picture.scaledToWidth(thumbnail_width, Qt::SmoothTransformation);
+        patient_files().wait_for([&] { write_picture(file, small); });
     } catch (const Error&) {
         // Nothing of value is lost with it.
     }

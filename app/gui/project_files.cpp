@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "app/gui/known_projects.h"
+#include "app/gui/patient_files.h"
 #include "app/gui/session.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
@@ -24,6 +25,10 @@ std::string scene_title(const std::string& scene) {
     return std::filesystem::path(scene).stem().string();
 }
 
+void wait_for_autosave(OpenProject& open) {
+    patient_files().wait_for([&open] { open.wait_for_autosave(); });
+}
+
 projects::Scene scene_item(const projects::Project& project, const std::string& source,
                            const std::filesystem::path& folder) {
     projects::Scene scene;
@@ -39,7 +44,9 @@ projects::Scene scene_item(const projects::Project& project, const std::string& 
 
 ProjectFiles::ProjectFiles(Session& session) : session_(session), unsaved_folder_(unsaved_projects_folder()) {
     autosave_timer_.setInterval(autosave_ms);
-    connect(&autosave_timer_, &QTimer::timeout, this, &ProjectFiles::autosave);
+    connect(&autosave_timer_, &QTimer::timeout, this, [this] {
+        if (!patient_files().is_waiting()) autosave();
+    });
     autosave_timer_.start();
 }
 
@@ -50,11 +57,12 @@ void ProjectFiles::open(const std::filesystem::path& given) {
     const auto& registry = session_.registry();
     const bool was_saved = !projects::is_unsaved(path);
     if (was_saved && is_open(projects::project_folder(path))) {
-        projects::load_project(path, registry);  // throws while nothing is lost yet
-        close();                                 // its lock is our own
+        projects::load_project(projects::project_folder(path), registry,
+                               patient_files());  // throws while nothing is lost yet
+        close();                                  // its lock is our own
     }
-    adopt(was_saved ? std::make_unique<OpenProject>(path, registry)
-                    : OpenProject::recover_unsaved(path, registry));
+    adopt(was_saved ? std::make_unique<OpenProject>(path, registry, patient_files())
+                    : OpenProject::recover_unsaved(path, registry, patient_files()));
 }
 
 bool ProjectFiles::is_open(const std::filesystem::path& folder) const {
@@ -81,7 +89,7 @@ void ProjectFiles::create_from_scene(const std::string& source) {
     projects::edits::add(start, scene)->apply(start);
     const auto experiment = projects::edits::new_experiment(start, registry, first->id, "", scene.id, "");
     projects::edits::add(start, experiment)->apply(start);
-    adopt(std::make_unique<OpenProject>(std::move(start), registry));
+    adopt(std::make_unique<OpenProject>(std::move(start), registry, patient_files()));
 }
 
 void ProjectFiles::adopt(std::unique_ptr<OpenProject> project) {
@@ -90,8 +98,8 @@ void ProjectFiles::adopt(std::unique_ptr<OpenProject> project) {
     // The word comes from another thread; the project may be gone when it arrives.
     project->set_on_files_read(
         [this] { QMetaObject::invokeMethod(this, &ProjectFiles::poll_files, Qt::QueuedConnection); });
-    memory_ =
-        project->folder().empty() ? projects::Json::object() : projects::load_session(project->folder());
+    memory_ = project->folder().empty() ? projects::Json::object()
+                                        : projects::load_session(project->folder(), patient_files());
     saved_memory_ = memory_;
     const auto remembered = memory_.find("experiment");
     const bool is_known = remembered != memory_.end() && remembered->is_string();
@@ -135,13 +143,14 @@ void ProjectFiles::leave() {
     is_left_ = true;
     session_.camera().finish_move();
     autosave();
-    session_.open_project().wait_for_autosave();
+    wait_for_autosave(session_.open_project());
     if (const auto error = session_.open_project().take_autosave_error(); !error.empty())
         emit message({Severity::error, "autosave", error});
     save_memory();
 }
 
 void ProjectFiles::drop_unsaved() {
+    const PatientFiles::Silence silence;  // the window goes
     // Neither told to end nor by an error that unwinds everything.
     if (session_.has_project() && session_.open_project().folder().empty() && !is_left_ &&
         std::uncaught_exceptions() == 0)
@@ -150,16 +159,20 @@ void ProjectFiles::drop_unsaved() {
 
 void ProjectFiles::save(bool overwrite) {
     session_.camera().finish_move();
+    wait_for_autosave(session_.open_project());
     session_.open_project().save(overwrite);
     save_memory();
     session_.change([](OpenProject&) { return true; });
+    if (is_left_) leave();  // the program was told to end meanwhile
 }
 
 void ProjectFiles::save_as(const std::filesystem::path& path) {
     session_.camera().finish_move();
+    wait_for_autosave(session_.open_project());
     session_.open_project().save_as(path);
     save_memory();
     session_.change([](OpenProject&) { return true; });
+    if (is_left_) leave();  // the program was told to end meanwhile
 }
 
 void ProjectFiles::save_memory() {
@@ -173,7 +186,7 @@ void ProjectFiles::write_memory() {
     if (project.folder().empty() || project.is_read_only()) return;
     if (const auto* chosen = session_.experiment()) memory_["experiment"] = chosen->id;
     try {
-        projects::save_session(project.folder(), memory_);
+        projects::save_session(project.folder(), memory_, patient_files());
         saved_memory_ = memory_;
     } catch (const std::exception& error) {  // nothing of value is in it
         emit message({Severity::warning, "project", error.what()});

@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "renderers/core/error.h"
 #include "renderers/core/output_buffer.h"
@@ -52,6 +54,11 @@ int create_like(const fs::path& target, const fs::path& file) {
     return descriptor;
 }
 
+/// What was removed while somebody had it open: network file systems give it such a name until then.
+bool is_kept_by_nfs(const fs::path& file) {
+    return file.filename().string().starts_with(".nfs");
+}
+
 class RealFileSystem final : public FileSystem {
   public:
     bool exists(const fs::path& path) override {
@@ -60,24 +67,10 @@ class RealFileSystem final : public FileSystem {
     }
 
     std::string read(const fs::path& file, std::size_t limit) override {
-        const Descriptor descriptor(file, reading);
-        struct stat info {};
-        if (!descriptor.is_open() || ::fstat(descriptor.get(), &info) != 0)
-            throw InputError(file.string(), "", std::string("cannot be opened: ") + std::strerror(errno));
-        if (!S_ISREG(info.st_mode)) throw InputError(file.string(), "", "is no regular file; give another");
-        std::string bytes;
-        char block[65536];
-        while (true) {
-            const auto count = ::read(descriptor.get(), block, sizeof block);
-            if (count < 0 && errno == EINTR) continue;
-            if (count < 0) fail(file, "read", errno);
-            if (count == 0) return bytes;
-            bytes.append(block, static_cast<std::size_t>(count));
-            if (bytes.size() > limit)
-                throw InputError(file.string(), "",
-                                 "has more than the " + std::to_string(limit) +
-                                     " bytes that are read; it is no such file");
-        }
+        constexpr int most_tries = 5;
+        for (int i = 0; i < most_tries; ++i)
+            if (auto bytes = read_once(file, limit)) return std::move(*bytes);
+        fail(file, "read", ESTALE);
     }
 
     void write(const fs::path& temporary, const fs::path& target, const Fill& fill) override {
@@ -109,7 +102,15 @@ class RealFileSystem final : public FileSystem {
     }
 
     void rename(const fs::path& from, const fs::path& to) override {
-        if (::rename(from.c_str(), to.c_str()) != 0) fail(to, "replace", errno);
+        struct stat before {
+        }, after{};
+        const bool is_known = ::lstat(from.c_str(), &before) == 0;
+        if (::rename(from.c_str(), to.c_str()) == 0) return;
+        const int error = errno;
+        // A network may lose the answer of what was done; asked again, it says that there is no such file.
+        const bool is_done = is_known && ::lstat(to.c_str(), &after) == 0 && after.st_ino == before.st_ino &&
+                             after.st_dev == before.st_dev && ::lstat(from.c_str(), &after) != 0;
+        if (!is_done) fail(to, "replace", error);
     }
 
     void remove(const fs::path& file) override {
@@ -140,7 +141,8 @@ class RealFileSystem final : public FileSystem {
         std::error_code error;
         fs::recursive_directory_iterator entry(folder, error), end;
         for (; !error && entry != end; entry.increment(error))
-            if (entry->is_regular_file(error)) found.push_back(entry->path().lexically_relative(folder));
+            if (entry->is_regular_file(error) && !is_kept_by_nfs(entry->path()))
+                found.push_back(entry->path().lexically_relative(folder));
         std::sort(found.begin(), found.end());
         return found;
     }
@@ -154,6 +156,32 @@ class RealFileSystem final : public FileSystem {
         struct stat info {};
         if (::stat(file.c_str(), &info) != 0) fail(file, "inspect", errno);
         return std::int64_t{info.st_mtim.tv_sec} * 1'000'000'000 + info.st_mtim.tv_nsec;
+    }
+
+  private:
+    /// Nothing where another machine of a network replaced the file meanwhile.
+    static std::optional<std::string> read_once(const fs::path& file, std::size_t limit) {
+        const Descriptor descriptor(file, reading);
+        struct stat info {};
+        if (!descriptor.is_open() || ::fstat(descriptor.get(), &info) != 0) {
+            if (errno == ESTALE) return std::nullopt;
+            throw InputError(file.string(), "", std::string("cannot be opened: ") + std::strerror(errno));
+        }
+        if (!S_ISREG(info.st_mode)) throw InputError(file.string(), "", "is no regular file; give another");
+        std::string bytes;
+        char block[65536];
+        while (true) {
+            const auto count = ::read(descriptor.get(), block, sizeof block);
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0 && errno == ESTALE) return std::nullopt;
+            if (count < 0) fail(file, "read", errno);
+            if (count == 0) return bytes;
+            bytes.append(block, static_cast<std::size_t>(count));
+            if (bytes.size() > limit)
+                throw InputError(file.string(), "",
+                                 "has more than the " + std::to_string(limit) +
+                                     " bytes that are read; it is no such file");
+        }
     }
 };
 

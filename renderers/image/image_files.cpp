@@ -85,7 +85,9 @@ std::vector<ImageLayer> read_layers(const std::filesystem::path& file, ImageAttr
     if (has_exr_magic(file)) return read_exr(file, attributes);
     auto image = decoded(file);
     auto channels = channel_names(Semantic::radiance, image.channels);
-    return {{"", std::move(channels), std::move(image)}};
+    std::vector<ImageLayer> layers;  // a list in braces would copy the picture
+    layers.push_back({"", std::move(channels), std::move(image)});
+    return layers;
 }
 
 std::string png_of(const Image& linear, double exposure) {

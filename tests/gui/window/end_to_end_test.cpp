@@ -16,12 +16,17 @@ namespace {
 
 constexpr int patience_ms = 120000;
 
-/// The real renderer and a real window.
+/// The real renderer and a real window. What OpenGL calls an error fails the test.
 struct RealWindow {
-    std::unique_ptr<Renderer> renderer = make_thread_renderer({});
+    std::unique_ptr<Renderer> renderer = make_thread_renderer({.backend = {}, .device = {}, .debug = true});
     MainWindow window{*renderer, engine::registry(), {.remember = false}};
 
     RealWindow() {
+        QObject::connect(renderer.get(), &Renderer::messages_arrived,
+                         [](const std::vector<Message>& messages) {
+                             for (const auto& message : messages)
+                                 EXPECT_NE(message.severity, Severity::error) << message.text;
+                         });
         window.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
         QApplication::setActiveWindow(&window);  // a bare X server has no window manager to do it

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QPixmapCache>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -59,6 +60,12 @@ struct SoakedWindow {
         return QTest::qWaitFor([this] { return window.is_settled(); }, ms);
     }
 };
+
+/// Without the pictures of icons that Qt keeps, 10 MiB of them at most.
+test::Use use_now() {
+    QPixmapCache::clear();
+    return test::use_now();
+}
 
 void print(int at, const test::Use& use) {
     static bool has_head = false;
@@ -256,7 +263,7 @@ TEST_P(Soak, WhatTheProcessHoldsDoesNotGrow) {
             const auto& shown = window().view().image();
             EXPECT_TRUE(shown.pixels == expected.pixels)
                 << shown.width << "×" << shown.height << " of " << window().views().shown_key();
-            uses.push_back(test::use_now());
+            uses.push_back(use_now());
             print(int(uses.size()) * edits_between_measurements, uses.back());
         }
     }
@@ -293,7 +300,7 @@ TEST(SoakOfWindows, OpenedAndClosedTheyLeaveNothing) {
         }
         QApplication::processEvents();
         for (const auto& [kind, count] : test::living_gl_objects()) ADD_FAILURE() << count << " " << kind;
-        uses.push_back(test::use_now());
+        uses.push_back(use_now());
         print(done, uses.back());
     }
     expect_flat(uses);

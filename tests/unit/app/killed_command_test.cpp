@@ -1,5 +1,5 @@
 // Commands that are killed at each system call by which they change files: what was there stays or is
-// replaced whole, and the same command does it then.
+// replaced whole, and the same command does it then. And those on a disk that does not answer.
 #include <csignal>
 #include <functional>
 
@@ -54,6 +54,14 @@ class KilledCommand : public CommandTest {
             "exec env LD_PRELOAD=" KILL_AT_LIBRARY " KILL_BELOW=" + place() +
             (step > 0 ? " KILL_AT=" + std::to_string(step) : " KILL_COUNT=" + file("count")) + " " +
             CLI_PROGRAM + " " + arguments + " >" + file("stdout") + " 2>" + file("stderr");
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+
+    /// On a network that does each thing and loses the answer.
+    int run_on_network(const std::string& arguments) const {
+        const auto command = "exec env LD_PRELOAD=" LOSE_ANSWERS_LIBRARY " LOSE_BELOW=" + place() +
+                             " " CLI_PROGRAM " " + arguments + " >" + file("stdout") + " 2>" + file("stderr");
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
@@ -177,6 +185,25 @@ TEST_F(KilledCommand, SweepsGoOn) {
             if (whole.empty()) whole = values();
             EXPECT_EQ(values(), whole);
         });
+}
+
+TEST_F(KilledCommand, WhatANetworkDidCountsAlsoWhereItsAnswerIsLost) {
+    begin();
+    const auto packed = place() + "/out/p.tar", there = place() + "/out/there", out = place() + "/out";
+    fs::create_directories(there);
+    for (const auto& arguments :
+         {"project " + project() + " --pack " + packed, "project " + packed + " --unpack " + there,
+          "render " + project() + " --keep --quiet --out " + out, "project " + project() + " --check",
+          "sweep " + project() + " s --quiet --out " + out + "/s",
+          "report " + project() + " --quiet --out " + out + "/a.html"})
+        EXPECT_EQ(run_on_network(arguments), 0) << arguments << "\n" << read(file("stderr"));
+    EXPECT_TRUE(fs::exists(there + "/p.interreflect/project.json"));
+    EXPECT_EQ(projects::ResultIndex::load(project()).entries().size(), 1u);
+    std::ofstream(project() + "/results/stray.exr") << "of no result";
+    EXPECT_EQ(run_on_network("project " + project() + " --prune"), 0) << read(file("stderr"));
+    EXPECT_FALSE(fs::exists(project() + "/results/stray.exr"));
+    for (const auto& entry : fs::recursive_directory_iterator(place()))
+        EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
 }
 
 TEST_F(KilledCommand, ReportsAndPicturesAreWholeOrAsBefore) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <optional>
 
 namespace {
@@ -29,6 +30,8 @@ extern "C" {
 ssize_t __real_write(int descriptor, const void* bytes, std::size_t count);
 int __real_fsync(int descriptor);
 int __real_close(int descriptor);
+int __real_rename(const char* from, const char* to);
+ssize_t __real_read(int descriptor, void* bytes, std::size_t count);
 
 ssize_t __wrap_write(int descriptor, const void* bytes, std::size_t count) {
     if (!is_on_disk(descriptor)) return __real_write(descriptor, bytes, count);
@@ -52,6 +55,17 @@ int __wrap_close(int descriptor) {
         return -1;
     const int closed = __real_close(descriptor);
     return disk->fails_to_close ? failing_with(EDQUOT) : closed;
+}
+
+int __wrap_rename(const char* from, const char* to) {
+    const int renamed = __real_rename(from, to);
+    return renamed == 0 && disk && disk->loses_answers ? failing_with(ENOENT) : renamed;
+}
+
+ssize_t __wrap_read(int descriptor, void* bytes, std::size_t count) {
+    if (!is_on_disk(descriptor) || disk->stale_reads == 0) return __real_read(descriptor, bytes, count);
+    --disk->stale_reads;
+    return failing_with(ESTALE);
 }
 
 }  // extern "C"

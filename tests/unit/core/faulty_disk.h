@@ -12,6 +12,8 @@ struct FaultyDisk {
     bool interrupts = false;                                       ///< every second write
     bool fails_to_sync = false, fails_to_close = false;            ///< what it has seemed to take
     bool loses_bytes = false;                                      ///< when it closes, and says nothing
+    bool loses_answers = false;  ///< as a network may: what was renamed seems not to be
+    int stale_reads = 0;         ///< of files that were replaced meanwhile
 };
 
 /// For as long as it lives; one at a time.

@@ -65,6 +65,30 @@ class WriteFile : public testing::Test {
     const fs::path file = folder / "a.bin";
 };
 
+TEST_F(WriteFile, ANetworkThatLosesTheAnswerOfWhatItRenamed) {
+    const DiskFault fault({.loses_answers = true});
+    write_file(file, new_bytes);
+    EXPECT_EQ(read_bytes(file), new_bytes);
+    EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"a.bin"});
+    EXPECT_THROW(real_file_system().rename(folder / "none", file), Error);
+    EXPECT_EQ(read_bytes(file), new_bytes);
+}
+
+TEST_F(WriteFile, FilesThatAreReplacedMeanwhileAreReadAgain) {
+    {
+        const DiskFault fault({.stale_reads = 2});
+        EXPECT_EQ(real_file_system().read(file, 100), old_bytes);
+    }
+    const DiskFault fault({.stale_reads = 1000});
+    const auto line = error_of([&] { real_file_system().read(file, 100); });
+    EXPECT_EQ(line.rfind(file.string() + ": cannot read: ", 0), 0u) << line;
+}
+
+TEST_F(WriteFile, WhatANetworkKeepsUntilItIsClosedIsNotListed) {
+    write_bytes(folder / ".nfs0000000000000123", "removed");
+    EXPECT_EQ(real_file_system().list(folder.path()), std::vector<fs::path>{"a.bin"});
+}
+
 TEST_F(WriteFile, ADiskThatIsFullSoonerOrLater) {
     for (std::int64_t room = 0; room < std::int64_t(new_bytes.size()); room += 999)
         expect_refused({.room = room}, "free some space");

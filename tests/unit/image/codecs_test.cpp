@@ -53,5 +53,29 @@ TEST(ImageCodecs, SizesThatNoFileOfItsLengthHasAreRefused) {
     EXPECT_NE(refusal.find("has no sensible size"), std::string::npos) << refusal;
 }
 
+/// The most that this process held since it was last forgotten, in bytes; 0 where that is not told.
+double peak_memory() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (double kib = 0; word == "VmHWM:" && status >> kib) return kib * 1024;
+    return 0;
+}
+
+/// A small file may become large pictures: they are held once.
+TEST(ImageCodecs, APictureIsHeldOnceWhileItIsRead) {
+#ifdef INTERREFLECT_SANITIZED
+    GTEST_SKIP() << "what sanitizers hold counts, too";
+#endif
+    TemporaryFolder folder;
+    const Image large(3000, 3000, 3);
+    const double bytes = double(large.pixels.size() * sizeof(float));
+    write_png(folder / "a.png", large);
+    if (!(std::ofstream("/proc/self/clear_refs") << "5" << std::flush)) GTEST_SKIP() << "peaks stay";
+    const double before = peak_memory();
+    const auto layers = read_layers(folder / "a.png");
+    EXPECT_EQ(layers.front().image.width, large.width);
+    EXPECT_LT(peak_memory() - before, 1.6 * bytes);
+}
+
 }  // namespace
 }  // namespace ir

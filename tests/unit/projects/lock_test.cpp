@@ -1,10 +1,33 @@
 #include "projects/lock.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+
 #include "tests/unit/projects/sample.h"
+
+namespace {
+
+/// As a network may.
+bool loses_answers = false;
+
+}  // namespace
+
+extern "C" {
+
+int __real_link(const char* from, const char* to);
+
+/// The linker puts us between (--wrap).
+int __wrap_link(const char* from, const char* to) {
+    const int linked = __real_link(from, to);
+    if (linked != 0 || !loses_answers) return linked;
+    errno = EEXIST;
+    return -1;
+}
+}
 
 namespace ir::projects {
 namespace {
@@ -46,6 +69,39 @@ TEST(Lock, OneWriterAtATime) {
     first.release();
     EXPECT_TRUE(in_child([&] { return Lock::acquire(folder.path()).is_held(); }));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / ".lock.tmp"));
+}
+
+TEST(Lock, ANetworkMayLoseTheAnswer) {
+    TemporaryFolder folder;
+    loses_answers = true;
+    auto first = Lock::acquire(folder.path());
+    EXPECT_TRUE(first.is_held());
+    EXPECT_FALSE(Lock::acquire(folder.path()).is_held());
+    first.release();
+    EXPECT_TRUE(Lock::acquire(folder.path()).is_held());
+    loses_answers = false;
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Lock, TwoUsersRespectEachOther) {
+    if (::getuid() != 0) GTEST_SKIP() << "only root can be two users";
+    TemporaryFolder folder;
+    constexpr uid_t one = 65001, other = 65002;
+    const auto takes_as = [&](uid_t user) {
+        return in_child([&] {
+            if (::setuid(user) != 0) return false;
+            const auto* lock = new Lock(Lock::acquire(folder.path()));  // not given back, as by a crash
+            return lock->is_held();
+        });
+    };
+    EXPECT_FALSE(takes_as(one)) << "may not write there";
+    ::chmod(folder.path().c_str(), 0777);
+    {
+        const auto held = Lock::acquire(folder.path());
+        EXPECT_FALSE(takes_as(one)) << "of a process that he may not even signal";
+    }
+    EXPECT_TRUE(takes_as(one));
+    EXPECT_TRUE(takes_as(other)) << "of one who is gone";
 }
 
 TEST(Lock, MovesWithItsOwnerAndEndsWithIt) {
