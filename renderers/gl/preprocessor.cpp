@@ -66,7 +66,8 @@ class Preprocessor {
             if (in_comment || !is_directive(line, path)) body_.push_back(line);
             in_comment = ends_in_comment(text, in_comment);
         }
-        if (in.bad()) throw Error(files_[file] + ": cannot be read");
+        if (!in.is_open() || in.bad())
+            throw Error(files_[file] + ": cannot be read; check the file's permissions");
         open_.pop_back();
     }
 

@@ -14,6 +14,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/parameter.h"
 #include "renderers/core/report.h"
+#include "renderers/core/shader_fault.h"
 #include "renderers/gl/constants.h"
 #include "renderers/gl/context.h"
 #include "renderers/gl/device.h"
@@ -25,8 +26,9 @@ namespace ir::gl {
 /// A program that does not compile or link. what() is the first error, "passes/ldm/build.comp:12: …".
 class ShaderError : public Error {
   public:
-    explicit ShaderError(std::vector<Message> all) : Error(all.at(0).text), messages(std::move(all)) {}
-    std::vector<Message> messages;  ///< all errors
+    explicit ShaderError(std::vector<ShaderFault> all) : Error(all.at(0).message()), faults(std::move(all)) {}
+    std::vector<ShaderFault> faults;  ///< all errors
+    std::vector<Message> messages() const;
 };
 
 /// Constants that do not fit the program, or that nobody gave. what() names program and uniform.
@@ -112,6 +114,8 @@ class ProgramLibrary {
     /// Recompiles programs whose files changed on disk. A program that fails keeps its last good version; the
     /// errors are returned (once per change). True in `changed` when any program was replaced.
     std::vector<Message> reload_changed(bool* changed = nullptr);
+    /// Of all programs whose newest sources do not compile, each once.
+    std::vector<ShaderFault> faults() const;
 
     /// Called before a compilation that may take long, with the files' names.
     std::function<void(const std::string&)> on_compile;
