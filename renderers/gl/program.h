@@ -23,6 +23,8 @@
 
 namespace ir::gl {
 
+struct StageSource;
+
 /// A program that does not compile or link. what() is the first error, "passes/ldm/build.comp:12: …".
 class ShaderError : public Error {
   public:
@@ -46,6 +48,10 @@ class Program {
     const std::vector<ProgramResource>& resources() const { return resources_; }
     /// Whether the source declares a block, sampler or image of this name, also one that was optimised away.
     bool declares(const std::string& resource) const { return declarations_.names(resource); }
+    /// Whether it has lib/debug.glsl in a stage that works for pixels.
+    bool can_debug() const { return can_debug_; }
+    /// That stage, of the variant that says something; null of others.
+    const std::shared_ptr<const StageSource>& debugged() const { return debugged_; }
     void use() const;
     /// Gives the uniforms the values of a struct with IR_FIELDS. It is compared with the linked program once:
     /// throws ConstantsError for a member whose uniform the source never names, and for one of another type.
@@ -82,7 +88,9 @@ class Program {
     ResourceDeclarations declarations_;
     std::vector<ProgramResource> resources_;
     std::map<std::string, PlainUniform> uniforms_;  ///< active ones
-    mutable std::set<std::string> unset_;           ///< of these
+    bool can_debug_ = false;
+    std::shared_ptr<const StageSource> debugged_;
+    mutable std::set<std::string> unset_;  ///< of these
     /// Of the members of each struct of constants that was given; -1 where the compiler removed the uniform.
     mutable std::map<const ConstantLayout*, std::vector<GLint>> locations_;
     mutable std::uint64_t last_use_ = 0;  ///< in frames of the library
@@ -147,5 +155,7 @@ void check_parameter_block(const Api& api, GLuint program,
                            const std::vector<ParameterDescription>& parameters);
 
 inline constexpr const char* parameter_block_name = "Parameters";
+/// Of shaders/lib/debug.glsl.
+inline constexpr const char* debug_block_name = "Debug";
 
 }  // namespace ir::gl

@@ -31,9 +31,7 @@ std::string line_of(const fs::path& file, int number) {
     std::string line;
     for (int i = 0; i < number; ++i)
         if (!std::getline(in, line)) return {};
-    const auto begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string::npos) return {};
-    return line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+    return trimmed(line);
 }
 
 /// Of an error that begins with "FILE:LINE: " or "FILES: ".
@@ -132,6 +130,14 @@ void link(const Api& api, const Handle& program, const ProgramSource& source, co
     GLint linked = 0;
     api.GetProgramiv(program.name, GL_LINK_STATUS, &linked);
     if (!linked) fail(program, listed(source.files), {}, folder);
+}
+
+/// The pixel that an invocation works for, unless it says another; empty where there is none.
+std::string invocation_in(const std::string& file) {
+    const auto stage = stage_of(file);
+    return stage == GL_FRAGMENT_SHADER  ? "ivec2(gl_FragCoord.xy)"
+           : stage == GL_COMPUTE_SHADER ? "ivec2(gl_GlobalInvocationID.xy)"
+                                        : "";
 }
 
 /// Adds the words of a source, from which a uniform's existence is judged.
@@ -248,7 +254,13 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
         Handle handle(api, api.CreateProgram(), false);
         Program program;
         for (const auto& file : source.files) {
-            const auto stage = preprocess(folder_, file, source.defines, source.preamble, entry.files);
+            auto defines = source.defines;
+            const auto invocation = invocation_in(file);
+            if (source.debugs && !invocation.empty()) defines["DEBUG_INVOCATION"] = invocation;
+            const auto stage = preprocess(folder_, file, defines, source.preamble, entry.files);
+            if (!invocation.empty() && std::ranges::find(stage.files, "lib/debug.glsl") != stage.files.end())
+                program.debugged_ = source.debugs ? std::make_shared<const StageSource>(stage) : nullptr,
+                program.can_debug_ = true;
             compile_stage(api, handle, file, stage, folder_);
             add_identifiers(stage.text, program.identifiers_);
             program.declarations_.add(stage.text);

@@ -92,5 +92,28 @@ TEST_F(ShadersWindowTest, AMessageOfAShaderLeadsToThePanel) {
     EXPECT_FALSE(frame().isHidden());
 }
 
+TEST_F(ShadersWindowTest, WhatShadersPrintStandsInThePanelAndBesideThePixel) {
+    renderer.can_print = true;
+    window.live().render_again();
+    ASSERT_TRUE(settle());
+    const auto* printed = window.inspector().explain_panel().findChild<QLabel*>("printed");
+    EXPECT_TRUE(printed->isHidden()) << "no pixel is picked";
+    const auto said = [&] { return window.workspace().pane(0)->compare().main_view().state().marks.said; };
+    EXPECT_EQ(said(), widgets::SaidMark());
+    window.inspector().explain({20, 10});
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(printed->isHidden());
+    EXPECT_TRUE(printed->text().contains("a &lt; b = <b>20</b>")) << printed->text().toStdString();
+    EXPECT_TRUE(printed->text().contains("paint.comp:3")) << printed->text().toStdString();
+    EXPECT_EQ(said(), (widgets::SaidMark{{20, 10}, "a < b = 20\ndepth = 20"}));
+    window.inspector().explain({4, 2});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(said(), (widgets::SaidMark{{4, 2}, "a < b = 4\ndepth = 4"}));
+    window.inspector().explain_nothing();
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(printed->isHidden());
+    EXPECT_EQ(said(), widgets::SaidMark());
+}
+
 }  // namespace
 }  // namespace ir::gui

@@ -134,6 +134,22 @@ TEST_F(Cli, ShadersMayComeFromAnotherFolder) {
     EXPECT_EQ(read_exr(file("a.exr")).front().image.pixels.front(), 0.5f);
 }
 
+TEST_F(Cli, PrintsWhatShadersSayOfThePickedPixel) {
+    const auto folder = file("shaders");
+    std::filesystem::copy(shader_directory(), folder, std::filesystem::copy_options::recursive);
+    std::ofstream(folder + "/methods/view-normals/view_normals.frag")
+        << "#include \"lib/debug.glsl\"\nlayout(location = 0) out vec4 normal;\n"
+           "uniform sampler2D normal_image;\nuniform mat4 view_from_world;\n"
+           "void main() {\n    normal = vec4(params.as_colour);\n    print(gl_FragCoord.xy);\n}\n";
+    const auto command = small("view-normals", "a.exr") + "--shaders " + folder + " --pick 5,3";
+    const std::string place = "methods/view-normals/view_normals.frag:7";
+    EXPECT_EQ(output(command), place + ": gl_FragCoord.xy = 5.5 3.5\n");
+    const auto statistics = nlohmann::json::parse(output(command + " --json -"));
+    EXPECT_EQ(statistics["printed"][0]["place"], place);
+    EXPECT_EQ(statistics["printed"][0]["text"], "5.5 3.5");
+    EXPECT_EQ(output(small("view-normals", "a.exr") + "--shaders " + folder), "") << "no pixel is picked";
+}
+
 TEST_F(Cli, RendersLayersAndStatistics) {
     const auto outcome =
         run(small("ldm-ao", "a.exr") +

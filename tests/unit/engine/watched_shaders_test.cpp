@@ -1,8 +1,5 @@
 // Shaders that are edited while the window is open: what is wrong is told with its place, and pictures stay.
-#include <fstream>
-#include <sstream>
-
-#include "renderers/core/resources_path.h"
+#include "tests/unit/engine/edited_shaders.h"
 #include "tests/unit/engine/render_thread_fixture.h"
 
 namespace ir::engine {
@@ -10,31 +7,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A copy of the product's shaders that may be edited.
 class WatchedShadersTest : public RenderThreadTest {
   protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        shaders = fs::path(testing::TempDir()) / (std::string("interreflect-watched-") + test->name());
-        fs::remove_all(shaders);
-        fs::copy(shader_directory(), shaders, fs::copy_options::recursive);
+        shaders = edited.folder();
         RenderThreadTest::SetUp();
     }
-    void TearDown() override {
-        RenderThreadTest::TearDown();
-        fs::remove_all(shaders);
-    }
-    void replace(const std::string& file, const std::string& old, const std::string& by) const {
-        std::stringstream text;
-        text << std::ifstream(shaders / file).rdbuf();
-        auto source = text.str();
-        const auto place = source.find(old);
-        ASSERT_NE(place, std::string::npos) << file;
-        std::ofstream(shaders / file) << source.replace(place, old.size(), by);
+    void replace(const std::string& name, const std::string& old, const std::string& by) const {
+        edited.replace(name, old, by);
     }
     bool has_faults(std::size_t lists) {
         return wait([&](const Answers& a) { return a.faults.size() >= lists; });
     }
+    EditedShaders edited;
     static constexpr const char* file = "methods/view-normals/view_normals.frag";
     static constexpr const char* good = "normalize(mat3(view_from_world) * normal_ws)";
 };
@@ -83,14 +68,12 @@ TEST_F(WatchedShadersTest, AProgramThatNeverCompiledRendersOnceItIsMended) {
 
 TEST_F(WatchedShadersTest, AnErrorInAnIncludeIsThatFilesAndToldOnce) {
     render(request_of("a", "view-normals"));
-    {
-        std::ofstream more(shaders / "methods/view-normals/turn.glsl");
-        more << "vec3 turn(vec3 v) {\n    return v.xyzz;\n}\n";
-    }
+    const auto* included = "methods/view-normals/turn.glsl";
+    edited.write(included, "vec3 turn(vec3 v) {\n    return v.xyzz;\n}\n");
     replace(file, "uniform sampler2D", "#include \"turn.glsl\"\nuniform sampler2D");
     ASSERT_TRUE(has_faults(1));
-    EXPECT_EQ(answers().faults.front().at(0).place(), "methods/view-normals/turn.glsl:2");
-    std::ofstream(shaders / "methods/view-normals/turn.glsl") << "vec3 turn(vec3 v) {\n    return v;\n}\n";
+    EXPECT_EQ(answers().faults.front().at(0).place(), std::string(included) + ":2");
+    edited.write(included, "vec3 turn(vec3 v) {\n    return v;\n}\n");
     ASSERT_TRUE(has_faults(2));
     EXPECT_TRUE(answers().faults.back().empty());
 }
