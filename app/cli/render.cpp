@@ -113,6 +113,9 @@ int render_scene(const RenderFlags& flags) {
     engine::write_picture(flags.out, execution, flags.dumps);
     print_messages(execution, report);
     const auto statistics = engine::statistics_json(execution, report) + "\n";
+    if (flags.json != "-")
+        for (const auto& each : report.printed)
+            std::cout << each.place << ": " << each.label << " = " << each.text << "\n";
     if (flags.json == "-")
         std::cout << statistics;
     else if (!flags.json.empty())

@@ -44,6 +44,7 @@ struct MachineOptions {
     int threads = 0;  ///< for cpu passes; 0 = all
     /// Of passes with two bodies; none: the host where the device is software, else gl.
     std::optional<Processor> processor = {};
+    std::filesystem::path shaders = {};  ///< folder of the shaders; empty: the program's own
     bool operator==(const MachineOptions&) const = default;
 };
 

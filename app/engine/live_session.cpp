@@ -97,8 +97,11 @@ bool LiveSession::lacks(const Entry& entry, const LiveRequest& request) {
     });
 }
 
-/// Whether something is asked for that passes of the last frame have overwritten.
+/// Whether something is asked for that passes of the last frame have overwritten, or would have said.
 bool LiveSession::lacks_steps(const Entry& entry, const LiveRequest& request) {
+    const auto& pixel = request.inspection;
+    if (entry.report.can_print && pixel.has_pixel() && entry.picked != glm::ivec2(pixel.x, pixel.y))
+        return true;
     const auto versions = versions_of(*entry.execution, request);
     return (request.traced && request.traced != entry.traced) ||
            std::any_of(versions.begin(), versions.end(), [&](const auto& key) {
@@ -162,6 +165,7 @@ void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step
     entry.tried = options.wanted;
     entry.versions = options.versions;
     entry.traced = options.traced;
+    entry.picked = {request.inspection.x, request.inspection.y};
     entry.whole = entry.report.complete;
     entry.explained = request.inspection;
     entry.rebuild = entry.rebuild && !entry.report.complete;

@@ -65,6 +65,7 @@ class LiveSession {
         bool whole = false;                   ///< the contents are those of one complete frame
         std::vector<std::string> versions;    ///< kept of the report's frame
         std::optional<glm::ivec2> traced;     ///< in the report's frame
+        glm::ivec2 picked{-1};                ///< likewise, for what shaders say
         std::optional<Inspection> explained;  ///< of the explanations that are there
         bool begins = true;                   ///< the history is empty and may begin with a stored one
         std::string state_file;               ///< that was tried last

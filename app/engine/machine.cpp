@@ -46,7 +46,8 @@ Machine::Machine(const Options& options) : options_(options) {
                     info.renderer + "'");
     context_->make_current();
     device_ = gl::make_gl_device(*context_);
-    programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
+    programs_ = std::make_unique<gl::ProgramLibrary>(
+        *context_, options.shaders.empty() ? shader_directory() : options.shaders);
 }
 
 Processor Machine::processor() const {

@@ -6,6 +6,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/named_files.h"
+#include "renderers/core/resources_path.h"
 
 namespace ir::engine {
 namespace {
@@ -69,6 +70,8 @@ void add_machine_flags(CLI::App& command, MachineFlags& flags) {
                        doc_of("processor") +
                            " auto, gl or host (default: auto, the host where the device is "
                            "software)");
+    command.add_option("--shaders", flags.shaders,
+                       "Folder of shaders in place of the program's own, such as a copy to work on");
     command.add_flag("--gl-debug", flags.debug, "Report the driver's debug messages");
     add_outside_flag(command);
 }
@@ -79,9 +82,27 @@ void add_outside_flag(CLI::App& command) {
         "Let scenes and packed projects name files outside of their folders");
 }
 
+namespace {
+
+std::filesystem::path shader_folder(const std::string& name) {
+    if (name.empty()) return {};
+    std::error_code ignored;
+    for (const char* part : {"lib", "passes", "methods"})
+        if (!std::filesystem::is_directory(std::filesystem::path(name) / part, ignored))
+            throw UsageError("--shaders '" + name + "' has no folder " + part +
+                             "/; give a copy of all shaders, as in " + shader_directory().string());
+    return std::filesystem::absolute(name);
+}
+
+}  // namespace
+
 MachineOptions machine_options(const MachineFlags& flags) {
-    return {flags.backend, flags.device, flags.debug, flags.threads.value_or(0),
-            parse_processor(flags.processor)};
+    return {flags.backend,
+            flags.device,
+            flags.debug,
+            flags.threads.value_or(0),
+            parse_processor(flags.processor),
+            shader_folder(flags.shaders)};
 }
 
 std::uint64_t parse_bytes(const std::string& text) {

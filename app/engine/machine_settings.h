@@ -27,7 +27,7 @@ const ParameterTable<MachineSettings>& machine_settings();
 
 /// The options that choose and set a machine, shared by the window and by commands that render.
 struct MachineFlags {
-    std::string backend = {}, device = {}, memory = {}, processor = {};
+    std::string backend = {}, device = {}, memory = {}, processor = {}, shaders = {};
     std::optional<int> threads = {};
     bool debug = false;
 };

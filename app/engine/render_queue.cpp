@@ -10,7 +10,7 @@ namespace {
 constexpr auto patience = std::chrono::milliseconds(1500);
 /// With drafts the first picture of a request may take so long; all after it make way at once.
 constexpr auto draft_patience = std::chrono::milliseconds(250);
-constexpr auto shader_poll = std::chrono::milliseconds(700);
+constexpr auto shader_poll = std::chrono::milliseconds(250);
 
 template <class Value>
 std::vector<Value> take_all(std::map<std::string, Value>& map) {
@@ -186,11 +186,12 @@ bool RenderQueue::has_work() const {
 
 RenderQueue::Work RenderQueue::take() {
     std::unique_lock lock(mutex_);
-    const bool woken = wake_.wait_for(lock, shader_poll, [&] { return has_work(); });
+    wake_.wait_until(lock, next_poll_, [&] { return has_work(); });
     Work work;
     work.stop = stop_;
     if (stop_) return work;
-    work.check_shaders = reload_ || !woken;
+    work.check_shaders = reload_ || Clock::now() >= next_poll_;
+    if (work.check_shaders) next_poll_ = Clock::now() + shader_poll;
     reload_ = false;
     work.released.swap(released_);
     work.cancelled.swap(cancelled_);

@@ -111,6 +111,7 @@ class RenderQueue {
     bool running_draft_ = false;     ///< as far as is known
     bool makes_way_ = false;         ///< the frame was cancelled for another tag's, and is tried again
     Clock::time_point running_since_;
+    Clock::time_point next_poll_;  ///< of shader files
     CancelToken cancel_;
     std::uint64_t serial_ = 0;
     bool reload_ = false, stop_ = false;

@@ -20,7 +20,8 @@ struct RenderThread::State {
     RenderQueue queue;
     std::unique_ptr<Machine> machine;
     std::unique_ptr<LiveSession> session;
-    int losses = 0;  ///< of the context, since a picture was done
+    int losses = 0;                   ///< of the context, since a picture was done
+    std::vector<ShaderFault> faults;  ///< as told
     std::thread thread;
 
     bool is_lost() const { return machine->context().is_lost(); }
@@ -33,6 +34,7 @@ struct RenderThread::State {
     void render_export(const ExportRequest& request);
     void render_keep(const KeepRequest& request);
     void render_reload();
+    void render_faults();
 
     template <class Function, class... Values>
     static void tell(const Function& callback, Values&&... values) {
@@ -139,6 +141,7 @@ void RenderThread::State::render_work(const RenderQueue::Work& work) {
     if (work.scene) render_scene(*work.scene);
     if (work.job) render_frame(*work.job);
     if (work.check_shaders) render_reload();
+    render_faults();
 }
 
 void RenderThread::State::render_views() {
@@ -219,6 +222,13 @@ void RenderThread::State::render_reload() {
     if (!changed) return;
     session->forget_results();
     queue.run_all_again();
+}
+
+void RenderThread::State::render_faults() {
+    auto now = machine->programs().faults();
+    if (now == faults) return;
+    faults = std::move(now);
+    tell(callbacks.on_shader_faults, faults);
 }
 
 }  // namespace ir::engine

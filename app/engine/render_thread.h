@@ -7,6 +7,7 @@
 #include "app/engine/execution.h"
 #include "app/engine/live.h"
 #include "app/engine/machine_settings.h"
+#include "renderers/core/shader_fault.h"
 
 namespace ir::engine {
 
@@ -28,6 +29,8 @@ class RenderThread {
         std::function<void(std::string tag, std::string error, bool cancelled)> on_failure;
         std::function<void(SceneSummary)> on_scene;
         std::function<void(std::vector<Message>)> on_messages;  ///< shader reloads, GL
+        /// All that are there now, whenever they are others than before.
+        std::function<void(std::vector<ShaderFault>)> on_shader_faults;
         std::function<void(gl::DeviceInfo)> on_ready;
         std::function<void(std::string error)> on_no_device;
     };

@@ -73,6 +73,9 @@ std::string statistics_json(const Execution& execution, const FrameReport& repor
         json["resources"].push_back(std::move(row));
     }
     json["lights"] = Json::parse(to_json(report.lights));
+    for (const auto& each : report.printed)
+        json["printed"].push_back(
+            {{"pass", each.pass}, {"place", each.place}, {"label", each.label}, {"text", each.text}});
     json["messages"] = Json::array();
     for (const auto& message : report.messages)
         json["messages"].push_back({{"severity", severity_text(message.severity)},

@@ -38,7 +38,7 @@ const QList<Layout>& layouts() {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
           "timings", "messages", "results", "plots", "sweeps", "analyses", "timeline", "benchmarks",
-          "profile", "pipeline"}},
+          "profile", "pipeline", "shaders"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}, QT_TR_NOOP("Compare"), two_views},
@@ -50,6 +50,7 @@ const QList<Layout>& layouts() {
         {"benchmarks", {"benchmarks"}},
         {"profile", {"profile"}},
         {"pipeline", {"pipeline"}, QT_TR_NOOP("Passes and filters")},
+        {"shaders", {"shaders"}},
         {"inspect",
          {"display", "inspector", "buffers", "explain"},
          QT_TR_NOOP("Maps and photons"),
@@ -175,6 +176,7 @@ void DockLayout::arrange() {
     tabify("timeline", "benchmarks");
     tabify("benchmarks", "profile");
     tabify("profile", "pipeline");
+    tabify("pipeline", "shaders");
     for (auto* each : docks()) each->show();
     for (const char* front : {"display", "buffers", "parameters", "messages"}) dock(front)->raise();
     window_.resizeDocks({dock("parameters"), dock("buffers")}, {300, 340}, Qt::Horizontal);
@@ -182,7 +184,7 @@ void DockLayout::arrange() {
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.
     for (const char* quiet : {"messages", "results", "plots", "sweeps", "analyses", "timeline", "benchmarks",
-                              "profile", "pipeline"})
+                              "profile", "pipeline", "shaders"})
         dock(quiet)->hide();
 }
 

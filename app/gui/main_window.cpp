@@ -72,6 +72,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       benchmarks_(new BenchmarkDock(session_, preferences_, options.benchmark_runner)),
       parameters_(new ParameterDock(session_, scenes_, notices_)),
       scene_(new SceneDock(session_, scenes_)),
+      shaders_(new ShaderDock(renderer_, options.machine)),
       lists_(session_, live_, views()),
       actions_(*this),
       docks_(*this, workspace_.area(), actions_),
@@ -171,6 +172,7 @@ void MainWindow::make_docks() {
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
     docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     docks_.add("pipeline", tr("Pipeline"), &pipeline_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_F));
+    docks_.add("shaders", tr("Shaders"), shaders_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_J));
     // Panels behind tabs and closed ones ask for nothing.
     connect(&docks_, &DockLayout::seen_changed, &joins_, [this] {
         inspector_.set_visible(docks_.is_seen("inspector"), docks_.is_seen("explain"));
@@ -306,6 +308,8 @@ void MainWindow::join_panels() {
     connect(&pipeline_, &PipelineDock::wanted, &joins_, [this] { docks_.raise("pipeline"); });
     connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise("profile"); });
     connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });
+    connect(shaders_, &ShaderDock::wanted, &joins_, [this] { docks_.raise("shaders"); });
+    connect(shaders_, &ShaderDock::emptied, &joins_, [this] { docks_.hide("shaders"); });
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
     connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
@@ -338,6 +342,7 @@ void MainWindow::join_panels() {
     notices_.follow(*sweeps_, "sweeps");
     notices_.follow(*analyses_, "analyses");
     notices_.follow(*benchmarks_, "benchmarks");
+    notices_.follow(*shaders_, "shaders");
 }
 
 void MainWindow::save_memory() {
@@ -404,6 +409,7 @@ void MainWindow::show_plot(const std::string& id) {
 
 /// From a message to where it can be mended: a file's line, an item of the project, a buffer.
 void MainWindow::go_to(const Message& message) {
+    if (message.source == "shader") return docks_.raise("shaders");
     const QString place = text_of(message.place);
     const QFileInfo file(place.section(QLatin1Char(':'), 0, 0));
     if (file.exists()) {

@@ -27,6 +27,7 @@
 #include "app/gui/result_controller.h"
 #include "app/gui/scene_dock.h"
 #include "app/gui/set_up_controller.h"
+#include "app/gui/shader_dock.h"
 #include "app/gui/sweeps_dock.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
@@ -146,6 +147,7 @@ class MainWindow : public QMainWindow {
     BenchmarkDock* benchmarks_;
     ParameterDock* parameters_;
     SceneDock* scene_;
+    ShaderDock* shaders_;
     FrameLists lists_;
     Actions actions_;
     DockLayout docks_;

@@ -149,13 +149,25 @@ void PicturePresenter::mark_explained(int view, ViewPane& pane) {
     auto& compare = pane.compare();
     for (const auto* each : compare.views())
         if (pixel_of_result(view, each->picture().get(), each->state().marks.picked) == explained) return;
+    const auto [pixel, size] = shown_pixel(view, pane, explained);
+    compare.panes().set_picked(pixel, size);
+}
+
+void PicturePresenter::mark_said(int view, ViewPane& pane, const QString& text) {
+    const auto& now = views_.inspection(views_.state(view).a.owner);
+    const auto pixel = shown_pixel(view, pane, {now.x, now.y}).first;
+    pane.compare().main_view().set_mark(&widgets::Marks::said,
+                                        {text.isEmpty() ? QPoint(-1, -1) : pixel, text});
+}
+
+std::pair<QPoint, QSize> PicturePresenter::shown_pixel(int view, ViewPane& pane, QPoint pixel) const {
     const auto picture = pane.picture_at(0);
-    const QSize main = views_.rules().main_size(owner);
+    const QSize main = views_.rules().main_size(views_.state(view).a.owner);
     if (!picture || !picture->has_image() || picture->atlas.tiles.empty() || main.isEmpty())
-        return compare.panes().set_picked(explained, main);
+        return {pixel, main};
     const auto& first = picture->atlas.tiles.front();
-    const QPoint mark = pixel_of_level(main, {first.width, first.height}, explained);
-    compare.panes().set_picked(mark.x() < 0 ? mark : mark + QPoint(first.x, first.y), picture->size());
+    const QPoint mark = pixel_of_level(main, {first.width, first.height}, pixel);
+    return {mark.x() < 0 ? mark : mark + QPoint(first.x, first.y), picture->size()};
 }
 
 }  // namespace ir::gui

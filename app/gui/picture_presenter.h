@@ -19,6 +19,8 @@ class PicturePresenter {
     /// What is explained is marked, also when it was chosen elsewhere. A mark on that pixel already stays: on
     /// a coarser level several of its pixels are the same one.
     void mark_explained(int view, widgets::ViewPane& pane);
+    /// Text beside the explained pixel; empty: none.
+    void mark_said(int view, widgets::ViewPane& pane, const QString& text);
     /// The pixel of the main result of A's owner that a pixel of the picture under the cursor shows; (-1,
     /// -1): none.
     QPoint pointed_pixel_of_result(int view, const widgets::CompareView& compare, QPoint pixel) const;
@@ -30,6 +32,8 @@ class PicturePresenter {
     void update_reference(int view, widgets::CompareView& compare);
     widgets::Display display_of(const widgets::ViewSource& source, int view) const;
     double shared_exposure(int view, Semantic semantic) const;
+    /// The pixel of a pane's picture that shows one of the main result, and that picture's size.
+    std::pair<QPoint, QSize> shown_pixel(int view, widgets::ViewPane& pane, QPoint pixel) const;
     QPoint pixel_of_result(int view, const widgets::Picture* picture, QPoint pixel) const;
 
     Session& session_;

@@ -8,6 +8,7 @@
 #include "app/gui/beside.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/pixel_places.h"
+#include "app/gui/printed.h"
 #include "app/gui/text_of.h"
 
 namespace ir::gui {
@@ -139,13 +140,26 @@ void PixelInspector::send_wants() {
     views_.set_panel_wants(std::move(wants));
 }
 
-std::vector<std::string> PixelInspector::explaining_keys(bool spatial) const {
-    std::vector<std::string> keys;
+std::vector<PixelInspector::Explaining> PixelInspector::explaining() const {
+    std::vector<Explaining> all;
     const auto* chosen = session_.experiment(experiment());
     const auto* method = chosen ? session_.registry().find(chosen->method) : nullptr;
-    if (!method) return keys;
-    for (const auto& output : method->outputs) {
-        if (!output.explains) continue;
+    if (!method) return all;
+    for (const auto& output : method->outputs)
+        if (output.explains) all.push_back({output.key, output.label, full_doc(output), output.kind});
+    const auto is_known = [&](const std::string& key) {
+        return std::ranges::any_of(method->outputs, [&](const auto& output) { return output.key == key; });
+    };
+    if (const auto result = live_.result(experiment()))
+        for (const auto& each : result->report.resources)
+            if (each.explains && each.elements > 0 && !is_known(each.key))
+                all.push_back({each.key, each.label, each.doc, each.kind});
+    return all;
+}
+
+std::vector<std::string> PixelInspector::explaining_keys(bool spatial) const {
+    std::vector<std::string> keys;
+    for (const auto& output : explaining()) {
         const bool drawn = widgets::is_spatial(output.kind) && output.kind != OutputKind::sphere_values;
         if (!spatial || drawn) keys.push_back(output.key);
     }
@@ -176,7 +190,8 @@ void PixelInspector::explain(QPoint pixel) {
     auto now = views_.inspection(experiment());
     now.x = pixel.x();
     now.y = pixel.y();
-    open_explanation_ = !explaining_keys(true).empty() || !explaining_keys(false).empty();
+    const auto result = live_.result(experiment());
+    open_explanation_ = !explaining().empty() || (result && result->report.can_print);
     views_.set_inspection(experiment(), now);
     send_wants();
     update_explain();
@@ -203,9 +218,8 @@ void PixelInspector::show_everything() {
     if (!result || !pixel || result->inspection.x != pixel->x() || result->inspection.y != pixel->y()) return;
     std::vector<std::string> drawn;
     bool complete = true;
-    const auto* method = session_.registry().find(session_.experiment(experiment())->method);
-    for (const auto& output : method->outputs) {
-        if (!output.explains || !widgets::is_spatial(output.kind)) continue;
+    for (const auto& output : explaining()) {
+        if (!widgets::is_spatial(output.kind)) continue;
         const auto* resource = find_resource(result->report, output.key);
         complete = complete && resource && resource->available;
         if (!resource || !resource->available || resource->elements > max_drawn) continue;
@@ -234,8 +248,7 @@ void PixelInspector::update_explain() {
     const auto result = live_.result(id);
     const auto pixel = explained();
     if (method) {
-        for (const auto& output : method->outputs) {
-            if (!output.explains) continue;
+        for (const auto& output : explaining()) {
             const auto* resource = result ? find_resource(result->report, output.key) : nullptr;
             // Without elements, what is not finished may be of an older frame.
             const bool may_lack = resource && resource->elements == 0 && resource->width == 0 &&
@@ -243,13 +256,15 @@ void PixelInspector::update_explain() {
             const bool available = resource && resource->available && !may_lack;
             const bool counted = available && resource->width == 0;
             outputs.push_back({output.key, text_of(output.label), text_of(to_string(output.kind)),
-                               text_of(full_doc(output)), counted ? qint64(resource->elements) : -1,
-                               available, pixel ? views_.pictures().why_empty(id, output.key) : QString()});
+                               text_of(output.doc), counted ? qint64(resource->elements) : -1, available,
+                               pixel ? views_.pictures().why_empty(id, output.key) : QString()});
         }
         for (const auto& each : views_.selectors(id))
             selectors.push_back({each.key, text_of(each.label), text_of(each.doc), each.count, each.item});
     }
     explain_->set_content(pixel, outputs, selectors);
+    explain_->set_printed(result && result->report.can_print,
+                          printed_of(result.get(), views_.inspection(id)));
 }
 
 void PixelInspector::request() {

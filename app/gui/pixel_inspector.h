@@ -52,6 +52,12 @@ class PixelInspector : public QObject {
     void on_probe(std::shared_ptr<const engine::ProbeResult> result);
     void show_everything();
     std::string experiment() const;  ///< of the active view; empty: none
+    /// What explains a pixel: outputs of the method, and what its shaders draw.
+    struct Explaining {
+        std::string key, label, doc;
+        OutputKind kind = OutputKind::image;
+    };
+    std::vector<Explaining> explaining() const;
     std::vector<std::string> explaining_keys(bool spatial) const;
 
     Session& session_;

@@ -42,6 +42,8 @@ class Renderer : public QObject {
     void failed(const std::string& tag, const std::string& error, bool cancelled);
     void scene_arrived(const ir::engine::SceneSummary& scene);
     void messages_arrived(const std::vector<ir::Message>& messages);
+    /// All that there are now.
+    void shader_faults_changed(const std::vector<ir::ShaderFault>& faults);
     void ready(const std::string& backend, const std::string& device);
     void no_device(const std::string& error);
 };

@@ -115,6 +115,9 @@ class ThreadRenderer final : public Renderer {
         c.on_messages = [this](std::vector<Message> messages) {
             post([this, messages] { emit messages_arrived(messages); });
         };
+        c.on_shader_faults = [this](std::vector<ShaderFault> faults) {
+            post([this, faults = std::move(faults)] { emit shader_faults_changed(faults); });
+        };
         c.on_ready = [this](const gl::DeviceInfo& info) {
             post([this, info] { emit ready(gl::to_string(info.backend), info.renderer); });
         };

@@ -5,6 +5,7 @@
 
 #include "app/engine/camera_pose.h"
 #include "app/gui/json_fields.h"
+#include "app/gui/printed.h"
 #include "app/gui/stage_chain.h"
 #include "projects/names.h"
 
@@ -31,7 +32,9 @@ Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, I
     connect(&views_, &ViewModel::linked_changed, this, &Workspace::on_linked);
     connect(&views_, &ViewModel::displays_changed, this, &Workspace::on_displays);
     connect(&views_, &ViewModel::explained_changed, this, [this](int view) {
-        if (pane(view)) pictures_.mark_explained(view, *pane(view));
+        if (!pane(view)) return;
+        pictures_.mark_explained(view, *pane(view));
+        mark_said(view);
     });
 }
 
@@ -141,6 +144,7 @@ void Workspace::update_view(int view) {
     const auto content = views_.rules().content_of(views_.state(view));
     if (content == ViewPane::Content::picture) {
         pictures_.update(view, *pane(view));
+        mark_said(view);
         if (pictures_.take_exposure_change())
             for (const int other : area_->open_views())
                 if (other != view && pane(other)) pictures_.update_displays(other, pane(other)->compare());
@@ -150,6 +154,12 @@ void Workspace::update_view(int view) {
     }
     update_camera(view);
     if (view == area_->active()) emit picture_shown();
+}
+
+void Workspace::mark_said(int view) {
+    const auto& owner = views_.state(view).a.owner;
+    const auto result = live_.result(owner);
+    pictures_.mark_said(view, *pane(view), printed_text(printed_of(result.get(), views_.inspection(owner))));
 }
 
 void Workspace::update_header(int view) {

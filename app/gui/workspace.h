@@ -58,6 +58,7 @@ class Workspace : public QObject {
     void connect_table(int view, widgets::BufferTable& table);
     void update_view(int view);
     void update_header(int view);
+    void mark_said(int view);
     void update_table(int view);
     void update_camera(int view);
     void on_linked(bool linked);

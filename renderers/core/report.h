@@ -42,6 +42,15 @@ struct PixelChange {
     std::vector<float> values;  ///< by channel
 };
 
+/// What a shader printed of the picked pixel.
+struct PrintedValue {
+    std::string pass;
+    std::string place;  ///< "FILE:LINE"
+    std::string label;  ///< what was printed, as the shader has it
+    std::string text;   ///< numbers between blanks
+    bool operator==(const PrintedValue&) const = default;
+};
+
 enum class FieldType { u32, i32, f32 };
 
 /// One named component of a buffer's element; `count` consecutive scalars of four bytes.
@@ -92,6 +101,9 @@ struct FrameReport {
     std::vector<UsedLight> lights;  ///< sources of the scene, with what the picture has of each
     /// Of the pixel that was traced, in the order of the passes.
     std::vector<PixelChange> pixel_changes;
+    /// Whether a shader would say something of a picked pixel (shaders/lib/debug.glsl); what it printed.
+    bool can_print = false;
+    std::vector<PrintedValue> printed;
     std::vector<Message> messages;
 };
 

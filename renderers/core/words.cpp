@@ -34,6 +34,13 @@ std::string known_are(const std::string& word, const std::vector<std::string>& k
     return did_you_mean(word, known) + (known.empty() ? "; there are none" : "; known are " + listed(known));
 }
 
+std::string trimmed(const std::string& line) {
+    constexpr auto blanks = " \t\r\n";
+    const auto begin = line.find_first_not_of(blanks);
+    if (begin == std::string::npos) return {};
+    return line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
+}
+
 std::string csv_field(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";

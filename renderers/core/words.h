@@ -17,6 +17,9 @@ std::vector<std::string> words_of(const Items& items, Word word) {
     return words;
 }
 
+/// Without blanks around it.
+std::string trimmed(const std::string& line);
+
 /// A field of a table [RFC 4180 §2].
 std::string csv_field(const std::string& text);
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 
 namespace ir::gl {
 namespace {
@@ -66,7 +67,8 @@ class Preprocessor {
             if (in_comment || !is_directive(line, path)) body_.push_back(line);
             in_comment = ends_in_comment(text, in_comment);
         }
-        if (in.bad()) throw Error(files_[file] + ": cannot be read");
+        if (!in.is_open() || in.bad())
+            throw Error(files_[file] + ": cannot be read; check the file's permissions");
         open_.pop_back();
     }
 
@@ -152,6 +154,15 @@ std::string StageSource::place_of(std::size_t line) const {
     if (line == 0 || line > places.size()) return {};
     const Place& place = places[line - 1];
     return files.at(place.file) + ":" + std::to_string(place.line);
+}
+
+StageSource::Line StageSource::line(std::size_t number) const {
+    if (number == 0 || number > places.size()) return {};
+    std::istringstream lines(text);
+    Line line{place_of(number), {}, places[number - 1].line};
+    for (std::size_t i = 0; i < number; ++i) std::getline(lines, line.text);
+    line.text = trimmed(line.text);
+    return line;
 }
 
 void StageSource::add(const std::string& line, Place place) {

@@ -29,6 +29,12 @@ struct StageSource {
     std::vector<Place> places;       ///< of each line of the text
     std::vector<std::string> files;  ///< relative to the shader folder; 0 is the entry, 1 generated code
 
+    struct Line {
+        std::string place, text;  ///< as place_of() has it; without blanks around it
+        int number = 0;           ///< in its file
+    };
+    /// Counted from 1; empty beyond the text.
+    Line line(std::size_t number) const;
     /// "lib/random.glsl:12" for a line of the text, counted from 1; empty beyond the text.
     std::string place_of(std::size_t line) const;
     /// Adds a line of a file.

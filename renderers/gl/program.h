@@ -14,6 +14,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/parameter.h"
 #include "renderers/core/report.h"
+#include "renderers/core/shader_fault.h"
 #include "renderers/gl/constants.h"
 #include "renderers/gl/context.h"
 #include "renderers/gl/device.h"
@@ -22,11 +23,14 @@
 
 namespace ir::gl {
 
+struct StageSource;
+
 /// A program that does not compile or link. what() is the first error, "passes/ldm/build.comp:12: …".
 class ShaderError : public Error {
   public:
-    explicit ShaderError(std::vector<Message> all) : Error(all.at(0).text), messages(std::move(all)) {}
-    std::vector<Message> messages;  ///< all errors
+    explicit ShaderError(std::vector<ShaderFault> all) : Error(all.at(0).message()), faults(std::move(all)) {}
+    std::vector<ShaderFault> faults;  ///< all errors
+    std::vector<Message> messages() const;
 };
 
 /// Constants that do not fit the program, or that nobody gave. what() names program and uniform.
@@ -44,6 +48,10 @@ class Program {
     const std::vector<ProgramResource>& resources() const { return resources_; }
     /// Whether the source declares a block, sampler or image of this name, also one that was optimised away.
     bool declares(const std::string& resource) const { return declarations_.names(resource); }
+    /// Whether it has lib/debug.glsl in a stage that works for pixels.
+    bool can_debug() const { return can_debug_; }
+    /// That stage, of the variant that says something; null of others.
+    const std::shared_ptr<const StageSource>& debugged() const { return debugged_; }
     void use() const;
     /// Gives the uniforms the values of a struct with IR_FIELDS. It is compared with the linked program once:
     /// throws ConstantsError for a member whose uniform the source never names, and for one of another type.
@@ -80,7 +88,9 @@ class Program {
     ResourceDeclarations declarations_;
     std::vector<ProgramResource> resources_;
     std::map<std::string, PlainUniform> uniforms_;  ///< active ones
-    mutable std::set<std::string> unset_;           ///< of these
+    bool can_debug_ = false;
+    std::shared_ptr<const StageSource> debugged_;
+    mutable std::set<std::string> unset_;  ///< of these
     /// Of the members of each struct of constants that was given; -1 where the compiler removed the uniform.
     mutable std::map<const ConstantLayout*, std::vector<GLint>> locations_;
     mutable std::uint64_t last_use_ = 0;  ///< in frames of the library
@@ -112,6 +122,8 @@ class ProgramLibrary {
     /// Recompiles programs whose files changed on disk. A program that fails keeps its last good version; the
     /// errors are returned (once per change). True in `changed` when any program was replaced.
     std::vector<Message> reload_changed(bool* changed = nullptr);
+    /// Of all programs whose newest sources do not compile, each once.
+    std::vector<ShaderFault> faults() const;
 
     /// Called before a compilation that may take long, with the files' names.
     std::function<void(const std::string&)> on_compile;
@@ -143,5 +155,7 @@ void check_parameter_block(const Api& api, GLuint program,
                            const std::vector<ParameterDescription>& parameters);
 
 inline constexpr const char* parameter_block_name = "Parameters";
+/// Of shaders/lib/debug.glsl.
+inline constexpr const char* debug_block_name = "Debug";
 
 }  // namespace ir::gl

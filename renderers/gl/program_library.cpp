@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -24,18 +26,37 @@ GLenum stage_of(const std::string& file) {
     return found->second;
 }
 
-/// "FILE:LINE" where an error begins with it.
-std::string place_of(const std::string& error) {
-    const auto colon = error.find(':');
-    if (colon == std::string::npos) return {};
-    const auto end = error.find_first_not_of("0123456789", colon + 1);
-    return error.substr(0, end == colon + 1 ? colon : end);
+std::string line_of(const fs::path& file, int number) {
+    std::ifstream in(file);
+    std::string line;
+    for (int i = 0; i < number; ++i)
+        if (!std::getline(in, line)) return {};
+    return trimmed(line);
 }
 
-std::vector<Message> as_messages(const std::vector<std::string>& errors) {
-    std::vector<Message> messages;
-    for (const auto& error : errors) messages.push_back({Severity::error, "shader", error, place_of(error)});
-    return messages;
+/// Of an error that begins with "FILE:LINE: " or "FILES: ".
+ShaderFault as_fault(const std::string& error, const fs::path& folder) {
+    ShaderFault fault;
+    auto colon = error.find(':');
+    if (colon == std::string::npos) return {{}, 0, error};
+    fault.file = error.substr(0, colon);
+    const auto [end, problem] =
+        std::from_chars(error.data() + colon + 1, error.data() + error.size(), fault.line);
+    if (problem == std::errc{}) colon = std::min<std::size_t>(end - error.data(), error.size());
+    const auto text = error.find_first_not_of(": ", colon);
+    fault.problem = text == std::string::npos ? error : error.substr(text);
+    std::error_code ignored;
+    const auto path = folder / fault.file;
+    if (!fs::is_regular_file(path, ignored)) return fault;
+    fault.path = path.string();
+    fault.text = line_of(path, fault.line);
+    return fault;
+}
+
+std::vector<ShaderFault> as_faults(const std::vector<std::string>& errors, const fs::path& folder) {
+    std::vector<ShaderFault> faults;
+    for (const auto& error : errors) faults.push_back(as_fault(error, folder));
+    return faults;
 }
 
 /// Deletes an object of OpenGL unless it is taken.
@@ -72,7 +93,8 @@ std::string log_of(const Handle& object) {
     return log;
 }
 
-[[noreturn]] void fail(const Handle& object, const std::string& label, const StageSource& stage) {
+[[noreturn]] void fail(const Handle& object, const std::string& label, const StageSource& stage,
+                       const fs::path& folder) {
     auto errors = shader_errors(log_of(object), [&](std::size_t line) { return stage.place_of(line); });
     if (errors.empty()) errors.push_back("the driver refuses it without a reason");
     // what has no place of its own gets at least the program's name
@@ -82,21 +104,22 @@ std::string log_of(const Handle& object) {
         });
         if (!placed) error = label + ": " + error;
     }
-    throw ShaderError(as_messages(errors));
+    throw ShaderError(as_faults(errors, folder));
 }
 
-void compile_stage(const Api& api, const Handle& program, const std::string& file, const StageSource& stage) {
+void compile_stage(const Api& api, const Handle& program, const std::string& file, const StageSource& stage,
+                   const fs::path& folder) {
     const Handle shader(api, api.CreateShader(stage_of(file)), true);
     const char* text = stage.text.c_str();
     api.ShaderSource(shader.name, 1, &text, nullptr);
     api.CompileShader(shader.name);
     GLint compiled = 0;
     api.GetShaderiv(shader.name, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) fail(shader, file, stage);
+    if (!compiled) fail(shader, file, stage, folder);
     api.AttachShader(program.name, shader.name);
 }
 
-void link(const Api& api, const Handle& program, const ProgramSource& source) {
+void link(const Api& api, const Handle& program, const ProgramSource& source, const fs::path& folder) {
     if (!source.feedback.empty()) {
         std::vector<const char*> varyings;
         for (const auto& varying : source.feedback) varyings.push_back(varying.c_str());
@@ -106,7 +129,15 @@ void link(const Api& api, const Handle& program, const ProgramSource& source) {
     api.LinkProgram(program.name);
     GLint linked = 0;
     api.GetProgramiv(program.name, GL_LINK_STATUS, &linked);
-    if (!linked) fail(program, listed(source.files), {});
+    if (!linked) fail(program, listed(source.files), {}, folder);
+}
+
+/// The pixel that an invocation works for, unless it says another; empty where there is none.
+std::string invocation_in(const std::string& file) {
+    const auto stage = stage_of(file);
+    return stage == GL_FRAGMENT_SHADER  ? "ivec2(gl_FragCoord.xy)"
+           : stage == GL_COMPUTE_SHADER ? "ivec2(gl_GlobalInvocationID.xy)"
+                                        : "";
 }
 
 /// Adds the words of a source, from which a uniform's existence is judged.
@@ -120,12 +151,28 @@ void add_identifiers(const std::string& text, std::unordered_set<std::string>& i
     }
 }
 
+/// `now`: what was looked at already.
+bool changed_on_disk(const FileStamps& files, FileStamps& now) {
+    return std::any_of(files.begin(), files.end(), [&](const auto& file) {
+        const auto [known, is_new] = now.try_emplace(file.first);
+        if (is_new) known->second = stamp_of(file.first);
+        return known->second != file.second;
+    });
+}
+
 bool changed_on_disk(const FileStamps& files) {
-    return std::any_of(files.begin(), files.end(),
-                       [](const auto& file) { return stamp_of(file.first) != file.second; });
+    FileStamps now;
+    return changed_on_disk(files, now);
 }
 
 }  // namespace
+
+std::vector<Message> ShaderError::messages() const {
+    std::vector<Message> messages;
+    for (const auto& fault : faults)
+        messages.push_back({Severity::error, "shader", fault.message(), fault.place()});
+    return messages;
+}
 
 struct ProgramLibrary::Entry {
     Program program;                   ///< the last good version; name 0 when there is none
@@ -174,16 +221,27 @@ void ProgramLibrary::begin_frame() {
 std::vector<Message> ProgramLibrary::reload_changed(bool* changed) {
     std::vector<Message> messages;
     if (changed) *changed = false;
+    FileStamps now;
     for (auto& [source, entry] : entries_) {
-        if (!changed_on_disk(entry->files)) continue;
+        if (!changed_on_disk(entry->files, now)) continue;
         try {
             compile(source, *entry);
             if (changed) *changed = true;
         } catch (const ShaderError& error) {
-            messages.insert(messages.end(), error.messages.begin(), error.messages.end());
+            for (auto& message : error.messages()) messages.push_back(std::move(message));
         }
     }
     return messages;
+}
+
+std::vector<ShaderFault> ProgramLibrary::faults() const {
+    std::vector<ShaderFault> faults;
+    for (const auto& [source, entry] : entries_) {
+        if (!entry->error) continue;
+        for (const auto& fault : entry->error->faults)
+            if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
+    }
+    return faults;
 }
 
 void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
@@ -196,12 +254,18 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
         Handle handle(api, api.CreateProgram(), false);
         Program program;
         for (const auto& file : source.files) {
-            const auto stage = preprocess(folder_, file, source.defines, source.preamble, entry.files);
-            compile_stage(api, handle, file, stage);
+            auto defines = source.defines;
+            const auto invocation = invocation_in(file);
+            if (source.debugs && !invocation.empty()) defines["DEBUG_INVOCATION"] = invocation;
+            const auto stage = preprocess(folder_, file, defines, source.preamble, entry.files);
+            if (!invocation.empty() && std::ranges::find(stage.files, "lib/debug.glsl") != stage.files.end())
+                program.debugged_ = source.debugs ? std::make_shared<const StageSource>(stage) : nullptr,
+                program.can_debug_ = true;
+            compile_stage(api, handle, file, stage, folder_);
             add_identifiers(stage.text, program.identifiers_);
             program.declarations_.add(stage.text);
         }
-        link(api, handle, source);
+        link(api, handle, source, folder_);
         program.resources_ = assign_units(api, handle.name, program.declarations_);
         program.uniforms_ = plain_uniforms(api, handle.name);
         for (const auto& [name, uniform] : program.uniforms_) program.unset_.insert(name);
@@ -223,7 +287,7 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
         entry.error = error;
         throw;
     } catch (const Error& error) {
-        entry.error = ShaderError(as_messages({error.what()}));
+        entry.error = ShaderError(as_faults({error.what()}, folder_));
         throw *entry.error;
     }
 }

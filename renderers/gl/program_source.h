@@ -14,6 +14,7 @@ struct ProgramSource {
     std::map<std::string, std::string> defines = {};
     std::string preamble = {};  ///< GLSL put after #version and defines, e.g. a generated parameter block
     std::vector<std::string> feedback = {};  ///< transform-feedback varyings, interleaved
+    bool debugs = false;  ///< what it says of the picked pixel by lib/debug.glsl is written
     auto operator<=>(const ProgramSource&) const = default;
 };
 

@@ -10,6 +10,7 @@
 
 #include "renderers/graph/graph.h"
 #include "renderers/graph/pool.h"
+#include "renderers/graph/shader_debug.h"
 
 namespace ir::graph {
 
@@ -35,7 +36,7 @@ struct WorkKey {
 /// What a Graph keeps from frame to frame.
 struct GraphCache {
     GraphCache(gl::Device& d, gl::Context* c, gl::ProgramLibrary* p)
-        : device(d), context(c), programs(p), pool(d) {}
+        : device(d), context(c), programs(p), pool(d), debug(d) {}
     ~GraphCache();
     GraphCache(const GraphCache&) = delete;
 
@@ -43,6 +44,7 @@ struct GraphCache {
     gl::Context* context;
     gl::ProgramLibrary* programs;
     Pool pool;
+    ShaderDebug debug;
     std::map<std::string, StoredObject> objects;
     std::map<std::string, BufferDesc> buffer_descs;        ///< of the last frame
     std::map<std::string, std::uint64_t> elements_in_use;  ///< by buffer key, of the last finished frame

@@ -227,8 +227,7 @@ bool Explanation::run_again(const std::vector<std::string>& wanted) {
     for (int attempt = 0; attempt <= max_growths_per_frame; ++attempt) {
         GraphBuilder declared(frame_.method->description, *frame_.inputs, frame_.cache.batches,
                               frame_.cache.device.max_buffer_bytes());
-        frame_.builder = &declared;
-        frame_.method->setup(declared, *frame_.settings);
+        declare(frame_, declared);
         const auto again = plan_again(wanted);
         if (!again) return false;
         const auto rows_before = frame_.cache.report.passes;
@@ -263,6 +262,8 @@ bool Graph::explain(const Method& method, const Settings& settings, const FrameI
     const auto complete = completed(method.description.parameters, settings);
     if (cache_->committed.empty() || cache_->work_key != work_of(method, complete, inputs, options))
         return false;
+    // Shaders say something in frames alone.
+    if (cache_->debug.can_say() && cache_->debug.pixel() != inputs.picked_pixel()) return false;
     Frame frame(*cache_, method, complete, inputs, options);
     struct Previous {
         Pool& pool;

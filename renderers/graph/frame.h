@@ -63,7 +63,7 @@ struct Frame {
 
     // graph.cpp: a frame
     void begin();
-    void run_attempts(const std::vector<std::string>& wanted);
+    void run_attempts(const std::vector<std::string>& requested);
     bool divide_further();
     /// False where the budget does not allow the frame, or an object that a pass made.
     bool run_fitting();
@@ -131,6 +131,9 @@ class FrameMemory {
 std::optional<Image> read_image(GraphCache& cache, const std::string& key, int level, int layer);
 std::optional<std::vector<float>> read_texel(GraphCache& cache, const std::string& key, int x, int y,
                                              int layer);
+
+/// graph.cpp: the method's passes; whether there is one more, for what shaders say of the picked pixel.
+bool declare(Frame& frame, GraphBuilder& declared);
 
 /// memory_advice.cpp: throws BudgetError that says what would make the frame fit.
 [[noreturn]] void refuse(Frame& frame, const MemoryPlan& memory);

@@ -41,6 +41,7 @@ bool Frame::has_contents(const Pass::Access& access) const {
 }
 
 bool Frame::is_cached(const Pass& pass) const {
+    if (cache.debug.is_asked() && cache.debug.can_say(pass.name)) return false;
     bool writes = false;
     for (const auto& access : pass.accesses) {
         if (!access.write) continue;

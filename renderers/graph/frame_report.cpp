@@ -40,6 +40,7 @@ ResourceReport described(const ResourceText& text, const MethodDescription& meth
         report.is_output = true;
         report.explains = output.explains;
     }
+    if (is_debug(text.key)) report.is_output = report.explains = true;
     return report;
 }
 
@@ -77,6 +78,7 @@ class Reporter {
         add_counters();
         for (std::size_t p = 0; p < builder_.passes().size(); ++p) add_accesses(p);
         add_messages();
+        report_.can_print = cache_.debug.can_say();
     }
 
   private:

@@ -120,6 +120,7 @@ bool Frame::run_passes() {
     ran.clear();
     FrameMemory memory(*this);
     memory.allocate();
+    cache.debug.begin(inputs->picked_pixel());
     put_restored(*this);
     adopt_shared(*this);
     if (!memory.fits(memory.plan())) return false;
@@ -177,11 +178,20 @@ void Frame::resolve_times() {
     }
 }
 
-void Frame::run_attempts(const std::vector<std::string>& wanted) {
+bool declare(Frame& frame, GraphBuilder& declared) {
+    frame.builder = &declared;
+    frame.method->setup(declared, *frame.settings);
+    if (frame.inputs->picked_pixel().x < 0 || !frame.cache.debug.can_say()) return false;
+    declare_debug(declared, frame.cache);
+    return true;
+}
+
+void Frame::run_attempts(const std::vector<std::string>& requested) {
     for (int attempt = 0;;) {
         GraphBuilder declared(method->description, *inputs, cache.batches, cache.device.max_buffer_bytes());
-        builder = &declared;
-        method->setup(declared, *settings);
+        const bool says = declare(*this, declared);
+        auto wanted = requested;
+        if (says) wanted.push_back(debug_pattern);
         plan = make_plan(declared, wanted);
         if (!accept_restored(*this)) continue;
         learn_shared_capacities(*this);
@@ -190,11 +200,14 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
             if (!divide_further()) refuse(*this, memory.plan());
             continue;
         }
+        // A program that says something was met for the first time.
+        if (!says && cache.debug.is_asked() && cache.debug.can_say()) continue;
         const auto counts = read_counters();
         cache.report.complete = !memory.grow(counts);
         if (!cache.report.complete) drop_unsure_fingerprints();
         if (!is_cut_short) fill_report(*this, counts);
         if (cache.report.complete) {
+            if (options->rebuild) cache.debug.forget_others();
             remember_committed(wanted);
             share_contents(*this);
         }

@@ -183,7 +183,8 @@ const gl::Program& PassContext::program(const gl::ProgramSource& source) const {
 }
 
 const gl::Program& PassContext::use(const gl::ProgramSource& source) const {
-    const auto& wanted = program(source);
+    const auto& wanted = frame_.cache.debug.choose(
+        pass_.name, source, [this](const auto& each) -> const gl::Program& { return program(each); });
     use(wanted);
     return wanted;
 }
@@ -198,8 +199,10 @@ void PassContext::use(const gl::Program& program) const {
 
 void PassContext::bind_element(const gl::ProgramResource& resource, int element) const {
     const auto& s = frame_;
-    if (resource.name == gl::parameter_block_name) {
-        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource.unit, s.cache.parameter_buffer);
+    if (resource.name == gl::parameter_block_name || resource.name == gl::debug_block_name) {
+        const bool is_debug = resource.name == gl::debug_block_name;
+        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource.unit,
+                             is_debug ? frame_.cache.debug.buffer() : s.cache.parameter_buffer);
         return;
     }
     auto found = bindings_.end();

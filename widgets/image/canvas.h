@@ -25,10 +25,18 @@ struct PinMark {
     bool operator==(const PinMark&) const = default;
 };
 
+/// Text beside a pixel.
+struct SaidMark {
+    QPoint pixel{-1, -1};
+    QString text;
+    bool operator==(const SaidMark&) const = default;
+};
+
 /// What is marked in a picture, in its pixels.
 struct Marks {
     std::vector<PinMark> pins;  ///< pixels that are kept in sight
     QPoint picked{-1, -1};      ///< negative: none
+    SaidMark said;              ///< what shaders print of the pixel that is explained
     QRect region;               ///< pixels that are measured; empty: none
     QLine line;                 ///< from the middle of a pixel to that of another one; null: none
     QPoint cursor{-1, -1};      ///< where the cursor is in a linked view; negative: nowhere

@@ -93,6 +93,19 @@ void paint_pin(QPainter& painter, const CanvasState& state, const PinMark& pin, 
     painter.setBrush(Qt::NoBrush);
 }
 
+/// On the side of the pixel where there is more room.
+void paint_said(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
+    const QRectF box = pixel_box(state, state.marks.said.pixel, ratio) & view;
+    if (box.isEmpty()) return;
+    const bool is_left = box.center().x() > view.center().x(),
+               is_above = box.center().y() > view.center().y();
+    const QRectF room(QPointF(is_left ? view.left() : box.right(), is_above ? view.top() : box.top()),
+                      QPointF(is_left ? box.left() : view.right(), is_above ? box.bottom() : view.bottom()));
+    paint_badge(painter, room, state.marks.said.text,
+                (is_left ? Qt::AlignRight : Qt::AlignLeft) | (is_above ? Qt::AlignBottom : Qt::AlignTop),
+                Overlong::wrap, ratio);
+}
+
 /// Four short lines around the pixel, which leave it free.
 void paint_cursor_mark(QPainter& painter, const CanvasState& state, qreal ratio) {
     const QRectF box = pixel_box(state, state.marks.cursor, ratio);
@@ -477,6 +490,7 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
         for (const auto& pin : state.marks.pins) paint_pin(painter, state, pin, ratio);
         const QRectF picked = pixel_box(state, state.marks.picked, ratio);
         if (!picked.isNull()) paint_frame(painter, picked, Qt::white, ratio);
+        paint_said(painter, state, view, ratio);
         paint_cursor_mark(painter, state, ratio);
         if (state.light) paint_light(painter, state, ratio);
     }

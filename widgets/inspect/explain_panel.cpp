@@ -13,6 +13,7 @@
 
 #include "renderers/core/inspection.h"
 #include "widgets/parameters/number_field.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -89,6 +90,12 @@ ExplainPanel::ExplainPanel(QWidget* parent) : QWidget(parent) {
     help_->setWordWrap(true);
     help_->setForegroundRole(QPalette::PlaceholderText);
     page->addWidget(help_);
+    printed_text_ = new QLabel(page_widget);
+    printed_text_->setObjectName(QStringLiteral("printed"));
+    printed_text_->setTextFormat(Qt::RichText);
+    printed_text_->setWordWrap(true);
+    printed_text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    page->addWidget(printed_text_);
     content_ = new QWidget(page_widget);
     lists_ = new QVBoxLayout(content_);
     lists_->setContentsMargins(0, 0, 0, 0);
@@ -105,6 +112,28 @@ ExplainPanel::ExplainPanel(QWidget* parent) : QWidget(parent) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
     update_pixel();
+    follow_theme(this, [this] { update_printed(); });
+}
+
+void ExplainPanel::set_printed(bool can_print, const std::vector<PrintedValue>& printed) {
+    if (can_print == can_print_ && printed == printed_) return;
+    can_print_ = can_print;
+    printed_ = printed;
+    update_pixel();
+}
+
+void ExplainPanel::update_printed() {
+    QString html;
+    const auto escaped = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
+    for (const auto& each : printed_)
+        html += QStringLiteral(
+                    "<p style='margin:2px 0'>%1 = <b>%2</b><br><span style='color:%3'>%4, %5</span></p>")
+                    .arg(escaped(each.label), escaped(each.text), theme_colours().dim.name(),
+                         escaped(each.place), escaped(each.pass));
+    const QString none = tr("Shaders print nothing for this pixel.");
+    printed_text_->setText(tr("<b>Printed by shaders</b>") +
+                           (html.isEmpty() ? QStringLiteral("<p>%1</p>").arg(none) : html));
+    printed_text_->setVisible(can_print_ && pixel_.has_value());
 }
 
 void ExplainPanel::set_content(std::optional<QPoint> pixel, const std::vector<ExplainOutput>& outputs,
@@ -191,7 +220,8 @@ QWidget* ExplainPanel::make_selector(std::size_t number) {
 }
 
 void ExplainPanel::update_pixel() {
-    const bool explains = !outputs_.empty();
+    update_printed();
+    const bool explains = !outputs_.empty() || can_print_;
     title_->setText(!explains ? tr("This method explains no pixels")
                     : pixel_  ? tr("<b>Pixel %1, %2</b>").arg(pixel_->x()).arg(pixel_->y())
                               : tr("<b>No pixel is explained</b>"));

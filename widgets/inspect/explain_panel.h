@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/report.h"
+
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -42,6 +44,9 @@ class ExplainPanel : public QWidget {
     void set_content(std::optional<QPoint> pixel, const std::vector<ExplainOutput>& outputs,
                      const std::vector<ExplainSelector>& selectors);
 
+    /// What shaders print of the pixel; `can_print`: whether they would.
+    void set_printed(bool can_print, const std::vector<PrintedValue>& printed);
+
   signals:
     void show_wanted(const QString& key);
     void item_chosen(const QString& selector, int item);  ///< Inspection::all: all
@@ -55,11 +60,14 @@ class ExplainPanel : public QWidget {
     QWidget* make_output(std::size_t number);
     QWidget* make_selector(std::size_t number);
     void update_pixel();
+    void update_printed();
 
     std::optional<QPoint> pixel_;
     std::vector<ExplainOutput> outputs_;
     std::vector<ExplainSelector> selectors_;
-    QLabel *title_ = nullptr, *help_ = nullptr;
+    bool can_print_ = false;
+    std::vector<PrintedValue> printed_;
+    QLabel *title_ = nullptr, *help_ = nullptr, *printed_text_ = nullptr;
     QPushButton* clear_ = nullptr;
     QVBoxLayout* lists_ = nullptr;
     QWidget* content_ = nullptr;

@@ -298,6 +298,11 @@ class FakeRenderer final : public Renderer {
                                         {"paint", "depth", {0.5f}},
                                         {"fade", "picture", {1, 1, 1}}};
         }
+        report.can_print = can_print;
+        if (can_print && request.inspection.has_pixel())
+            for (const char* label : {"a < b", "depth"})
+                report.printed.push_back(
+                    {"paint", "paint.comp:3", label, std::to_string(request.inspection.x)});
         for (const auto& output : fake_registry().at(request.experiment.method).outputs) {
             ResourceReport resource;
             resource.key = output.key;
@@ -385,6 +390,7 @@ class FakeRenderer final : public Renderer {
     bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
     bool overwrites = false;    ///< a second pass does so with what the first has painted, half as bright
     bool halves_rough = false;  ///< the first stage has half the size
+    bool can_print = false;     ///< shaders print two numbers of the picked pixel
     std::map<std::string, std::vector<UsedLight>> lights;  ///< by tag: what pictures tell of their sources
     std::vector<LightSource> scene_sources{{LightKind::environment, "the environment"}};
     std::string failure;  ///< of every request from now on

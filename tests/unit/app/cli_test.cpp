@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "projects/document_fields.h"
+#include "renderers/core/resources_path.h"
 #include "renderers/image/exr.h"
 #include "tests/small_sample.h"
 #include "tests/unit/app/outcome.h"
@@ -116,6 +117,37 @@ TEST_F(Cli, RunsTheBodiesOfTheProcessorThatIsAskedFor) {
     const auto chosen = run(small("ldm-ao", "auto.exr") + "--set directions=8 --set resolution=32 --json -");
     EXPECT_EQ(nlohmann::json::parse(chosen.out)["processor"], software ? "host" : "gl");
     expect_refused(small("ldm-ao", "a.exr") + "--processor gpu", 2, "auto, gl and host");
+}
+
+TEST_F(Cli, ShadersMayComeFromAnotherFolder) {
+    expect_refused(small("view-normals", "a.exr") + "--shaders " + file("nowhere"), 2, "has no folder lib/");
+    const auto folder = file("shaders");
+    std::filesystem::copy(shader_directory(), folder, std::filesystem::copy_options::recursive);
+    const auto shader = folder + "/methods/view-normals/view_normals.frag";
+    std::ofstream(shader, std::ios::app) << "\nwrong\n";
+    expect_refused(small("view-normals", "a.exr") + "--shaders " + folder, 1,
+                   "methods/view-normals/view_normals.frag:");
+    std::ofstream(shader) << "layout(location = 0) out vec4 normal;\nuniform sampler2D normal_image;\n"
+                             "uniform mat4 view_from_world;\n"
+                             "void main() { normal = vec4(params.as_colour) + 0.5; }\n";
+    ASSERT_EQ(run(small("view-normals", "a.exr") + "--shaders " + folder).status, 0);
+    EXPECT_EQ(read_exr(file("a.exr")).front().image.pixels.front(), 0.5f);
+}
+
+TEST_F(Cli, PrintsWhatShadersSayOfThePickedPixel) {
+    const auto folder = file("shaders");
+    std::filesystem::copy(shader_directory(), folder, std::filesystem::copy_options::recursive);
+    std::ofstream(folder + "/methods/view-normals/view_normals.frag")
+        << "#include \"lib/debug.glsl\"\nlayout(location = 0) out vec4 normal;\n"
+           "uniform sampler2D normal_image;\nuniform mat4 view_from_world;\n"
+           "void main() {\n    normal = vec4(params.as_colour);\n    print(gl_FragCoord.xy);\n}\n";
+    const auto command = small("view-normals", "a.exr") + "--shaders " + folder + " --pick 5,3";
+    const std::string place = "methods/view-normals/view_normals.frag:7";
+    EXPECT_EQ(output(command), place + ": gl_FragCoord.xy = 5.5 3.5\n");
+    const auto statistics = nlohmann::json::parse(output(command + " --json -"));
+    EXPECT_EQ(statistics["printed"][0]["place"], place);
+    EXPECT_EQ(statistics["printed"][0]["text"], "5.5 3.5");
+    EXPECT_EQ(output(small("view-normals", "a.exr") + "--shaders " + folder), "") << "no pixel is picked";
 }
 
 TEST_F(Cli, RendersLayersAndStatistics) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -39,6 +40,14 @@ TEST(Dev, AnUnknownCommandIsAWrongUse) {
     EXPECT_EQ(complaint.status, 2);
     EXPECT_NE(complaint.out.find("no command 'nonsense'"), std::string::npos) << complaint.out;
     EXPECT_NE(complaint.out.find("./dev test"), std::string::npos) << "the help follows";
+}
+
+TEST(Dev, AMethodWithABadNameIsRefusedInOneLine) {
+    for (const char* id : {"'My method'", "view-normals", "../away", "a--b", "ok --title 'a\"b'"}) {
+        const auto complaint = dev(std::string("method ") + id + " 2>&1 >/dev/null");
+        EXPECT_EQ(complaint.status, 2) << id;
+        EXPECT_EQ(std::count(complaint.out.begin(), complaint.out.end(), '\n'), 1) << complaint.out;
+    }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 
 #include "app/engine/render_thread.h"
@@ -29,6 +30,7 @@ class RenderThreadTest : public testing::Test {
         std::string tag, file, error;
     };
     std::optional<Processor> processor;
+    std::filesystem::path shaders;  ///< empty: the product's
     /// Everything that came back so far.
     struct Answers {
         std::vector<LiveResult> results;
@@ -40,6 +42,7 @@ class RenderThreadTest : public testing::Test {
         std::vector<Failure> failures;
         std::vector<SceneSummary> scenes;
         std::vector<std::pair<std::string, std::string>> progress;  ///< tag, pass
+        std::vector<std::vector<ShaderFault>> faults;
         std::string no_device;
     };
 
@@ -60,11 +63,12 @@ class RenderThreadTest : public testing::Test {
         c.on_progress = [this](std::string tag, std::string pass, double) {
             note(&Answers::progress, {tag, pass});
         };
+        c.on_shader_faults = [this](std::vector<ShaderFault> now) { note(&Answers::faults, std::move(now)); };
         c.on_no_device = [this](std::string error) {
             const std::lock_guard lock(mutex_);
             answers_.no_device = error;
         };
-        thread = std::make_unique<RenderThread>(MachineOptions{"egl", {}, false, workers, processor},
+        thread = std::make_unique<RenderThread>(MachineOptions{"egl", {}, false, workers, processor, shaders},
                                                 std::move(c));
     }
     void TearDown() override {

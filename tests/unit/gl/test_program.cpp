@@ -43,8 +43,8 @@ class ProgramTest : public ContextTest {
         try {
             library->get(source);
         } catch (const ShaderError& error) {
-            EXPECT_STREQ(error.what(), error.messages.at(0).text.c_str());
-            EXPECT_EQ(error.messages[0].source, "shader");
+            EXPECT_STREQ(error.what(), error.messages().at(0).text.c_str());
+            EXPECT_EQ(error.messages()[0].source, "shader");
             return error.what();
         }
         return "no error";
@@ -141,9 +141,11 @@ TEST_P(ProgramTest, GivesAllErrorsButSaysTheFirst) {
         library->get({{"main.comp"}});
         FAIL();
     } catch (const ShaderError& error) {
-        ASSERT_GE(error.messages.size(), 2u);
-        EXPECT_TRUE(error.messages[0].text.starts_with("main.comp:3: ")) << error.messages[0].text;
-        EXPECT_TRUE(error.messages[1].text.starts_with("main.comp:4: ")) << error.messages[1].text;
+        ASSERT_GE(error.faults.size(), 2u);
+        EXPECT_EQ(error.faults[0].place(), "main.comp:3") << error.what();
+        EXPECT_EQ(error.faults[1].place(), "main.comp:4") << error.messages()[1].text;
+        EXPECT_EQ(error.faults[1].text, "float b = second;");
+        EXPECT_EQ(error.faults[1].path, (folder.path() / "main.comp").string());
     }
 }
 
@@ -218,12 +220,16 @@ TEST_P(ProgramTest, ReloadsChangedFilesAndKeepsTheLastGoodProgram) {
     EXPECT_TRUE(messages[0].text.starts_with("lib/answer.glsl:1: ")) << messages[0].text;
     EXPECT_FALSE(changed);
     EXPECT_TRUE(library->reload_changed().empty()) << "told once per change";
+    ASSERT_FALSE(library->faults().empty());
+    EXPECT_EQ(library->faults()[0].place(), "lib/answer.glsl:1") << "the file of the include";
+    EXPECT_EQ(library->faults()[0].text, "float answer() { return nothing; }");
     EXPECT_EQ(run(library->get({{"main.comp"}})), 1);
 
     folder.write("lib/answer.glsl", "float answer() { return 22.0; }\n");
     EXPECT_TRUE(library->reload_changed(&changed).empty());
     EXPECT_TRUE(changed);
     EXPECT_EQ(run(program), 22) << "references stay valid";
+    EXPECT_TRUE(library->faults().empty()) << "mended";
 }
 
 TEST_P(ProgramTest, RecoversFromAMissingInclude) {

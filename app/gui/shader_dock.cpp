@@ -1,0 +1,50 @@
+#include "app/gui/shader_dock.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QProcess>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/text_of.h"
+#include "renderers/core/resources_path.h"
+
+namespace ir::gui {
+
+ShaderDock::ShaderDock(const Renderer& renderer, const engine::MachineFlags& flags)
+    : panel_(new widgets::ShaderPanel(
+          text_of(flags.shaders.empty() ? shader_directory().string() : flags.shaders))) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(panel_);
+    connect(&renderer, &Renderer::shader_faults_changed, this, &ShaderDock::update);
+    connect(panel_, &widgets::ShaderPanel::place_chosen, this, &ShaderDock::go_to);
+}
+
+void ShaderDock::update(const std::vector<ShaderFault>& faults) {
+    const bool had_none = panel_->faults().empty();
+    panel_->set_faults(faults);
+    if (had_none && !faults.empty()) {
+        came_by_itself_ = parentWidget() && parentWidget()->isHidden();
+        emit wanted();
+    }
+    if (faults.empty() && std::exchange(came_by_itself_, false)) emit emptied();
+}
+
+void ShaderDock::go_to(const ShaderFault& fault) {
+    const auto line = QString::number(std::max(1, fault.line));
+    auto words = QProcess::splitCommand(qEnvironmentVariable(editor_variable));
+    if (words.isEmpty()) {
+        const auto place = text_of(fault.path) + QLatin1Char(':') + line;
+        QApplication::clipboard()->setText(place);
+        return emit said(tr("Copied %1. With %2='code -g {file}:{line}', for example, it is opened.")
+                             .arg(place, QLatin1String(editor_variable)));
+    }
+    for (auto& word : words) word.replace("{file}", text_of(fault.path)).replace("{line}", line);
+    const auto program = words.takeFirst();
+    if (!QProcess::startDetached(program, words))
+        emit failed(tr("cannot start %1; check %2").arg(program, QLatin1String(editor_variable)));
+}
+
+}  // namespace ir::gui

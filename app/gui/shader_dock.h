@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/engine/machine_settings.h"
+#include "app/gui/renderer.h"
+#include "widgets/panels/shader_panel.h"
+
+namespace ir::gui {
+
+/// Shows what is wrong in shaders as long as it is, and leads to the place.
+class ShaderDock : public QWidget {
+    Q_OBJECT
+  public:
+    /// The command of a person's editor, in which {file} and {line} are replaced.
+    static constexpr const char* editor_variable = "INTERREFLECT_EDITOR";
+
+    ShaderDock(const Renderer& renderer, const engine::MachineFlags& flags);
+    widgets::ShaderPanel& panel() { return *panel_; }
+
+  signals:
+    void wanted();   ///< there are errors now
+    void emptied();  ///< there are none any more, and the panel had come by itself
+    void said(const QString& text);
+    void failed(const QString& error);
+
+  private:
+    void update(const std::vector<ShaderFault>& faults);
+    void go_to(const ShaderFault& fault);
+
+    widgets::ShaderPanel* panel_;
+    bool came_by_itself_ = false;
+};
+
+}  // namespace ir::gui

@@ -1,0 +1,124 @@
+// What a shader says of the picked pixel: numbers as text beside it, and points, lines and discs in 3D views.
+//
+//   print(x);                      a float, int, uint, bool or a vector of them
+//   draw_point(p);                 in world space, metres
+//   draw_line(a, b);
+//   draw_disc(centre, normal, radius);
+//   at_pixel(pixel);               for which pixel this invocation works, before the first of the others, where it
+//                                  is not that of gl_FragCoord or gl_GlobalInvocationID
+//
+// Shapes take one number more, by which their layer can be coloured. Without a picked pixel the arguments are all
+// that is left of a call, and compilers remove them. With one, fragment and compute shaders are compiled with
+// DEBUG_INVOCATION, the pixel of the invocation.
+
+// Calls that are kept in a frame; later ones are counted.
+// C++: ir::graph::debug_capacity
+const uint DEBUG_CAPACITY = 512u;
+
+// C++: enum ir::graph::DebugKind
+const uint DEBUG_FLOATS = 0u, DEBUG_INTS = 1u, DEBUG_UINTS = 2u, DEBUG_BOOLS = 3u, DEBUG_POINT = 4u, DEBUG_LINE = 5u,
+           DEBUG_DISC = 6u;
+
+#ifdef DEBUG_INVOCATION
+
+// C++: ir::graph::DebugRecord
+struct DebugRecord {
+    uint kind;     // DebugKind
+    uint line;     // of the program's source
+    uint use;      // which program of which pass
+    uint numbers;  // of data
+    uint data[8];  // bits
+};
+
+layout(std430) buffer Debug {
+    uint debug_count;
+    DebugRecord debug_records[];
+};
+
+uniform ivec2 debug_pixel;
+uniform int debug_use;
+
+ivec2 debug_own_pixel = ivec2(-1);
+uint debug_line = 0u;
+
+int debug_at_line(int line) {
+    debug_line = uint(line);
+    return 0;
+}
+
+int debug_at_pixel(ivec2 pixel) {
+    debug_own_pixel = pixel;
+    return 0;
+}
+
+int debug_put(uint kind, uint numbers, uvec4 first, uvec4 second) {
+    ivec2 own = debug_own_pixel.x < 0 ? DEBUG_INVOCATION : debug_own_pixel;
+    if (own != debug_pixel) return 0;
+    uint at = atomicAdd(debug_count, 1u);
+    if (at >= DEBUG_CAPACITY) return 0;
+    debug_records[at].kind = kind;
+    debug_records[at].line = debug_line;
+    debug_records[at].use = uint(debug_use);
+    debug_records[at].numbers = numbers;
+    for (int i = 0; i < 4; ++i) {
+        debug_records[at].data[i] = first[i];
+        debug_records[at].data[i + 4] = second[i];
+    }
+    return 0;
+}
+
+int debug_floats(uint numbers, vec4 x) { return debug_put(DEBUG_FLOATS, numbers, floatBitsToUint(x), uvec4(0)); }
+int debug_print(float x) { return debug_floats(1u, vec4(x, 0, 0, 0)); }
+int debug_print(vec2 x) { return debug_floats(2u, vec4(x, 0, 0)); }
+int debug_print(vec3 x) { return debug_floats(3u, vec4(x, 0)); }
+int debug_print(vec4 x) { return debug_floats(4u, x); }
+
+int debug_ints(uint numbers, ivec4 x) { return debug_put(DEBUG_INTS, numbers, uvec4(x), uvec4(0)); }
+int debug_print(int x) { return debug_ints(1u, ivec4(x, 0, 0, 0)); }
+int debug_print(ivec2 x) { return debug_ints(2u, ivec4(x, 0, 0)); }
+int debug_print(ivec3 x) { return debug_ints(3u, ivec4(x, 0)); }
+int debug_print(ivec4 x) { return debug_ints(4u, x); }
+
+int debug_uints(uint numbers, uvec4 x) { return debug_put(DEBUG_UINTS, numbers, x, uvec4(0)); }
+int debug_print(uint x) { return debug_uints(1u, uvec4(x, 0, 0, 0)); }
+int debug_print(uvec2 x) { return debug_uints(2u, uvec4(x, 0, 0)); }
+int debug_print(uvec3 x) { return debug_uints(3u, uvec4(x, 0)); }
+int debug_print(uvec4 x) { return debug_uints(4u, x); }
+
+int debug_bools(uint numbers, bvec4 x) { return debug_put(DEBUG_BOOLS, numbers, uvec4(x), uvec4(0)); }
+int debug_print(bool x) { return debug_bools(1u, bvec4(x, false, false, false)); }
+int debug_print(bvec2 x) { return debug_bools(2u, bvec4(x, false, false)); }
+int debug_print(bvec3 x) { return debug_bools(3u, bvec4(x, false)); }
+int debug_print(bvec4 x) { return debug_bools(4u, x); }
+
+int debug_draw_point(vec3 p, float value) {
+    return debug_put(DEBUG_POINT, 4u, floatBitsToUint(vec4(p, value)), uvec4(0));
+}
+int debug_draw_point(vec3 p) { return debug_draw_point(p, 0.0); }
+
+int debug_draw_line(vec3 a, vec3 b, float value) {
+    return debug_put(DEBUG_LINE, 7u, floatBitsToUint(vec4(a, b.x)), floatBitsToUint(vec4(b.y, b.z, value, 0)));
+}
+int debug_draw_line(vec3 a, vec3 b) { return debug_draw_line(a, b, 0.0); }
+
+int debug_draw_disc(vec3 centre, vec3 normal, float radius, float value) {
+    return debug_put(DEBUG_DISC, 8u, floatBitsToUint(vec4(centre, normal.x)),
+                     floatBitsToUint(vec4(normal.y, normal.z, radius, value)));
+}
+int debug_draw_disc(vec3 centre, vec3 normal, float radius) { return debug_draw_disc(centre, normal, radius, 0.0); }
+
+#define print debug_at_line(__LINE__), debug_print
+#define draw_point debug_at_line(__LINE__), debug_draw_point
+#define draw_line debug_at_line(__LINE__), debug_draw_line
+#define draw_disc debug_at_line(__LINE__), debug_draw_disc
+#define at_pixel debug_at_pixel
+
+#else
+
+#define print
+#define draw_point
+#define draw_line
+#define draw_disc
+#define at_pixel
+
+#endif
