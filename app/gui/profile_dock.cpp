@@ -91,13 +91,16 @@ void ProfileDock::mark(QPoint pixel) {
 }
 
 void ProfileDock::save(projects::Json& memory) const {
-    memory["profile"] = {{"channel", panel_->choice()}, {"logarithmic", panel_->is_logarithmic()}};
+    memory["profile"] = {{"channel", panel_->choice()},
+                         {"logarithmic", panel_->is_logarithmic()},
+                         {"waveforms", panel_->shows_waveforms()}};
 }
 
 void ProfileDock::load(const projects::Json& memory) {
     const auto& kept = member_or_null(memory, "profile");
     panel_->set_choice(field_or(kept, "channel", one_number));
     panel_->set_logarithmic(field_or(kept, "logarithmic", false));
+    panel_->set_shows_waveforms(field_or(kept, "waveforms", false));
     update();
 }
 

@@ -65,6 +65,8 @@ struct CanvasState {
     bool has_image() const { return !pictures[0].empty(); }
     bool has_second() const { return has_image() && !pictures[1].empty(); }
     bool has_divider() const { return has_second() && !has_lens; }
+    /// By fractions of the picture. Returns the pixel in its middle.
+    QPoint move_lens(QPointF way);
     /// View x of the divider in whole device pixels; the right edge of the view without one.
     int divider_x() const;
     /// Whether a place of the view, device pixels, takes hold of the divider.

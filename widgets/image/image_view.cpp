@@ -437,16 +437,6 @@ bool ImageView::takes_light_key(const QKeyEvent& event) const {
     return light_tool_.takes(event) && !moves_divider;
 }
 
-/// By fractions of the picture. What is read is the pixel in its middle.
-void ImageView::move_lens(QPointF way) {
-    auto& at = state_.lens;
-    at = {std::clamp(at.x() + way.x(), 0.0, 1.0), std::clamp(at.y() + way.y(), 0.0, 1.0)};
-    const QSize size = state_.transform.image_size().toSize();
-    repaint_all();
-    emit cursor_moved({std::min(int(at.x() * size.width()), size.width() - 1),
-                       std::min(int(at.y() * size.height()), size.height() - 1)});
-}
-
 void ImageView::keyPressEvent(QKeyEvent* event) {
     if (light_tool_.is_dragging() && takes_light_key(*event)) return light_tool_.press_key(*event);
     if (event->key() == Qt::Key_Space) {
@@ -457,14 +447,14 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
         !(event->modifiers() & Qt::ControlModifier))
         return camera_.press_key(*event);
     if (auto* shape = shape_tool(); shape && shape->takes(*event)) return shape->press_key(*event);
-    const bool sideways = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
-    if (state_.has_divider() && sideways) {
-        const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;
-        return move_wipe(state_.wipe + (event->key() == Qt::Key_Left ? -step : step));
-    }
+    const QPointF way =
+        QPointF(arrow_of(event->key())) * (event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01);
+    if (state_.has_divider() && way.x() != 0) return move_wipe(state_.wipe + way.x());
     if (takes_light_key(*event)) return light_tool_.press_key(*event);
-    if (const QPoint way = arrow_of(event->key()); state_.has_lens && !way.isNull())
-        return move_lens(QPointF(way) * (event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01));
+    if (state_.has_lens && !way.isNull()) {
+        emit cursor_moved(state_.move_lens(way));
+        return repaint_all();
+    }
     QWidget::keyPressEvent(event);
 }
 

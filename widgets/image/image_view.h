@@ -128,7 +128,6 @@ class ImageView : public QWidget {
     bool is_over_divider(QPointF logical) const {
         return state_.is_over_divider(device(logical), devicePixelRatioF());
     }
-    void move_lens(QPointF way);
     void move_wipe(double fraction);
     void repaint_all();
     void update_hint();

@@ -439,6 +439,13 @@ bool CanvasState::is_over_divider(QPointF place, qreal ratio) const {
            std::abs(place.x() - divider_x()) <= divider_reach * ratio;
 }
 
+QPoint CanvasState::move_lens(QPointF way) {
+    lens = {std::clamp(lens.x() + way.x(), 0.0, 1.0), std::clamp(lens.y() + way.y(), 0.0, 1.0)};
+    const QSize size = transform.image_size().toSize();
+    return {std::min(int(lens.x() * size.width()), size.width() - 1),
+            std::min(int(lens.y() * size.height()), size.height() - 1)};
+}
+
 QRect CanvasState::second_area() const {
     const QRect view(QPoint(0, 0), transform.view_size().toSize());
     if (!has_second()) return {};

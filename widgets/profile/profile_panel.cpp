@@ -23,6 +23,7 @@
 #include "renderers/plot/plot_svg.h"
 #include "widgets/image/display.h"
 #include "widgets/plot/plot_view.h"
+#include "widgets/profile/waveform_view.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/section.h"
 
@@ -105,8 +106,15 @@ QWidget* ProfilePanel::make_head() {
     });
     log_ = new QCheckBox(tr("Log"), head);
     log_->setObjectName(QStringLiteral("log"));
-    log_->setToolTip(tr("Logarithmic shares of the histograms: rare values are seen"));
+    log_->setToolTip(tr("Logarithmic shares of histograms and waveforms: rare values are seen"));
     connect(log_, &QCheckBox::toggled, this, &ProfilePanel::update_region);
+    waves_ = new QCheckBox(tr("Waveforms"), head);
+    waves_->setObjectName(QStringLiteral("waveforms"));
+    waves_->setToolTip(tr("Beside the histograms: the values of each column of a picture"));
+    connect(waves_, &QCheckBox::toggled, this, [this] {
+        update_region();
+        arrange();
+    });
     note_ = new QLabel(head);
     note_->setObjectName(QStringLiteral("note"));
     note_->setEnabled(false);
@@ -116,6 +124,7 @@ QWidget* ProfilePanel::make_head() {
     row->addWidget(rectangle_);
     row->addWidget(choices_);
     row->addWidget(log_);
+    row->addWidget(waves_);
     row->addWidget(note_, 1);
     row->addWidget(make_copy());
     return head;
@@ -139,7 +148,9 @@ QToolButton* ProfilePanel::make_copy() {
              << add("copy-line-svg", tr("Profile as &SVG"), [this] { copy_svg(profile_->data()); });
     menu->addSeparator();
     of_region_ << add("copy-region-csv", tr("&Numbers as CSV"), [this] { copy_text(region_csv(*within_)); })
-               << add("copy-region-svg", tr("&Histograms as SVG"), [this] { copy_svg(histograms_->data()); });
+               << add("copy-region-svg", tr("&Histograms as SVG"), [this] { copy_svg(histograms_->data()); })
+               << add("copy-waveforms", tr("&Waveforms as a picture"),
+                      [this] { QGuiApplication::clipboard()->setPixmap(waveforms_->grab()); });
     copy->setMenu(menu);
     return copy;
 }
@@ -155,14 +166,17 @@ QWidget* ProfilePanel::make_content() {
         const auto place = std::size_t(id.section(QLatin1Char(':'), 1).toULongLong());
         if (place < along_.places.size()) emit pixel_chosen({along_.places[place].x, along_.places[place].y});
     });
+    waveforms_ = new WaveformView;
+    waveforms_->setObjectName(QStringLiteral("waveform-view"));
+    waveforms_->setMinimumSize(least_plot);
     make_table();
     split_ = new QSplitter;
     split_->setChildrenCollapsible(false);
     for (auto* plot : {profile_, histograms_}) plot->setMinimumSize(least_plot);
-    for (QWidget* part :
-         {static_cast<QWidget*>(profile_), static_cast<QWidget*>(table_), static_cast<QWidget*>(histograms_)})
+    for (QWidget* part : {static_cast<QWidget*>(profile_), static_cast<QWidget*>(table_),
+                          static_cast<QWidget*>(histograms_), static_cast<QWidget*>(waveforms_)})
         split_->addWidget(part);
-    split_->setSizes({500, 330, 420});  // shares
+    split_->setSizes({500, 330, 420, 420});  // shares
     return split_;
 }
 
@@ -248,14 +262,17 @@ void ProfilePanel::update_region() {
     const bool shown = shows_region() && fields_.why_empty.isEmpty();
     table_->setVisible(shown);
     histograms_->setVisible(shown);
+    waveforms_->setVisible(shown && shows_waveforms());
+    waves_->setEnabled(shown);
     log_->setEnabled(shown);
     for (auto* action : of_region_) action->setEnabled(shown && within_);
+    of_region_.back()->setEnabled(shown && within_ && shows_waveforms());
     if (!shown) {  // keeps no picture
         requested_.reset();
         return measuring_->drop_waiting();
     }
     const RegionRequest request{fields_.within, fields_.rectangle, choices_->currentData().toInt(),
-                                log_->isChecked()};
+                                log_->isChecked(), shows_waveforms()};
     if (requested_ == request) return;
     requested_ = request;
     measuring_->start([this, request](const std::atomic<bool>& cancelled) {
@@ -287,6 +304,7 @@ void ProfilePanel::take(const std::shared_ptr<const RegionNumbers>& numbers) {
     rows_->horizontalHeaderItem(8)->setToolTip(tr("Pixels without a value, NaN or infinite"));
     rows_->horizontalHeaderItem(3)->setToolTip(tr("Standard deviation over the pixels"));
     histograms_->set_data(numbers->histograms);
+    waveforms_->set_waveforms(numbers->waveforms, requested_ && requested_->logarithmic);
     update_region();
 }
 
@@ -303,6 +321,14 @@ bool ProfilePanel::is_logarithmic() const {
     return log_->isChecked();
 }
 
+void ProfilePanel::set_shows_waveforms(bool on) {
+    waves_->setChecked(on);
+}
+
+bool ProfilePanel::shows_waveforms() const {
+    return waves_->isChecked();
+}
+
 /// Side by side where there is room for it. At their least width they turn, so that the panel can become
 /// narrower.
 void ProfilePanel::arrange() {
@@ -313,7 +339,9 @@ void ProfilePanel::arrange() {
     const bool fits = width() > least && width() > height();
     const bool has_drawn = !fields_.line.isNull() || !fields_.rectangle.isEmpty();
     const int height = fits && has_drawn ? readable_height : least_plot.height();
-    for (auto* plot : {profile_, histograms_}) plot->setMinimumHeight(height);
+    for (QWidget* plot : {static_cast<QWidget*>(profile_), static_cast<QWidget*>(histograms_),
+                          static_cast<QWidget*>(waveforms_)})
+        plot->setMinimumHeight(height);
     const auto wanted = fits ? Qt::Horizontal : Qt::Vertical;
     if (split_->orientation() != wanted) split_->setOrientation(wanted);
 }

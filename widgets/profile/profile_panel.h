@@ -21,6 +21,7 @@ class QToolButton;
 namespace ir::widgets {
 
 class PlotView;
+class WaveformView;
 
 struct ProfileFields {
     std::vector<ShownPicture> along = {};   ///< pictures in which the line lies
@@ -33,8 +34,9 @@ struct ProfileFields {
     bool operator==(const ProfileFields&) const = default;
 };
 
-/// Values of all shown pictures along a line, and numbers and histograms of a rectangle. What has nothing to
-/// say takes no room: without a line there is no profile, with a line alone no rectangle's numbers.
+/// Values of all shown pictures along a line, and numbers, histograms and waveforms of a rectangle. What has
+/// nothing to say takes no room: without a line there is no profile, with a line alone no rectangle's
+/// numbers.
 class ProfilePanel : public QWidget {
     Q_OBJECT
   public:
@@ -43,11 +45,14 @@ class ProfilePanel : public QWidget {
     const ProfileFields& fields() const { return fields_; }
     PlotView& profile() { return *profile_; }
     PlotView& histograms() { return *histograms_; }
+    WaveformView& waveforms() { return *waveforms_; }
     /// As in pixel_numbers(). Emits nothing.
     void set_choice(int choice);
     int choice() const { return wanted_choice_; }
     void set_logarithmic(bool on);
     bool is_logarithmic() const;
+    void set_shows_waveforms(bool on);
+    bool shows_waveforms() const;
     bool is_computing() const { return measuring_->is_running(); }
 
   signals:
@@ -79,12 +84,13 @@ class ProfilePanel : public QWidget {
     std::optional<RegionRequest> requested_;  ///< what is measured, or was
     std::vector<std::string> channels_;       ///< in the list of choices
     QComboBox* choices_ = nullptr;
-    QCheckBox* log_ = nullptr;
+    QCheckBox *log_ = nullptr, *waves_ = nullptr;
     QToolButton *line_ = nullptr, *rectangle_ = nullptr;
     QLabel *empty_ = nullptr, *note_ = nullptr;
     QStackedWidget* pages_;
     QSplitter* split_ = nullptr;
     PlotView *profile_ = nullptr, *histograms_ = nullptr;
+    WaveformView* waveforms_ = nullptr;
     QTableView* table_ = nullptr;
     QStandardItemModel* rows_;
     QList<QAction*> of_line_, of_region_;  ///< what copies them

@@ -76,7 +76,7 @@ int joined_bins(std::size_t pixels) {
     return joined;
 }
 
-PlotData histograms_of(std::vector<Values> all, const RegionRequest& request,
+PlotData histograms_of(std::vector<Values> all, const RegionRequest& request, std::optional<Axis>& axis,
                        const std::atomic<bool>& cancelled) {
     PlotData plot;
     plot.title = request.rectangle.isEmpty()
@@ -93,7 +93,6 @@ PlotData histograms_of(std::vector<Values> all, const RegionRequest& request,
     plot.are_curves = true;
     const Counted one_channel{.semantic = Semantic::generic};
     std::vector<std::pair<std::string, Image>> images;
-    std::optional<Axis> axis;
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     for (auto& values : all) {
         if (values.finite.empty() || cancelled) continue;
@@ -144,16 +143,27 @@ std::string value_title(const std::vector<ShownPicture>& pictures) {
 RegionNumbers measure_region(const RegionRequest& request, const std::atomic<bool>& cancelled) {
     RegionNumbers numbers;
     std::vector<Values> all;
+    const auto looked_at = [&](const ShownPicture& shown) {
+        const QRect whole(QPoint(0, 0), shown.picture->size());
+        return request.rectangle.isEmpty() ? whole : request.rectangle & whole;
+    };
     for (const auto& shown : request.pictures) {
         const auto image = measured(shown);
-        const QRect whole(QPoint(0, 0), shown.picture->size());
-        const QRect rectangle = request.rectangle.isEmpty() ? whole : request.rectangle & whole;
+        const QRect rectangle = looked_at(shown);
         for (const auto& number : pixel_numbers(image.semantic, image.image->channels, request.choice)) {
             all.push_back(values_of(image, number, rectangle, cancelled));
             numbers.rows.push_back(row_of(image.label, number.name, all.back()));
         }
     }
-    numbers.histograms = histograms_of(std::move(all), request, cancelled);
+    std::optional<Axis> axis;
+    numbers.histograms = histograms_of(std::move(all), request, axis, cancelled);
+    if (!request.waveforms || !axis) return numbers;
+    for (const auto& shown : request.pictures) {
+        const auto image = measured(shown);
+        const auto read = pixel_numbers(image.semantic, image.image->channels, request.choice);
+        if (!read.empty() && !cancelled)
+            numbers.waveforms.push_back(waveform(image, read, looked_at(shown), *axis, cancelled));
+    }
     return numbers;
 }
 

@@ -9,6 +9,7 @@
 #include "renderers/image/pixel_numbers.h"
 #include "renderers/plot/plot_data.h"
 #include "widgets/image/picture.h"
+#include "widgets/profile/waveform.h"
 
 namespace ir::widgets {
 
@@ -27,6 +28,7 @@ struct RegionRequest {
     QRect rectangle = {};         ///< in all of them; empty: all pixels
     int choice = ir::one_number;  ///< as in pixel_numbers()
     bool logarithmic = false;     ///< the histograms' shares
+    bool waveforms = false;       ///< are wanted, too
     bool operator==(const RegionRequest&) const = default;
 };
 
@@ -40,6 +42,7 @@ struct RegionNumbers {
     };
     std::vector<Row> rows;
     PlotData histograms;  ///< share of the pixels that count, in equally wide bins of one common axis
+    std::vector<Waveform> waveforms;  ///< by picture, over the axis of the histograms
 };
 
 /// Not for the window's thread. Returns early, with what it has, once `cancelled`.
