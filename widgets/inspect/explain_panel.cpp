@@ -13,6 +13,7 @@
 
 #include "renderers/core/inspection.h"
 #include "widgets/parameters/number_field.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 namespace ir::widgets {
@@ -124,7 +125,6 @@ void ExplainPanel::set_printed(bool can_print, const std::vector<PrintedValue>& 
 
 void ExplainPanel::update_printed() {
     QString html;
-    const auto escaped = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
     for (const auto& each : printed_)
         html += QStringLiteral(
                     "<p style='margin:2px 0'>%1 = <b>%2</b><br><span style='color:%3'>%4, %5</span></p>")

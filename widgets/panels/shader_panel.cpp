@@ -5,14 +5,11 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
-
-QString escaped(const std::string& text) {
-    return QString::fromStdString(text).toHtmlEscaped();
-}
 
 QString html_of(const ShaderFault& fault, std::size_t number, const ThemeColours& colours) {
     auto html = QStringLiteral("<p style='margin:0 0 6px 0'>");

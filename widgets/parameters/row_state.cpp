@@ -3,16 +3,13 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include "widgets/style/rich_text.h"
 
 namespace ir::widgets {
 namespace {
 
 QString row_text(const char* text) {
     return QCoreApplication::translate("Parameters", text);
-}
-
-QString escaped(const std::string& text) {
-    return QString::fromStdString(text).toHtmlEscaped();
 }
 
 QString range_text(const Range& range) {
