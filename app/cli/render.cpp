@@ -154,7 +154,7 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
     command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
     command->add_option("--pick", flags->inspection.pick,
-                        "Pixel x,y that outputs which explain are computed for");
+                        "Pixel x,y that outputs which explain are computed for, and that shaders print for");
     command->add_option("--choose", flags->inspection.chooses,
                         "Item that such outputs show, such as map=3 or map=all; repeat for more");
     command

@@ -132,6 +132,8 @@ void link(const Api& api, const Handle& program, const ProgramSource& source, co
     if (!linked) fail(program, listed(source.files), {}, folder);
 }
 
+constexpr const char* debug_file = "lib/debug.glsl";
+
 /// The pixel that an invocation works for, unless it says another; empty where there is none.
 std::string invocation_in(const std::string& file) {
     const auto stage = stage_of(file);
@@ -258,9 +260,11 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
             const auto invocation = invocation_in(file);
             if (source.debugs && !invocation.empty()) defines["DEBUG_INVOCATION"] = invocation;
             const auto stage = preprocess(folder_, file, defines, source.preamble, entry.files);
-            if (!invocation.empty() && std::ranges::find(stage.files, "lib/debug.glsl") != stage.files.end())
-                program.debugged_ = source.debugs ? std::make_shared<const StageSource>(stage) : nullptr,
+            const auto& files = stage.files;
+            if (!invocation.empty() && std::find(files.begin(), files.end(), debug_file) != files.end()) {
                 program.can_debug_ = true;
+                if (source.debugs) program.debugged_ = std::make_shared<const StageSource>(stage);
+            }
             compile_stage(api, handle, file, stage, folder_);
             add_identifiers(stage.text, program.identifiers_);
             program.declarations_.add(stage.text);

@@ -40,7 +40,7 @@ ResourceReport described(const ResourceText& text, const MethodDescription& meth
         report.is_output = true;
         report.explains = output.explains;
     }
-    if (is_debug(text.key)) report.is_output = report.explains = true;
+    if (is_debug(text.key)) report.explains = true;
     return report;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <charconv>
+#include <regex>
 
 #include "renderers/core/record.h"
 #include "renderers/graph/cache.h"
@@ -80,20 +80,16 @@ std::string text_of(const DebugRecord& record, std::size_t index) {
     }
 }
 
-/// What stands between the parentheses of a line's print(); the line where there is none.
+/// What stands between the parentheses of a line's print(); the line where there is none, or several.
 std::string argument_of(const std::string& line) {
-    static const std::string name = "print";
-    for (auto at = line.find(name); at != std::string::npos; at = line.find(name, at + 1)) {
-        const auto is_word = [&](std::size_t i) {
-            return std::isalnum(static_cast<unsigned char>(line[i])) || line[i] == '_';
-        };
-        const auto open = line.find_first_not_of(' ', at + name.size());
-        if ((at > 0 && is_word(at - 1)) || open == std::string::npos || line[open] != '(') continue;
-        int depth = 0;
-        for (auto end = open; end < line.size(); ++end) {
-            depth += line[end] == '(' ? 1 : line[end] == ')' ? -1 : 0;
-            if (depth == 0) return line.substr(open + 1, end - open - 1);
-        }
+    static const std::regex call(R"(\bprint\s*\()");
+    std::smatch match;
+    if (!std::regex_search(line, match, call) || std::regex_search(match[0].second, line.end(), call))
+        return line;
+    int depth = 1;
+    for (auto end = match[0].second; end != line.end(); ++end) {
+        depth += *end == '(' ? 1 : *end == ')' ? -1 : 0;
+        if (depth == 0) return {match[0].second, end};
     }
     return line;
 }

@@ -16,9 +16,7 @@ QString html_of(const ShaderFault& fault, std::size_t number, const ThemeColours
     if (!fault.file.empty() && fault.path.empty())
         html += QStringLiteral("<b>%1</b> ").arg(escaped(fault.place()));
     else if (!fault.file.empty())
-        html += QStringLiteral("<a href='#%1' style='color:%2'>%3</a> ")
-                    .arg(number)
-                    .arg(colours.accent.name(), escaped(fault.place()));
+        html += QStringLiteral("<a href='#%1'>%2</a> ").arg(number).arg(escaped(fault.place()));
     html += escaped(fault.problem);
     if (!fault.text.empty())
         html += QStringLiteral("<br><span style='font-family:\"%1\"; color:%2'>&nbsp;&nbsp;%3</span>")

@@ -299,10 +299,19 @@ class FakeRenderer final : public Renderer {
                                         {"fade", "picture", {1, 1, 1}}};
         }
         report.can_print = can_print;
-        if (can_print && request.inspection.has_pixel())
+        if (can_print && request.inspection.has_pixel()) {
             for (const char* label : {"a < b", "depth"})
                 report.printed.push_back(
                     {"paint", "paint.comp:3", label, std::to_string(request.inspection.x)});
+            ResourceReport drawn;
+            drawn.key = "debug.lines";
+            drawn.label = "Drawn lines";
+            drawn.kind = OutputKind::line_set;
+            drawn.fields = {{"start", FieldType::f32, 3}, {"end", FieldType::f32, 3}};
+            drawn.elements = 1;
+            drawn.available = drawn.explains = true;
+            report.resources.push_back(drawn);
+        }
         for (const auto& output : fake_registry().at(request.experiment.method).outputs) {
             ResourceReport resource;
             resource.key = output.key;

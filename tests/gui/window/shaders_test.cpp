@@ -106,6 +106,13 @@ TEST_F(ShadersWindowTest, WhatShadersPrintStandsInThePanelAndBesideThePixel) {
     EXPECT_TRUE(printed->text().contains("a &lt; b = <b>20</b>")) << printed->text().toStdString();
     EXPECT_TRUE(printed->text().contains("paint.comp:3")) << printed->text().toStdString();
     EXPECT_EQ(said(), (widgets::SaidMark{{20, 10}, "a < b = 20\ndepth = 20"}));
+    const auto has_layer = [&] {
+        for (const int view : window.workspace().area().open_views())
+            for (const auto& layer : window.views().state(view).space.layers)
+                if (layer.key == "debug.lines") return true;
+        return false;
+    };
+    EXPECT_TRUE(has_layer()) << "what they draw is a layer";
     window.inspector().explain({4, 2});
     ASSERT_TRUE(settle());
     EXPECT_EQ(said(), (widgets::SaidMark{{4, 2}, "a < b = 4\ndepth = 4"}));

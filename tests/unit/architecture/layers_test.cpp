@@ -18,12 +18,14 @@ std::string layer_of(const std::string& path) {
 }
 
 /// A header of records stands for the shader that it is made from (renderers/gl/records.py), and belongs to
-/// the layer that its folder mirrors; those of lib/ belong to the passes.
+/// the layer that its folder mirrors; those of lib/ belong to the passes, but for what the graph itself
+/// reads.
 std::string source_of(const std::string& include) {
     return include.starts_with("shaders/") && include.ends_with(".h") ? include.substr(0, include.size() - 2)
                                                                       : include;
 }
 std::string included_layer(const std::string& include) {
+    if (include == "shaders/lib/debug.glsl.h") return "renderers/graph";
     if (include.starts_with("shaders/lib/")) return "renderers/passes";
     if (include.starts_with("shaders/")) return layer_of("renderers/" + include.substr(8));
     return layer_of(include);

@@ -79,8 +79,8 @@ TEST_F(ShaderDebugTest, PrintsNumbersOfThePickedPixelWithTheirPlace) {
               (std::vector<std::string>{std::string(shader) + ":13: pixel = 5 3",
                                         std::string(shader) + ":14: (vec3(0.5, 0.25, -1.0)) = 0.5 0.25 -1",
                                         std::string(shader) + ":15: uint(pixel.x) + 7u = 12",
-                                        std::string(shader) + ":16: pixel.x > 4 = true",
-                                        std::string(shader) + ":16: pixel.x > 4 = 0.1",
+                                        std::string(shader) + ":16: print(pixel.x > 4), print(0.1); = true",
+                                        std::string(shader) + ":16: print(pixel.x > 4), print(0.1); = 0.1",
                                         std::string(shader) + ":17: bvec2(true, false) = true false"}));
     EXPECT_EQ(report.printed.front().pass, "view normals");
 }
