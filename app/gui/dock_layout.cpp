@@ -37,7 +37,7 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results", "plots", "sweeps", "analyses", "timeline", "benchmarks",
+          "timings", "messages", "results", "plots", "sweeps", "analyses", "timeline", "frames", "benchmarks",
           "profile", "pipeline"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
@@ -47,6 +47,7 @@ const QList<Layout>& layouts() {
         {"sweeps", {"sweeps"}, QT_TR_NOOP("Sweeps")},
         {"analyses", {"analyses"}, QT_TR_NOOP("Analyses")},
         {"timeline", {"timeline"}},
+        {"frames", {"frames"}},
         {"benchmarks", {"benchmarks"}},
         {"profile", {"profile"}},
         {"pipeline", {"pipeline"}, QT_TR_NOOP("Passes and filters")},
@@ -172,7 +173,8 @@ void DockLayout::arrange() {
     tabify("plots", "sweeps");
     tabify("sweeps", "analyses");
     tabify("analyses", "timeline");
-    tabify("timeline", "benchmarks");
+    tabify("timeline", "frames");
+    tabify("frames", "benchmarks");
     tabify("benchmarks", "profile");
     tabify("profile", "pipeline");
     for (auto* each : docks()) each->show();
@@ -181,8 +183,8 @@ void DockLayout::arrange() {
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.
-    for (const char* quiet : {"messages", "results", "plots", "sweeps", "analyses", "timeline", "benchmarks",
-                              "profile", "pipeline"})
+    for (const char* quiet : {"messages", "results", "plots", "sweeps", "analyses", "timeline", "frames",
+                              "benchmarks", "profile", "pipeline"})
         dock(quiet)->hide();
 }
 

@@ -30,7 +30,7 @@ inline constexpr QSize min_size_for_all_panels(1280, 770);
 QRect within(QRect window, const QRect& available, int title_bar);
 
 /// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
-inline constexpr int dock_version = 11;
+inline constexpr int dock_version = 12;
 
 /// The window's docks: how they are arranged, on large and on small screens, and what is remembered of that.
 class DockLayout : public QObject {

@@ -81,6 +81,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       set_ups_(session_, live_, workspace_, actions_),
       layouts_(*this, docks_, workspace_.area(), actions_, remember_),
       film_(*this, session_, live_, workspace_, preferences_, notices_, actions_),
+      frames_(*this, session_, live_, workspace_, notices_, actions_),
       figure_(*this, session_, workspace_, notices_, actions_),
       edits_(session_, *document_, actions_),
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
@@ -168,6 +169,7 @@ void MainWindow::make_docks() {
     docks_.add("sweeps", tr("Sweeps"), sweeps_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
     docks_.add("analyses", tr("Analyses"), analyses_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_Y));
     docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    docks_.add("frames", tr("Last frames"), &frames_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_J));
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
     docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     docks_.add("pipeline", tr("Pipeline"), &pipeline_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_F));
@@ -232,7 +234,9 @@ void MainWindow::make_menus() {
                   "light-here light-camera headlight | explain trace-pixel pin | rectangle line | bookmark | "
                   "fit actual | copy-view export-view export-buffer show-in-tev");
     picture_menu_->setToolTipsVisible(true);
-    add_menu(tr("&Render"), "cancel rerun shaders | play step-forward step-back | match keep")
+    add_menu(
+        tr("&Render"),
+        "cancel rerun shaders | play step-forward step-back | past-older past-newer past-now | match keep")
         ->setToolTipsVisible(true);
     auto* window = add_menu(tr("&Window"),
                             "views-1 views-2 views-2-stacked views-3 views-4 | "
@@ -348,6 +352,7 @@ void MainWindow::save_memory() {
     profile_.save(memory);
     pipeline_.save(memory);
     figure_.save(memory);
+    frames_.save(memory);
     plots_->save(memory);
     sweeps_->save(memory);
     analyses_->save(memory);
@@ -364,6 +369,7 @@ void MainWindow::load_memory() {
     profile_.load(memory);
     pipeline_.load(memory);
     figure_.load(memory);
+    frames_.load(memory);
     plots_->load(memory);
     sweeps_->load(memory);
     analyses_->load(memory);

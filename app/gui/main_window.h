@@ -12,6 +12,7 @@
 #include "app/gui/film_controller.h"
 #include "app/gui/finder.h"
 #include "app/gui/frame_lists.h"
+#include "app/gui/frames_dock.h"
 #include "app/gui/layout_controller.h"
 #include "app/gui/light_controller.h"
 #include "app/gui/light_mover.h"
@@ -26,8 +27,8 @@
 #include "app/gui/report_controller.h"
 #include "app/gui/result_controller.h"
 #include "app/gui/scene_dock.h"
-#include "app/gui/sweeps_dock.h"
 #include "app/gui/set_up_controller.h"
+#include "app/gui/sweeps_dock.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
 #include "widgets/panels/manual_window.h"
@@ -155,6 +156,7 @@ class MainWindow : public QMainWindow {
     SetUpController set_ups_;
     LayoutController layouts_;
     FilmController film_;
+    FramesDock frames_;
     FigureController figure_;
     EditController edits_;
     ResultController result_actions_;

@@ -254,7 +254,19 @@ void PixelInspector::update_explain() {
 
 void PixelInspector::request() {
     const auto id = experiment();
-    if (!inspector_shown_ || id.empty() || !live_.result(id)) return;
+    if (!inspector_shown_ || id.empty()) return;
+    engine::ProbeRequest probe;
+    probe.tag = id;
+    if (cursor_.x() >= 0) probe.pixels.push_back({cursor_.x(), cursor_.y()});
+    for (const auto& pin : pins_) probe.pixels.push_back({pin.x(), pin.y()});
+    if (live_.past().is_elsewhere()) {
+        const auto past = live_.result(id);
+        const auto main = views_.pictures().key_of({id, {}});
+        return show_readings(
+            past ? engine::probe(*past, main, probe.pixels) : engine::ProbeResult{id, probe.pixels, {}},
+            cursor_.x() >= 0);
+    }
+    if (!live_.result(id)) return;
     // An execution that is gone never answers.
     if (is_probing_ && probed_tag_ == id && probed_since_.elapsed() < probe_patience_ms) {
         if (!std::exchange(probe_again_, true))
@@ -264,37 +276,35 @@ void PixelInspector::request() {
         return;
     }
     probe_again_ = false;
-    engine::ProbeRequest request;
-    request.tag = id;
-    if (cursor_.x() >= 0) request.pixels.push_back({cursor_.x(), cursor_.y()});
-    for (const auto& pin : pins_) request.pixels.push_back({pin.x(), pin.y()});
     is_probing_ = true;
     probed_tag_ = id;
     probed_with_cursor_ = cursor_.x() >= 0;
     probed_since_.start();
-    renderer_.probe(std::move(request));
+    renderer_.probe(std::move(probe));
+}
+
+void PixelInspector::show_readings(const engine::ProbeResult& result, bool with_cursor) {
+    widgets::Readings readings;
+    for (const auto& pixel : result.pixels) readings.pixels.push_back({pixel.x, pixel.y});
+    if (with_cursor && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
+    readings.world = positions_of(result);
+    const auto frame = live_.result(result.tag);
+    const auto main = views_.pictures().key_of({result.tag, {}});
+    for (const auto& row : result.rows) {
+        const auto* resource = frame ? find_resource(frame->report, row.key) : nullptr;
+        if (!frame || !resource || !shows_pixels_of(*resource, frame->report, main)) continue;
+        readings.buffers.push_back({row.key, text_of(row.label), text_of(row.unit), text_of(resource->doc),
+                                    text_of(resource->pass), row.semantic, resource->is_output, row.available,
+                                    row.channels, row.values, categories_of(resource->categories, "")});
+    }
+    panel_->set_readings(std::move(readings));
 }
 
 void PixelInspector::on_probe(std::shared_ptr<const engine::ProbeResult> result) {
     if (result->tag != probed_tag_) return;
     is_probing_ = false;
-    if (result->tag == experiment()) {
-        widgets::Readings readings;
-        for (const auto& pixel : result->pixels) readings.pixels.push_back({pixel.x, pixel.y});
-        if (probed_with_cursor_ && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
-        readings.world = positions_of(*result);
-        const auto frame = live_.result(result->tag);
-        const auto main = views_.pictures().key_of({result->tag, {}});
-        for (const auto& row : result->rows) {
-            const auto* resource = frame ? find_resource(frame->report, row.key) : nullptr;
-            if (!frame || !resource || !shows_pixels_of(*resource, frame->report, main)) continue;
-            readings.buffers.push_back({row.key, text_of(row.label), text_of(row.unit),
-                                        text_of(resource->doc), text_of(resource->pass), row.semantic,
-                                        resource->is_output, row.available, row.channels, row.values,
-                                        categories_of(resource->categories, "")});
-        }
-        panel_->set_readings(std::move(readings));
-    }
+    if (result->tag == experiment() && !live_.past().is_elsewhere())
+        show_readings(*result, probed_with_cursor_);
     if (std::exchange(probe_again_, false)) request();
 }
 

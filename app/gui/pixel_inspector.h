@@ -50,6 +50,7 @@ class PixelInspector : public QObject {
     void request();
     void send_wants();
     void on_probe(std::shared_ptr<const engine::ProbeResult> result);
+    void show_readings(const engine::ProbeResult& result, bool with_cursor);
     void show_everything();
     std::string experiment() const;  ///< of the active view; empty: none
     std::vector<std::string> explaining_keys(bool spatial) const;
