@@ -131,10 +131,11 @@ struct ProbeResult {
 ProbeResult probe(const LiveResult& result, const std::string& main,
                   const std::vector<ProbeRequest::Pixel>& pixels);
 
-/// What a ray meets first in an execution's scene, as its last frame saw it. Newest of a tag wins.
+/// What a ray meets first in an execution's scene, as its last frame saw it. Newest of a tag and asker wins.
 struct SurfaceRequest {
     std::string tag;  ///< of an execution
     glm::dvec3 origin{0}, direction{0, 0, -1};
+    std::string asker = {};  ///< comes back with the answer
 };
 
 struct SurfacePoint {
@@ -146,6 +147,7 @@ struct SurfaceResult {
     std::string tag;
     std::string error;                  ///< not empty: nobody looked
     std::optional<SurfacePoint> point;  ///< absent: the ray leaves the scene
+    std::string asker = {};
 };
 
 /// Writes resources that match patterns, and the main result, to one EXR file with all attributes.

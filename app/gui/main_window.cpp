@@ -86,6 +86,9 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       edits_(session_, *document_, actions_),
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
+      camera_path_(*this, session_, playback_, workspace_, notices_, actions_),
+      space_marker_(*this, session_, live_, renderer_, workspace_, inspector_, camera_path_, playback_,
+                    notices_, actions_),
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
       pipeline_(session_, live_, views(), inspector_, lists_, notices_, actions_),
       preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
@@ -210,7 +213,8 @@ void MainWindow::make_menus() {
     add_menu(
         tr("&Edit"),
         "undo redo find | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
-        "scene-add image-add bookmark comparison-add | light-here light-camera headlight | preferences")
+        "scene-add image-add bookmark comparison-add | camera-key-add camera-key-set camera-key-remove "
+        "camera-key-previous camera-key-next | light-here light-camera headlight | preferences")
         ->setToolTipsVisible(true);
     auto* set_up = menuBar()->addMenu(tr("&Set up"));
     actions_.fill(set_up, "set-up-occlusion set-up-light set-up-space stages");
@@ -225,13 +229,14 @@ void MainWindow::make_menus() {
         tr("&View"),
         "inspect orbit fly rectangle line | fit actual zoom-in zoom-out | grid legend light-handles marks zebra | "
         "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
-        "explain explain-nothing trace-pixel whole-frame pin");
+        "explain explain-nothing trace-pixel whole-frame pin fly-to-pin");
     add_menu(tr("&Compare"),
              "mode-single mode-side-by-side mode-wipe mode-lens mode-flip mode-difference mode-stages | "
              "swap link | comparison-add");
     picture_menu_ = new QMenu(this);
     actions_.fill(picture_menu_,
-                  "light-here light-camera headlight | explain trace-pixel pin | rectangle line | bookmark | "
+                  "light-here light-camera headlight | explain trace-pixel pin fly-to-pin | rectangle line | "
+                  "bookmark camera-key-add | "
                   "fit actual | copy-view export-view export-buffer show-in-tev");
     picture_menu_->setToolTipsVisible(true);
     add_menu(

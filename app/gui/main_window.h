@@ -28,6 +28,7 @@
 #include "app/gui/result_controller.h"
 #include "app/gui/scene_dock.h"
 #include "app/gui/set_up_controller.h"
+#include "app/gui/space_marker.h"
 #include "app/gui/sweeps_dock.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
@@ -161,6 +162,8 @@ class MainWindow : public QMainWindow {
     EditController edits_;
     ResultController result_actions_;
     TimelineDock* timeline_;
+    CameraPath camera_path_;
+    SpaceMarker space_marker_;
     ViewController view_actions_;
     PipelineDock pipeline_;
     PreferencesController preference_actions_;

@@ -76,6 +76,7 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
         show_pins();
         update();
     });
+    connect(panel_, &Panel::fly_wanted, this, &PixelInspector::fly_wanted);
     connect(panel_, &Panel::explain_wanted, this, &PixelInspector::explain);
     connect(panel_, &Panel::show_wanted, this,
             [this](const QString& key) { views_.show_output(key.toStdString()); });
@@ -165,10 +166,20 @@ void PixelInspector::show_pins() {
     for (int i = 0; i < int(pins_.size()); ++i)
         marks.push_back({pins_[std::size_t(i)], widgets::pin_colour(i), i + 1});
     workspace_.tools().set_pins(std::move(marks));
+    emit pins_changed();
 }
 
 void PixelInspector::pin_cursor() {
     pin(pointed());
+}
+
+void PixelInspector::move_pin(int number, QPoint pixel) {
+    if (number < 0 || number >= int(pins_.size()) ||
+        std::find(pins_.begin(), pins_.end(), pixel) != pins_.end())
+        return;
+    pins_[std::size_t(number)] = pixel;
+    show_pins();
+    update();
 }
 
 void PixelInspector::explain(QPoint pixel) {

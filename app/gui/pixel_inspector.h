@@ -33,6 +33,8 @@ class PixelInspector : public QObject {
     /// Under the cursor, else the marked one; of the main result, (-1, -1): none.
     QPoint pointed() const { return cursor_.x() >= 0 ? cursor_ : marked_; }
     void pin_cursor();
+    /// Its number from 0 on; another pin that is there already takes its place.
+    void move_pin(int number, QPoint pixel);
     void explain(QPoint pixel);
     void explain_cursor();
     void explain_nothing();
@@ -42,6 +44,10 @@ class PixelInspector : public QObject {
 
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
+
+  signals:
+    void pins_changed();
+    void fly_wanted(int pin);  ///< number from 0 on
 
   private:
     void update();

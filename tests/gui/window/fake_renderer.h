@@ -203,7 +203,7 @@ class FakeRenderer final : public Renderer {
     void find_surface(engine::SurfaceRequest request) override {
         surfaces.push_back(request);
         QTimer::singleShot(0, this, [this, request] {
-            emit surface_arrived({request.tag, surface_error, surface});
+            emit surface_arrived({request.tag, surface_error, surface, request.asker});
         });
     }
     void export_layers(engine::ExportRequest request) override { exports.push_back(std::move(request)); }
