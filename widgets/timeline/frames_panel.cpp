@@ -5,16 +5,15 @@
 #include <QMenu>
 #include <QPainter>
 #include <QSlider>
-#include <QStackedWidget>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/parameters/number_field.h"
 #include "widgets/style/icons.h"
-#include "widgets/style/section.h"
 
 namespace ir::widgets {
 namespace {
@@ -58,13 +57,13 @@ class FrameSlider : public QSlider {
 
 }  // namespace
 
-FramesPanel::FramesPanel(QWidget* parent)
-    : QWidget(parent), pages_(new QStackedWidget), empty_(make_empty_text(this)) {
-    pages_->addWidget(make_content());
-    pages_->addWidget(empty_);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(pages_);
+FramesPanel::FramesPanel(QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    column->setSpacing(4);
+    column->addLayout(make_slider_row());
+    column->addLayout(make_caption_row());
+    column->addStretch(1);
     show_state({});
 }
 
@@ -78,12 +77,8 @@ QToolButton* FramesPanel::make_button(const char* name, const char* drawing, con
     return button;
 }
 
-QWidget* FramesPanel::make_content() {
-    auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(4, 4, 4, 4);
-    column->setSpacing(4);
-    auto* first = new QHBoxLayout;
+QLayout* FramesPanel::make_slider_row() {
+    auto* row = new QHBoxLayout;
     older_ = make_button("older", "step-back", tr("One frame older (Alt+,)"));
     newer_ = make_button("newer", "step-forward", tr("One frame newer (Alt+.)"));
     for (auto* each : {older_, newer_}) each->setAutoRepeat(true);
@@ -96,11 +91,19 @@ QWidget* FramesPanel::make_content() {
     now_ = make_button("now", "redo", tr("Show the newest frame again (Alt+N)"));
     now_->setText(tr("Now"));
     now_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    first->addWidget(older_);
-    first->addWidget(slider_, 1);
-    first->addWidget(newer_);
-    first->addWidget(now_);
-    auto* second = new QHBoxLayout;
+    row->addWidget(older_);
+    row->addWidget(slider_, 1);
+    row->addWidget(newer_);
+    row->addWidget(now_);
+    connect(older_, &QToolButton::clicked, this, [this] { emit frame_chosen(state_.shown - 1); });
+    connect(newer_, &QToolButton::clicked, this, [this] { emit frame_chosen(state_.shown + 1); });
+    connect(slider_, &QSlider::valueChanged, this, &FramesPanel::frame_chosen);
+    connect(now_, &QToolButton::clicked, this, &FramesPanel::now_wanted);
+    return row;
+}
+
+QLayout* FramesPanel::make_caption_row() {
+    auto* row = new QHBoxLayout;
     caption_ = new QLabel;
     caption_->setObjectName(QStringLiteral("caption"));
     caption_->setMinimumWidth(1);
@@ -117,21 +120,14 @@ QWidget* FramesPanel::make_content() {
     experiment_ = make_button("frame-experiment", "experiment", {});
     experiment_->setText(tr("As experiment"));
     experiment_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    second->addWidget(caption_, 1);
-    second->addWidget(used_);
-    second->addWidget(limit_);
-    second->addWidget(experiment_);
-    second->addWidget(make_film());
-    column->addLayout(first);
-    column->addLayout(second);
-    column->addStretch(1);
-    connect(older_, &QToolButton::clicked, this, [this] { emit frame_chosen(state_.shown - 1); });
-    connect(newer_, &QToolButton::clicked, this, [this] { emit frame_chosen(state_.shown + 1); });
-    connect(slider_, &QSlider::valueChanged, this, &FramesPanel::frame_chosen);
-    connect(now_, &QToolButton::clicked, this, &FramesPanel::now_wanted);
+    row->addWidget(caption_, 1);
+    row->addWidget(used_);
+    row->addWidget(limit_);
+    row->addWidget(experiment_);
+    row->addWidget(make_film());
     connect(limit_, &NumberField::chosen, this, &FramesPanel::limit_chosen);
     connect(experiment_, &QToolButton::clicked, this, &FramesPanel::experiment_wanted);
-    return content;
+    return row;
 }
 
 QToolButton* FramesPanel::make_film() {
@@ -153,8 +149,6 @@ QToolButton* FramesPanel::make_film() {
 
 void FramesPanel::show_state(const FramesState& state) {
     state_ = state;
-    pages_->setCurrentIndex(state.why_empty.isEmpty() ? 0 : 1);
-    empty_->setText(state.why_empty);
     const int last = std::max(0, int(state.edited.size()) - 1);
     {
         const QSignalBlocker quiet(slider_);

@@ -3,10 +3,9 @@
 #include <QWidget>
 #include <vector>
 
-class QAction;
 class QLabel;
+class QLayout;
 class QSlider;
-class QStackedWidget;
 class QToolButton;
 
 namespace ir::widgets {
@@ -17,9 +16,8 @@ class NumberField;
 struct FramesState {
     std::vector<bool> edited;  ///< of each, oldest first: whether something was changed before it
     int shown = -1;            ///< which; the last one is now
-    QString caption;           ///< of the one that is shown
+    QString caption = {};      ///< of the one that is shown, or why none is kept
     double used_mib = 0, limit_mib = 0;
-    QString why_empty;         ///< in place of everything
     QString why_no_film = {};  ///< not empty: the frames cannot be saved
     QString why_no_experiment = {};
 };
@@ -44,13 +42,12 @@ class FramesPanel : public QWidget {
     void experiment_wanted();
 
   private:
-    QWidget* make_content();
+    QLayout* make_slider_row();
+    QLayout* make_caption_row();
     QToolButton* make_button(const char* name, const char* drawing, const QString& tip);
     QToolButton* make_film();
 
     FramesState state_;
-    QStackedWidget* pages_;
-    QLabel* empty_;
     QSlider* slider_ = nullptr;
     QLabel *caption_ = nullptr, *used_ = nullptr;
     NumberField* limit_ = nullptr;
