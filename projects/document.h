@@ -111,6 +111,7 @@ struct Motion {
     std::string scene = {};       ///< id of the scene whose part moves
     int part = 0;                 ///< which of it
     bool loop = false;
+    bool smooth = false;  ///< of a camera: through its keys without a bend
     Json extra = Json::object();
     bool operator==(const Motion&) const = default;
 };

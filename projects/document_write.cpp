@@ -92,6 +92,7 @@ Json write_motion(const Motion& motion) {
     if (motion.kind == Motion::Kind::light)
         json["light"] = motion.light_name.empty() ? Json(motion.light) : Json(motion.light_name);
     if (motion.loop) json["loop"] = true;
+    if (motion.smooth) json["smooth"] = true;
     json["keys"] = list(motion.keys, [&](const Motion::Key& key) { return write_key(key, motion.kind); });
     return with_extra(json, motion.extra);
 }
@@ -165,6 +166,7 @@ Json key_inputs(const Motion::Key& key, Motion::Kind kind) {
 
 Json motion_inputs(const Motion& motion) {
     Json json = Json::object({{"loop", motion.loop}});
+    if (motion.smooth) json["smooth"] = true;
     json["keys"] = list(motion.keys, [&](const Motion::Key& key) {
         auto values = key_inputs(key, motion.kind);
         values["time"] = key.time;

@@ -49,6 +49,42 @@ Key between(const Key& a, const Key& b, double t) {
     return key;
 }
 
+using Aim = glm::dvec3 CameraAim::*;
+
+const CameraAim& aim_of(const Key& key) {
+    return key;
+}
+
+/// The change per second at a key: of the parabola through it and its neighbours. The ends of a path have
+/// that of the parabola through the last three, or of the line through the last two. A loop whose ends are
+/// equal goes on through them.
+glm::dvec3 slope(const Motion& motion, std::size_t index, Aim part) {
+    const auto& keys = motion.keys;
+    const std::size_t last = keys.size() - 1;
+    const auto between = [&](std::size_t i) {
+        return (keys[i + 1].*part - keys[i].*part) / (keys[i + 1].time - keys[i].time);
+    };
+    const auto length = [&](std::size_t i) { return keys[i + 1].time - keys[i].time; };
+    const auto mean = [&](std::size_t before, std::size_t after) {
+        const double a = length(before), b = length(after);
+        return (b * between(before) + a * between(after)) / (a + b);
+    };
+    if (index > 0 && index < last) return mean(index - 1, index);
+    if (motion.loop && aim_of(keys.front()) == aim_of(keys.back())) return mean(last - 1, 0);
+    if (last == 1) return between(0);
+    const std::size_t end = index == 0 ? 0 : last - 1, next = index == 0 ? 0 : last - 2;
+    return 2.0 * between(end) - mean(next, next + 1);
+}
+
+/// Cubic, with those values and slopes at both keys (Hermite); s from 0 to 1.
+glm::dvec3 curved(const Motion& motion, std::size_t index, double s, Aim part) {
+    const auto& a = motion.keys[index];
+    const auto& b = motion.keys[index + 1];
+    const double length = b.time - a.time, r = 1 - s;
+    return (1 + 2 * s) * r * r * (a.*part) + s * s * (3 - 2 * s) * (b.*part) +
+           length * s * r * (r * slope(motion, index, part) - s * slope(motion, index + 1, part));
+}
+
 /// Taken back into the keys' own time, where it begins again after the last.
 double within(const Motion& motion, double time) {
     const double first = motion.keys.front().time, length = motion.keys.back().time - first;
@@ -77,7 +113,11 @@ Key key_at(const Motion& motion, double time) {
     if (after == keys.begin()) return keys.front();
     if (after == keys.end()) return keys.back();
     const auto& before = *std::prev(after);
-    auto key = between(before, *after, (own_time - before.time) / (after->time - before.time));
+    const double share = (own_time - before.time) / (after->time - before.time);
+    auto key = between(before, *after, share);
+    if (motion.smooth)
+        for (const Aim part : {&Key::eye, &Key::target, &Key::up})
+            key.*part = curved(motion, std::size_t(after - keys.begin()) - 1, share, part);
     key.time = own_time;
     return key;
 }

@@ -37,6 +37,7 @@ void read_motion(ObjectReader& reader, Motion& motion) {
     read_fields(reader, motion, motion_fields(motion.kind));
     if (motion.kind == Motion::Kind::light) read_light(reader, motion);
     motion.loop = reader.flag("loop", false);
+    if (motion.kind == Motion::Kind::camera) motion.smooth = reader.flag("smooth", false);
     reader.each("keys", [&](const Json& json, const std::string& pointer) {
         ObjectReader inner(json, reader.file(), pointer);
         auto key = read_key(inner, motion.kind);

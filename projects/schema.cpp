@@ -206,7 +206,7 @@ Json motion_schema() {
     for (const char* moved : {"camera", "lights", "scene"}) properties[moved] = type("string");
     properties["light"] = {{"type", {"integer", "string"}}};
     properties["part"] = type("integer");
-    properties["loop"] = type("boolean");
+    for (const char* flag : {"loop", "smooth"}) properties[flag] = type("boolean");
     properties["keys"] = type("array");
     json["required"].push_back("moves");
     for (const auto kind : {Kind::camera, Kind::light, Kind::part}) {

@@ -79,12 +79,6 @@ void add_turn(Experiment& experiment, const scene::Scene& scene, double start, d
     experiment.camera_motion = turn_of(*experiment.camera, start, pictures);
 }
 
-std::filesystem::path picture_file(const std::filesystem::path& folder, int number) {
-    char name[16];
-    std::snprintf(name, sizeof name, "%04d.png", number);
-    return folder / name;
-}
-
 /// Runs a program and waits for it; a cancelled one is ended. What it complains of goes into the file `said`.
 /// Throws Error, with the first line of that, where it fails.
 void run_program(std::vector<std::string> words, const std::filesystem::path& said,
@@ -117,9 +111,30 @@ void run_program(std::vector<std::string> words, const std::filesystem::path& sa
     throw Error(words.front() + " failed" + (line.empty() ? "" : ": " + projects::printable(line, 300)));
 }
 
-/// The video is there whole or not at all.
-void encode(const std::filesystem::path& folder, const std::filesystem::path& video,
-            const CancelToken* cancel) {
+}  // namespace
+
+bool is_video(const std::filesystem::path& file) {
+    const auto ending = file.extension().string();
+    return !ending.empty() && (std::string(video_endings) + ",").find(ending + ",") != std::string::npos;
+}
+
+void check_film_file(const std::filesystem::path& out) {
+    if (is_video(out) && program_in_path("ffmpeg").empty())
+        throw UsageError(out.string() +
+                         ": videos are made by ffmpeg, which is not in PATH; install it, or give a folder, "
+                         "which gets PNG files");
+    if (!is_video(out) && std::filesystem::exists(out / projects::project_file_name))
+        throw UsageError(out.string() + " is a project's folder; give another one");
+}
+
+std::filesystem::path film_picture(const std::filesystem::path& folder, int number) {
+    char name[16];
+    std::snprintf(name, sizeof name, "%04d.png", number);
+    return folder / name;
+}
+
+void make_video(const std::filesystem::path& folder, const std::filesystem::path& video,
+                const CancelToken* cancel) {
     const auto partial =
         video.parent_path() / ("." + video.stem().string() + ".partial" + video.extension().string());
     std::vector<std::string> words{program_in_path("ffmpeg").string(),
@@ -148,13 +163,6 @@ void encode(const std::filesystem::path& folder, const std::filesystem::path& vi
     }
 }
 
-}  // namespace
-
-bool is_video(const std::filesystem::path& file) {
-    const auto ending = file.extension().string();
-    return !ending.empty() && (std::string(video_endings) + ",").find(ending + ",") != std::string::npos;
-}
-
 int count_pictures(const Film& film, double begin, double moves_until) {
     const bool is_turn = film.until <= 0 && film.turntable > 0;
     const double seconds = is_turn ? film.turntable : (film.until > 0 ? film.until : moves_until) - begin;
@@ -165,12 +173,7 @@ int count_pictures(const Film& film, double begin, double moves_until) {
 }
 
 int check_film(Machine& machine, const FilmSubject& subject, const Film& film) {
-    if (is_video(film.out) && program_in_path("ffmpeg").empty())
-        throw UsageError(film.out.string() +
-                         ": videos are made by ffmpeg, which is not in PATH; install it, or give a folder, "
-                         "which gets PNG files");
-    if (!is_video(film.out) && std::filesystem::exists(film.out / projects::project_file_name))
-        throw UsageError(film.out.string() + " is a project's folder; give another one");
+    check_film_file(film.out);
     const auto run = projects::effective(subject.experiment);
     const auto scene = machine.scenes().load(resolved(subject).composition());
     const int pictures = count_pictures(
@@ -220,13 +223,13 @@ FrameReport make_film(Machine& machine, const FilmSubject& subject, const Film& 
         report.messages = std::move(total.messages);
         report.wall_ms += total.wall_ms;
         total = std::move(report);
-        write_png(picture_file(folder, i + 1), displayed_result(execution), film.exposure);
+        write_png(film_picture(folder, i + 1), displayed_result(execution), film.exposure);
     }
-    if (const auto next = picture_file(folder, pictures + 1); std::filesystem::exists(next))
+    if (const auto next = film_picture(folder, pictures + 1); std::filesystem::exists(next))
         add_message(total.messages, {Severity::note, "film",
                                      "the folder has further pictures of another film, from " +
                                          next.filename().string() + " on"});
-    if (is_video(film.out)) encode(folder, film.out, options.cancel);
+    if (is_video(film.out)) make_video(folder, film.out, options.cancel);
     return total;
 }
 

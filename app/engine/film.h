@@ -25,6 +25,15 @@ inline constexpr int max_film_pictures = 100'000;
 /// one more than the maximum.
 int count_pictures(const Film& film, double begin, double moves_until);
 
+/// Throws UsageError where no film can be put there: a video without ffmpeg, a project's folder.
+void check_film_file(const std::filesystem::path& out);
+/// The file of a film's picture in a folder, from 1 on: 0001.png.
+std::filesystem::path film_picture(const std::filesystem::path& folder, int number);
+/// A video of the folder's pictures, there whole or not at all. Throws Error where ffmpeg fails, and
+/// Cancelled.
+void make_video(const std::filesystem::path& folder, const std::filesystem::path& video,
+                const CancelToken* cancel);
+
 /// An experiment of a project in its folder.
 struct FilmSubject {
     const projects::Project& project;

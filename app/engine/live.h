@@ -72,6 +72,7 @@ struct LiveResult {
     std::uint64_t serial = 0;  ///< of the request
     int frame = 0, frames = 1;
     int history = 0;               ///< frames since the history was empty, this one included
+    std::uint64_t run = 0;         ///< another number for each frame that ran, of all tags
     double time = 0;               ///< seconds at which the frame saw the scene
     std::map<Part, Image> images;  ///< by the parts asked for; absent: not available
     std::map<std::string, BufferContents> buffers;
@@ -125,10 +126,16 @@ struct ProbeResult {
     std::vector<Row> rows;  ///< in the order of the report
 };
 
-/// What a ray meets first in an execution's scene, as its last frame saw it. Newest of a tag wins.
+/// The same of images that were sent, those of whole levels and layers apart; what was not sent is not
+/// available. `main`: key of the main result, of which the pixels are. No rows where it is not there.
+ProbeResult probe(const LiveResult& result, const std::string& main,
+                  const std::vector<ProbeRequest::Pixel>& pixels);
+
+/// What a ray meets first in an execution's scene, as its last frame saw it. Newest of a tag and asker wins.
 struct SurfaceRequest {
     std::string tag;  ///< of an execution
     glm::dvec3 origin{0}, direction{0, 0, -1};
+    std::string asker = {};  ///< comes back with the answer
 };
 
 struct SurfacePoint {
@@ -140,6 +147,7 @@ struct SurfaceResult {
     std::string tag;
     std::string error;                  ///< not empty: nobody looked
     std::optional<SurfacePoint> point;  ///< absent: the ray leaves the scene
+    std::string asker = {};
 };
 
 /// Writes resources that match patterns, and the main result, to one EXR file with all attributes.

@@ -160,6 +160,7 @@ void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step
     entry.whole = false;
     entry.explained.reset();
     entry.report = entry.execution->run_frame(options);
+    entry.run = ++runs_;
     entry.report.messages.insert(entry.report.messages.end(), entry.state_messages.begin(),
                                  entry.state_messages.end());
     entry.tried = options.wanted;
@@ -272,6 +273,7 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
     if (result.finished) entry.drafts->rest(left_over(request.memory_budget, entry.report));
     result.inspection = request.inspection;
     result.report = entry.report;
+    result.run = entry.run;
     result.camera = execution.camera();
     machine_.context().make_current();
     read_back(result, request, execution);

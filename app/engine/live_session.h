@@ -61,6 +61,7 @@ class LiveSession {
         std::vector<std::string> wanted;                  ///< patterns asked for since the history was empty
         std::vector<std::string> tried;                   ///< what the report's frame was asked for
         FrameReport report;
+        std::uint64_t run = 0;                ///< of the report's frame
         bool rebuild = false;                 ///< kept contents are of an older shader
         bool whole = false;                   ///< the contents are those of one complete frame
         std::vector<std::string> versions;    ///< kept of the report's frame
@@ -82,11 +83,12 @@ class LiveSession {
     static graph::FrameOptions frame_options(const Entry& entry, const LiveRequest& request,
                                              const Step& step);
     static bool explain(Entry& entry, const LiveRequest& request, const Step& step);
-    static void run_frame(Entry& entry, const LiveRequest& request, const Step& step);
+    void run_frame(Entry& entry, const LiveRequest& request, const Step& step);
 
     Machine& machine_;
     std::shared_ptr<graph::SharedContents> shared_ = std::make_shared<graph::SharedContents>();
     std::map<std::string, Entry> entries_;
+    std::uint64_t runs_ = 0;  ///< frames that ran
 };
 
 /// What a request asks to see of an execution's contents.

@@ -68,14 +68,20 @@ std::optional<BufferContents> read_contents(const graph::Graph& graph, const Res
     return result;
 }
 
+/// The texel of an image that covers the centre of a pixel of the main result.
+glm::ivec2 texel_at(const ProbeRequest::Pixel& pixel, const ResourceReport& image,
+                    const ResourceReport& main) {
+    return {int(std::floor((pixel.x + 0.5) * image.width / main.width)),
+            int(std::floor((pixel.y + 0.5) * image.height / main.height))};
+}
+
 ProbeResult::Row probe_row(const graph::Graph& graph, const ResourceReport& resource,
                            const std::string& variance, const std::vector<ProbeRequest::Pixel>& pixels,
-                           int width, int height) {
+                           const ResourceReport& main) {
     ProbeResult::Row row{resource.key, resource.label, resource.unit, resource.semantic, false, 0, {}};
     for (const auto& pixel : pixels) {
-        const int x = int(std::floor((pixel.x + 0.5) * resource.width / width));
-        const int y = int(std::floor((pixel.y + 0.5) * resource.height / height));
-        auto texel = graph.read_texel(resource.key, x, y);
+        const auto place = texel_at(pixel, resource, main);
+        auto texel = graph.read_texel(resource.key, place.x, place.y);
         if (texel) {
             row.channels = shown_channels(resource, int(texel->size()), variance);
             texel->resize(std::size_t(row.channels));
@@ -123,6 +129,32 @@ void read_back(LiveResult& result, const LiveRequest& request, const Execution& 
                 result.thumbnails[resource.key] = thumbnail(*image, thumbnail_width);
 }
 
+ProbeResult probe(const LiveResult& result, const std::string& main,
+                  const std::vector<ProbeRequest::Pixel>& pixels) {
+    ProbeResult probed{result.tag, pixels, {}};
+    const auto* shown = find_resource(result.report, main);
+    if (!shown || shown->width < 1 || shown->height < 1) return probed;
+    for (const auto& resource : result.report.resources) {
+        if (resource.width <= 0) continue;
+        ProbeResult::Row row{resource.key, resource.label, resource.unit, resource.semantic, false, 0, {}};
+        auto sent = result.images.find({resource.key});
+        if (sent == result.images.end() && resource.key == main) sent = result.images.find({});
+        row.available = sent != result.images.end();
+        for (const auto& pixel : pixels) {
+            row.values.emplace_back();
+            if (!row.available) continue;
+            const auto& image = sent->second;
+            const auto at = texel_at(pixel, resource, *shown);
+            row.channels = image.channels;
+            if (at.x < 0 || at.y < 0 || at.x >= image.width || at.y >= image.height) continue;
+            const auto* texel = &image.pixels[image.index(at.x, at.y)];
+            row.values.back().assign(texel, texel + image.channels);
+        }
+        probed.rows.push_back(std::move(row));
+    }
+    return probed;
+}
+
 ProbeResult LiveSession::probe(const ProbeRequest& request) const {
     ProbeResult result{request.tag, request.pixels, {}};
     const auto found = entries_.find(request.tag);
@@ -136,7 +168,7 @@ ProbeResult LiveSession::probe(const ProbeRequest& request) const {
         for (const auto& resource : report.resources)
             if (resource.width > 0)
                 result.rows.push_back(probe_row(execution->graph(), resource, execution->method().variance,
-                                                request.pixels, main->width, main->height));
+                                                request.pixels, *main));
     } catch (const Error&) {
         result.rows.clear();  // the context is lost
     }

@@ -12,8 +12,8 @@ constexpr auto patience = std::chrono::milliseconds(1500);
 constexpr auto draft_patience = std::chrono::milliseconds(250);
 constexpr auto shader_poll = std::chrono::milliseconds(250);
 
-template <class Value>
-std::vector<Value> take_all(std::map<std::string, Value>& map) {
+template <class Key, class Value>
+std::vector<Value> take_all(std::map<Key, Value>& map) {
     std::vector<Value> values;
     for (auto& [tag, value] : map) values.push_back(std::move(value));
     map.clear();
@@ -90,8 +90,8 @@ void RenderQueue::probe(ProbeRequest request) {
 
 void RenderQueue::find_surface(SurfaceRequest request) {
     const std::lock_guard lock(mutex_);
-    const auto tag = request.tag;
-    surfaces_[tag] = std::move(request);
+    const std::pair who(request.tag, request.asker);
+    surfaces_[who] = std::move(request);
     wake_.notify_all();
 }
 
@@ -121,7 +121,7 @@ void RenderQueue::release(const std::string& tag) {
     const std::lock_guard lock(mutex_);
     jobs_.erase(tag);
     probes_.erase(tag);
-    surfaces_.erase(tag);
+    std::erase_if(surfaces_, [&](const auto& each) { return each.first.first == tag; });
     drop_turn(tag);
     released_.push_back(tag);
     if (running_ && running_job_.request.tag == tag) cancel_.cancel();

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/engine/live.h"
@@ -99,7 +100,7 @@ class RenderQueue {
     std::deque<std::string> turns_;      ///< tags with frames to render, except the one that runs
     std::map<std::string, View> views_;
     std::map<std::string, ProbeRequest> probes_;
-    std::map<std::string, SurfaceRequest> surfaces_;
+    std::map<std::pair<std::string, std::string>, SurfaceRequest> surfaces_;  ///< by tag and asker
     std::deque<ExportRequest> files_;
     std::deque<KeepRequest> keeps_;
     std::deque<std::vector<scene::Part>> scenes_;

@@ -8,7 +8,7 @@
 namespace ir::engine {
 
 SurfaceResult LiveSession::find_surface(const SurfaceRequest& request) const {
-    SurfaceResult result{request.tag, {}, {}};
+    SurfaceResult result{request.tag, {}, {}, request.asker};
     const auto found = entries_.find(request.tag);
     const double length = glm::length(request.direction);
     if (found == entries_.end() || !found->second.execution || !(length > 0)) {

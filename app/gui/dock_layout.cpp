@@ -35,10 +35,9 @@ struct Layout {
 const QList<Layout>& layouts() {
     constexpr auto two_views = widgets::ViewArea::Arrangement::side_by_side;
     static const QList<Layout> all = {
-        {"default",
-         {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results", "plots", "sweeps", "analyses", "timeline", "benchmarks",
-          "profile", "pipeline", "shaders"}},
+        {"default", {"parameters", "project", "display",    "scene",   "buffers",  "inspector", "explain",
+                     "metrics",    "timings", "messages",   "results", "plots",    "sweeps",    "analyses",
+                     "timeline",   "frames",  "benchmarks", "profile", "pipeline", "shaders"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}, QT_TR_NOOP("Compare"), two_views},
@@ -47,6 +46,7 @@ const QList<Layout>& layouts() {
         {"sweeps", {"sweeps"}, QT_TR_NOOP("Sweeps")},
         {"analyses", {"analyses"}, QT_TR_NOOP("Analyses")},
         {"timeline", {"timeline"}},
+        {"frames", {"frames"}},
         {"benchmarks", {"benchmarks"}},
         {"profile", {"profile"}},
         {"pipeline", {"pipeline"}, QT_TR_NOOP("Passes and filters")},
@@ -173,7 +173,8 @@ void DockLayout::arrange() {
     tabify("plots", "sweeps");
     tabify("sweeps", "analyses");
     tabify("analyses", "timeline");
-    tabify("timeline", "benchmarks");
+    tabify("timeline", "frames");
+    tabify("frames", "benchmarks");
     tabify("benchmarks", "profile");
     tabify("profile", "pipeline");
     tabify("pipeline", "shaders");
@@ -183,8 +184,8 @@ void DockLayout::arrange() {
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.
-    for (const char* quiet : {"messages", "results", "plots", "sweeps", "analyses", "timeline", "benchmarks",
-                              "profile", "pipeline", "shaders"})
+    for (const char* quiet : {"messages", "results", "plots", "sweeps", "analyses", "timeline", "frames",
+                              "benchmarks", "profile", "pipeline", "shaders"})
         dock(quiet)->hide();
 }
 

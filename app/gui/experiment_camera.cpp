@@ -20,16 +20,6 @@ bool is_movable(const projects::Project& project, const projects::Camera* camera
     return camera && camera->scene_camera.empty() && !projects::motion_of_camera(project, camera->id);
 }
 
-/// A camera with the pose, named "View 2" and so on.
-projects::Camera new_view(const projects::Project& project, const widgets::CameraPose& pose,
-                          const std::string& name) {
-    projects::Camera camera = posed({}, pose);
-    camera.id = projects::free_id_in(project.cameras, name);
-    const auto number = camera.id.find_last_not_of("0123456789") + 1;
-    camera.name = number < camera.id.size() ? name + " " + camera.id.substr(number) : name;
-    return camera;
-}
-
 /// The experiments' cameras changed in place, or a new one for all whose camera cannot be, as one step.
 projects::EditPtr move_cameras(const projects::Project& project, const std::vector<std::string>& experiments,
                                const widgets::CameraPose& pose) {
@@ -61,6 +51,15 @@ projects::EditPtr move_cameras(const projects::Project& project, const std::vect
 }
 
 }  // namespace
+
+projects::Camera new_view(const projects::Project& project, const widgets::CameraPose& pose,
+                          const std::string& name) {
+    projects::Camera camera = posed({}, pose);
+    camera.id = projects::free_id_in(project.cameras, name);
+    const auto number = camera.id.find_last_not_of("0123456789") + 1;
+    camera.name = number < camera.id.size() ? name + " " + camera.id.substr(number) : name;
+    return camera;
+}
 
 std::optional<widgets::CameraPose> ExperimentCamera::pose() const {
     const auto* chosen = session_.experiment();

@@ -5,12 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "projects/document.h"
 #include "renderers/scene/scene.h"
 #include "widgets/image/camera_motion.h"
 
 namespace ir::gui {
 
 class Session;
+
+/// A camera of its own with the pose, named `name`, or with a number behind it where that is taken.
+projects::Camera new_view(const projects::Project& project, const widgets::CameraPose& pose,
+                          const std::string& name);
 
 /// The camera of the experiment that is worked on. Moves are shown at once and become one edit when the
 /// gesture ends.

@@ -95,6 +95,8 @@ void Exports::save_all_buffers(const QString& file) const {
     const auto& state = workspace_.views().active_state();
     const auto& owner = state.a.is_file() ? state.b.owner : state.a.owner;
     if (!session_.experiment(owner)) throw Error("the active view shows no experiment; choose one");
+    if (live_.past().is_elsewhere())
+        throw Error("a past frame has only the buffers that views showed; go back to now (Alt+N)");
     if (!live_.result(owner)) throw Error("nothing has been rendered yet");
     renderer_.export_layers({owner, file.toStdString(), {"*"}});
 }

@@ -64,7 +64,7 @@ void LightController::place(Place place) {
 }
 
 void LightController::on_surface(const engine::SurfaceResult& result) {
-    if (!request_ || result.tag != request_->experiment) return;
+    if (!request_ || result.tag != request_->experiment || !result.asker.empty()) return;
     const auto requested = *std::exchange(request_, std::nullopt);
     const auto& camera = requested.camera;
     if (requested.place == Place::surface) {

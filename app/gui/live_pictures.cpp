@@ -72,11 +72,22 @@ LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& im
     connect(&renderer_, &Renderer::ready, this, [this] {
         if (!std::exchange(no_device_, {}).empty()) update();
     });
-    connect(&session_, &Session::document_changed, this, qOverload<>(&LivePictures::update));
+    connect(&session_, &Session::document_changed, this, [this] {
+        ++revision_;
+        update();
+    });
     // A scene may turn out to move, and is then to be at the moment.
     connect(&session_.files(), &ProjectFiles::files_changed, this, qOverload<>(&LivePictures::update));
     connect(&session_.camera(), &ExperimentCamera::moved, this, &LivePictures::follow_camera);
-    connect(&session_, &Session::project_replaced, this, [this] { set_wants({}); });
+    connect(&session_, &Session::project_replaced, this, [this] {
+        past_.clear();
+        set_wants({});
+    });
+    connect(&past_, &PastFrames::shown_changed, this, [this] {
+        std::vector<std::string> ids;  // whoever hears of it may change the entries
+        for (const auto& [id, entry] : entries_) ids.push_back(id);
+        for (const auto& id : ids) emit picture_arrived(id);
+    });
     connect(&images_, &ImageLoader::arrived, this, qOverload<>(&LivePictures::update));
     connect(&images_, &ImageLoader::failed, this, qOverload<>(&LivePictures::update));
     connect(&kept_, &KeptResults::changed, this, qOverload<>(&LivePictures::update));
@@ -169,6 +180,7 @@ void LivePictures::update(const std::string& id, Entry& entry) {
         entry.draft.reset();
         entry.signature.clear();
         entry.first_serial = 0;
+        past_.keep_only(id, chosen->method);
     }
     entry.experiment.reset();
     if (!no_device_.empty()) return set_state(id, entry, State::failed, no_device_);
@@ -200,7 +212,7 @@ void LivePictures::send_if_changed(const std::string& id, Entry& entry) {
     const auto wanted = pose ? with_pose(*entry.experiment, *pose) : *entry.experiment;
     const auto again = " again " + std::to_string(entry.frames_again);
     const auto text = signature(wanted) + again + "\n" + signature_of(entry.want);
-    if (text == entry.signature) return;
+    if (text == entry.signature) return void(entry.revision = revision_);
     entry.signature = text;
     send(id, entry, wanted);
 }
@@ -245,11 +257,32 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     if (chosen) request.state_file = kept_.state_file(at_moment(*chosen, ignored));
     entry.serial = renderer_.request(std::move(request));
     if (entry.first_serial == 0) entry.first_serial = entry.serial;
-    entry.sent[entry.serial] = std::move(picture);
+    if (std::exchange(entry.picture, picture) != picture) note_change(id, entry);
+    entry.sent[entry.serial] = {std::move(picture), at_moment(*session_.experiment(id), ignored)};
     entry.fraction = 0;
     entry.doing.clear();
     entry.has_begun = false;
     set_state(id, entry, State::rendering);
+}
+
+/// Another picture is asked for: whoever changed something wants to see what becomes of it.
+void LivePictures::note_change(const std::string& id, Entry& entry) {
+    QMetaObject::invokeMethod(&past_, &PastFrames::show_now, Qt::QueuedConnection);
+    const auto& undo = session_.open_project().undo_stack();
+    const auto steps_before = std::exchange(entry.steps, undo.position());
+    const bool is_edited = std::exchange(entry.revision, revision_) != revision_;
+    const bool is_undone = undo.position() < steps_before;
+    if (session_.camera().moved_pose(id))
+        entry.change = "Move camera";
+    else if (is_edited)
+        entry.change = is_undone ? "Undo: " + undo.redo_label() : undo.undo_label();
+    entry.change_serial = entry.serial;
+}
+
+void LivePictures::remember(Entry& entry, const projects::Experiment& asked) {
+    const bool shows_change = entry.result->serial >= entry.change_serial;
+    past_.add({entry.result, asked, entry.computed_from,
+               shows_change ? std::exchange(entry.change, {}) : std::string()});
 }
 
 void LivePictures::set_state(const std::string& id, Entry& entry, State state, const std::string& text) {
@@ -274,7 +307,7 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
     entry.result = result;
     entry.sent.erase(entry.sent.begin(), entry.sent.lower_bound(result->serial));
     if (const auto sent = entry.sent.find(result->serial); sent != entry.sent.end())
-        entry.computed_from = sent->second;
+        entry.computed_from = sent->second.picture, remember(entry, sent->second.experiment);
     entry.fraction = result->frames > 0 ? double(result->frame) / result->frames : 1;
     const bool done = result->serial == entry.serial && result->finished;
     for (auto each : result->report.messages) {
@@ -328,7 +361,9 @@ const std::string& LivePictures::text(const std::string& id) const {
 
 std::shared_ptr<const engine::LiveResult> LivePictures::result(const std::string& id) const {
     const auto* entry = find(id);
-    return entry ? entry->result : nullptr;
+    if (!entry || !past_.is_elsewhere()) return entry ? entry->result : nullptr;
+    const auto* frame = past_.shown_of(id);
+    return frame ? frame->result : nullptr;
 }
 
 const FrameStep& LivePictures::step(const std::string& id) const {
@@ -339,11 +374,15 @@ const FrameStep& LivePictures::step(const std::string& id) const {
 
 std::shared_ptr<const engine::LiveResult> LivePictures::draft(const std::string& id) const {
     const auto* entry = find(id);
-    return entry ? entry->draft : nullptr;
+    return entry && !past_.is_elsewhere() ? entry->draft : nullptr;
 }
 
 const std::string& LivePictures::computed_from(const std::string& id) const {
     static const std::string none;
+    if (past_.is_elsewhere()) {
+        const auto* frame = past_.shown_of(id);
+        return frame ? frame->computed_from : none;
+    }
     const auto* entry = find(id);
     return entry ? entry->computed_from : none;
 }
@@ -379,6 +418,7 @@ void LivePictures::cancel() {
 }
 
 void LivePictures::render_again() {
+    past_.show_now();
     for (auto& [id, entry] : entries_) {
         renderer_.release(id);  // nothing of the old run is taken over
         entry.signature.clear();

@@ -11,6 +11,7 @@
 #include "app/engine/experiment.h"
 #include "app/gui/image_loader.h"
 #include "app/gui/kept_results.h"
+#include "app/gui/past_frames.h"
 #include "app/gui/remaining_time.h"
 #include "app/gui/renderer.h"
 #include "app/gui/session.h"
@@ -44,7 +45,7 @@ struct Moment {
 };
 
 /// The pictures of the experiments that are looked at: turns the document and what is wanted into requests,
-/// of which the newest wins, and keeps the newest answers.
+/// of which the newest wins, and keeps the newest answers, and older ones in past().
 class LivePictures : public QObject {
     Q_OBJECT
   public:
@@ -68,6 +69,11 @@ class LivePictures : public QObject {
     double moves_until(const std::string& id) const;
     /// Experiments that are wanted and move.
     std::vector<std::string> moving() const;
+
+    /// Frames that were shown before. Where one of them is shown, it stands in for the newest answer in
+    /// result() and computed_from(), until something else is asked for.
+    PastFrames& past() { return past_; }
+    const PastFrames& past() const { return past_; }
 
     State state(const std::string& id) const;
     const std::string& text(const std::string& id) const;                           ///< why blocked or failed
@@ -106,9 +112,13 @@ class LivePictures : public QObject {
     struct Entry {
         Want want;
         std::string signature, text, doing;
-        std::string method;                         ///< id, of the experiment
-        std::map<std::uint64_t, std::string> sent;  ///< by serial: what is computed
-        std::string computed_from;                  ///< of `result`
+        std::string method;  ///< id, of the experiment
+        struct Sent {
+            std::string picture;  ///< what is computed
+            projects::Experiment experiment;
+        };
+        std::map<std::uint64_t, Sent> sent;  ///< by serial
+        std::string computed_from;           ///< of `result`
         State state = State::absent;
         std::uint64_t serial = 0;
         std::uint64_t first_serial = 0;      ///< answers to older requests are of another life of the tag
@@ -119,6 +129,11 @@ class LivePictures : public QObject {
         bool has_begun = false;   ///< something was heard of the newest request
         RemainingTime remaining;  ///< since then
         std::shared_ptr<const engine::LiveResult> result, draft;
+        std::string picture;              ///< that was asked for last
+        std::size_t steps = 0;            ///< that could be undone by then
+        std::size_t revision = 0;         ///< of the document by then
+        std::string change;               ///< that no frame has shown yet
+        std::uint64_t change_serial = 0;  ///< of the request that followed it
     };
     void update(const std::string& id, Entry& entry);
     void follow_camera();
@@ -126,6 +141,8 @@ class LivePictures : public QObject {
     std::optional<engine::Experiment> resolved(const projects::Experiment& chosen);
     projects::Experiment at_moment(const projects::Experiment& chosen, int& frames_again) const;
     void send(const std::string& id, Entry& entry, const engine::Experiment& experiment);
+    void note_change(const std::string& id, Entry& entry);
+    void remember(Entry& entry, const projects::Experiment& asked);
     void set_state(const std::string& id, Entry& entry, State state, const std::string& text = {});
     void on_result(std::shared_ptr<const engine::LiveResult> result);
     void on_failure(const std::string& tag, const std::string& error, bool cancelled);
@@ -138,6 +155,8 @@ class LivePictures : public QObject {
     ImageLoader& images_;
     const KeptResults& kept_;
     std::map<std::string, Entry> entries_;
+    PastFrames past_;
+    std::size_t revision_ = 0;  ///< of the document
     std::optional<Moment> moment_;
     bool wants_drafts_ = true;
     std::uint64_t memory_budget_ = 0;

@@ -82,10 +82,14 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       set_ups_(*this, session_, live_, workspace_, actions_),
       layouts_(*this, docks_, workspace_.area(), actions_, remember_),
       film_(*this, session_, live_, workspace_, preferences_, notices_, actions_),
+      frames_(*this, session_, live_, workspace_, notices_, actions_),
       figure_(*this, session_, workspace_, notices_, actions_),
       edits_(session_, *document_, actions_),
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
+      camera_path_(*this, session_, playback_, workspace_, notices_, actions_),
+      space_marker_(*this, session_, live_, renderer_, workspace_, inspector_, camera_path_, playback_,
+                    notices_, actions_),
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
       pipeline_(session_, live_, views(), inspector_, lists_, notices_, actions_),
       preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
@@ -169,10 +173,11 @@ void MainWindow::make_docks() {
     docks_.add("sweeps", tr("Sweeps"), sweeps_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
     docks_.add("analyses", tr("Analyses"), analyses_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_Y));
     docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    docks_.add("frames", tr("Last frames"), &frames_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_J));
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
     docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     docks_.add("pipeline", tr("Pipeline"), &pipeline_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_F));
-    docks_.add("shaders", tr("Shaders"), shaders_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_J));
+    docks_.add("shaders", tr("Shaders"), shaders_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_E));
     // Panels behind tabs and closed ones ask for nothing.
     connect(&docks_, &DockLayout::seen_changed, &joins_, [this] {
         inspector_.set_visible(docks_.is_seen("inspector"), docks_.is_seen("explain"));
@@ -210,7 +215,8 @@ void MainWindow::make_menus() {
     add_menu(
         tr("&Edit"),
         "undo redo find | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
-        "scene-add image-add bookmark comparison-add | light-here light-camera headlight | preferences")
+        "scene-add image-add bookmark comparison-add | camera-key-add camera-key-set camera-key-remove "
+        "camera-key-previous camera-key-next | light-here light-camera headlight | preferences")
         ->setToolTipsVisible(true);
     auto* set_up = menuBar()->addMenu(tr("&Set up"));
     actions_.fill(set_up, "set-ups | set-up-occlusion set-up-light match set-up-space stages");
@@ -225,16 +231,19 @@ void MainWindow::make_menus() {
         tr("&View"),
         "inspect orbit fly rectangle line | fit actual zoom-in zoom-out | grid legend light-handles marks zebra | "
         "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
-        "explain explain-nothing trace-pixel whole-frame pin");
+        "explain explain-nothing trace-pixel whole-frame pin fly-to-pin");
     add_menu(tr("&Compare"),
              "mode-single mode-side-by-side mode-wipe mode-lens mode-flip mode-difference mode-stages | "
              "swap link | comparison-add");
     picture_menu_ = new QMenu(this);
     actions_.fill(picture_menu_,
-                  "light-here light-camera headlight | explain trace-pixel pin | rectangle line | bookmark | "
+                  "light-here light-camera headlight | explain trace-pixel pin fly-to-pin | rectangle line | "
+                  "bookmark camera-key-add | "
                   "fit actual | copy-view export-view export-buffer show-in-tev");
     picture_menu_->setToolTipsVisible(true);
-    add_menu(tr("&Render"), "cancel rerun shaders | play step-forward step-back | match keep")
+    add_menu(
+        tr("&Render"),
+        "cancel rerun shaders | play step-forward step-back | past-older past-newer past-now | match keep")
         ->setToolTipsVisible(true);
     auto* window = add_menu(tr("&Window"),
                             "views-1 views-2 views-2-stacked views-3 views-4 | "
@@ -353,6 +362,7 @@ void MainWindow::save_memory() {
     profile_.save(memory);
     pipeline_.save(memory);
     figure_.save(memory);
+    frames_.save(memory);
     plots_->save(memory);
     sweeps_->save(memory);
     analyses_->save(memory);
@@ -369,6 +379,7 @@ void MainWindow::load_memory() {
     profile_.load(memory);
     pipeline_.load(memory);
     figure_.load(memory);
+    frames_.load(memory);
     plots_->load(memory);
     sweeps_->load(memory);
     analyses_->load(memory);

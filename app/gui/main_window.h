@@ -12,6 +12,7 @@
 #include "app/gui/film_controller.h"
 #include "app/gui/finder.h"
 #include "app/gui/frame_lists.h"
+#include "app/gui/frames_dock.h"
 #include "app/gui/layout_controller.h"
 #include "app/gui/light_controller.h"
 #include "app/gui/light_mover.h"
@@ -28,6 +29,7 @@
 #include "app/gui/scene_dock.h"
 #include "app/gui/set_up_controller.h"
 #include "app/gui/shader_dock.h"
+#include "app/gui/space_marker.h"
 #include "app/gui/sweeps_dock.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
@@ -157,10 +159,13 @@ class MainWindow : public QMainWindow {
     SetUpController set_ups_;
     LayoutController layouts_;
     FilmController film_;
+    FramesDock frames_;
     FigureController figure_;
     EditController edits_;
     ResultController result_actions_;
     TimelineDock* timeline_;
+    CameraPath camera_path_;
+    SpaceMarker space_marker_;
     ViewController view_actions_;
     PipelineDock pipeline_;
     PreferencesController preference_actions_;

@@ -90,6 +90,10 @@ QString draft_name(engine::Fineness fineness) {
     }
 }
 
+QString not_kept(const QString& label) {
+    return QObject::tr("“%1” was shown by no view when this frame arrived, so it was not kept.").arg(label);
+}
+
 QString asks_for_pixel(const ResourceReport& resource) {
     return QObject::tr("“%1” explains a pixel: Shift-click one, or press H over it.")
         .arg(text_of(resource.label));
@@ -230,8 +234,9 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
                     (part.isEmpty() ? QString() : QStringLiteral(" · ") + part);
     const auto after = text_of(live_.step(source.owner).after);
     if (!after.isEmpty()) picture.label += QObject::tr(" · after “%1”").arg(after);
-    const auto state = live_.state(source.owner);
-    picture.stale = state == LivePictures::State::rendering;
+    if (const auto* past = live_.past().shown_of(source.owner))
+        picture.label += QObject::tr(" · past frame %1").arg(past->number);
+    picture.stale = is_stale(source.owner);
     picture.origin = source.owner;
     if (take_draft(picture, source)) return picture;
     if (!result) {
@@ -246,7 +251,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
     }
     const auto found = result->images.find(part_of(source));
     if (found == result->images.end() || found->second.empty()) {
-        picture.note = why_absent(source.owner, key);
+        picture.note = live_.past().is_elsewhere() ? not_kept(option.label) : why_absent(source.owner, key);
         if (picture.note.isEmpty() && !after.isEmpty() && resource && resource->width > 0)
             picture.note =
                 picture.stale
@@ -310,6 +315,10 @@ void PictureSource::keep_only(const std::vector<ViewSource>& sources) {
             return each.first == Key{source.owner, source.output, source.level, source.layer};
         });
     });
+}
+
+bool PictureSource::is_stale(const std::string& owner) const {
+    return !live_.past().is_elsewhere() && live_.state(owner) == LivePictures::State::rendering;
 }
 
 std::shared_ptr<const Picture> PictureSource::picture(const ViewSource& source) {
@@ -456,6 +465,8 @@ QString PictureSource::why_unfinished(const std::string& owner) const {
 
 QString PictureSource::why_nothing(const std::string& owner) const {
     if (live_.result(owner)) return {};
+    if (live_.past().is_elsewhere() && session_.experiment(owner))
+        return QObject::tr("No frame of %1 is kept from then.").arg(text_of(owner_name(owner)));
     if (owner.empty()) return QObject::tr("The project has no experiment yet.");
     if (!session_.experiment(owner))
         return QObject::tr("The project has no experiment “%1”.").arg(text_of(owner));
@@ -466,8 +477,10 @@ QString PictureSource::why_nothing(const std::string& owner) const {
 QString PictureSource::why_absent(const std::string& owner, const std::string& key) const {
     const auto result = live_.result(owner);
     if (!result) return why_nothing(owner);
-    if (live_.state(owner) == LivePictures::State::rendering) return rendering();
     const auto* resource = find_resource(result->report, key);
+    if (live_.past().is_elsewhere())
+        return result->buffers.count(key) ? QString() : not_kept(text_of(resource ? resource->label : key));
+    if (live_.state(owner) == LivePictures::State::rendering) return rendering();
     if (resource && resource->available) return {};
     if (const auto why = why_unfinished(owner); !why.isEmpty()) return why;
     if (!resource)

@@ -34,6 +34,8 @@ class PictureSource {
     /// Key of the resource behind a source: the main result has one, too.
     std::string key_of(const widgets::ViewSource& source) const;
 
+    /// Whether something newer than what is shown of an owner is being rendered.
+    bool is_stale(const std::string& owner) const;
     std::shared_ptr<const widgets::Picture> picture(const widgets::ViewSource& source);
     // In one line.
     /// Why nothing of an experiment can be shown; empty: something can.

@@ -87,7 +87,7 @@ void PipelineDock::update() {
     const auto id = experiment();
     const auto result = live_.result(id);
     // A pass that is gone, as after a change of the method, has no buffers to show.
-    if (const auto& after = live_.step(id).after; result && !after.empty()) {
+    if (const auto& after = live_.step(id).after; result && !after.empty() && !live_.past().is_elsewhere()) {
         const auto& passes = result->report.passes;
         if (std::none_of(passes.begin(), passes.end(),
                          [&](const auto& pass) { return pass.name == after && !pass.culled; }))

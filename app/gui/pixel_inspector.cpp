@@ -77,6 +77,7 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
         show_pins();
         update();
     });
+    connect(panel_, &Panel::fly_wanted, this, &PixelInspector::fly_wanted);
     connect(panel_, &Panel::explain_wanted, this, &PixelInspector::explain);
     connect(panel_, &Panel::show_wanted, this,
             [this](const QString& key) { views_.show_output(key.toStdString()); });
@@ -179,10 +180,20 @@ void PixelInspector::show_pins() {
     for (int i = 0; i < int(pins_.size()); ++i)
         marks.push_back({pins_[std::size_t(i)], widgets::pin_colour(i), i + 1});
     workspace_.tools().set_pins(std::move(marks));
+    emit pins_changed();
 }
 
 void PixelInspector::pin_cursor() {
     pin(pointed());
+}
+
+void PixelInspector::move_pin(int number, QPoint pixel) {
+    if (number < 0 || number >= int(pins_.size()) ||
+        std::find(pins_.begin(), pins_.end(), pixel) != pins_.end())
+        return;
+    pins_[std::size_t(number)] = pixel;
+    show_pins();
+    update();
 }
 
 void PixelInspector::explain(QPoint pixel) {
@@ -269,7 +280,19 @@ void PixelInspector::update_explain() {
 
 void PixelInspector::request() {
     const auto id = experiment();
-    if (!inspector_shown_ || id.empty() || !live_.result(id)) return;
+    if (!inspector_shown_ || id.empty()) return;
+    engine::ProbeRequest probe;
+    probe.tag = id;
+    if (cursor_.x() >= 0) probe.pixels.push_back({cursor_.x(), cursor_.y()});
+    for (const auto& pin : pins_) probe.pixels.push_back({pin.x(), pin.y()});
+    if (live_.past().is_elsewhere()) {
+        const auto past = live_.result(id);
+        const auto main = views_.pictures().key_of({id, {}});
+        return show_readings(
+            past ? engine::probe(*past, main, probe.pixels) : engine::ProbeResult{id, probe.pixels, {}},
+            cursor_.x() >= 0);
+    }
+    if (!live_.result(id)) return;
     // An execution that is gone never answers.
     if (is_probing_ && probed_tag_ == id && probed_since_.elapsed() < probe_patience_ms) {
         if (!std::exchange(probe_again_, true))
@@ -279,37 +302,35 @@ void PixelInspector::request() {
         return;
     }
     probe_again_ = false;
-    engine::ProbeRequest request;
-    request.tag = id;
-    if (cursor_.x() >= 0) request.pixels.push_back({cursor_.x(), cursor_.y()});
-    for (const auto& pin : pins_) request.pixels.push_back({pin.x(), pin.y()});
     is_probing_ = true;
     probed_tag_ = id;
     probed_with_cursor_ = cursor_.x() >= 0;
     probed_since_.start();
-    renderer_.probe(std::move(request));
+    renderer_.probe(std::move(probe));
+}
+
+void PixelInspector::show_readings(const engine::ProbeResult& result, bool with_cursor) {
+    widgets::Readings readings;
+    for (const auto& pixel : result.pixels) readings.pixels.push_back({pixel.x, pixel.y});
+    if (with_cursor && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
+    readings.world = positions_of(result);
+    const auto frame = live_.result(result.tag);
+    const auto main = views_.pictures().key_of({result.tag, {}});
+    for (const auto& row : result.rows) {
+        const auto* resource = frame ? find_resource(frame->report, row.key) : nullptr;
+        if (!frame || !resource || !shows_pixels_of(*resource, frame->report, main)) continue;
+        readings.buffers.push_back({row.key, text_of(row.label), text_of(row.unit), text_of(resource->doc),
+                                    text_of(resource->pass), row.semantic, resource->is_output, row.available,
+                                    row.channels, row.values, categories_of(resource->categories, "")});
+    }
+    panel_->set_readings(std::move(readings));
 }
 
 void PixelInspector::on_probe(std::shared_ptr<const engine::ProbeResult> result) {
     if (result->tag != probed_tag_) return;
     is_probing_ = false;
-    if (result->tag == experiment()) {
-        widgets::Readings readings;
-        for (const auto& pixel : result->pixels) readings.pixels.push_back({pixel.x, pixel.y});
-        if (probed_with_cursor_ && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
-        readings.world = positions_of(*result);
-        const auto frame = live_.result(result->tag);
-        const auto main = views_.pictures().key_of({result->tag, {}});
-        for (const auto& row : result->rows) {
-            const auto* resource = frame ? find_resource(frame->report, row.key) : nullptr;
-            if (!frame || !resource || !shows_pixels_of(*resource, frame->report, main)) continue;
-            readings.buffers.push_back({row.key, text_of(row.label), text_of(row.unit),
-                                        text_of(resource->doc), text_of(resource->pass), row.semantic,
-                                        resource->is_output, row.available, row.channels, row.values,
-                                        categories_of(resource->categories, "")});
-        }
-        panel_->set_readings(std::move(readings));
-    }
+    if (result->tag == experiment() && !live_.past().is_elsewhere())
+        show_readings(*result, probed_with_cursor_);
     if (std::exchange(probe_again_, false)) request();
 }
 

@@ -33,6 +33,8 @@ class PixelInspector : public QObject {
     /// Under the cursor, else the marked one; of the main result, (-1, -1): none.
     QPoint pointed() const { return cursor_.x() >= 0 ? cursor_ : marked_; }
     void pin_cursor();
+    /// Its number from 0 on; another pin that is there already takes its place.
+    void move_pin(int number, QPoint pixel);
     void explain(QPoint pixel);
     void explain_cursor();
     void explain_nothing();
@@ -43,6 +45,10 @@ class PixelInspector : public QObject {
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
 
+  signals:
+    void pins_changed();
+    void fly_wanted(int pin);  ///< number from 0 on
+
   private:
     void update();
     void show_pins();
@@ -50,6 +56,7 @@ class PixelInspector : public QObject {
     void request();
     void send_wants();
     void on_probe(std::shared_ptr<const engine::ProbeResult> result);
+    void show_readings(const engine::ProbeResult& result, bool with_cursor);
     void show_everything();
     std::string experiment() const;  ///< of the active view; empty: none
     /// What explains a pixel: outputs of the method, and what its shaders draw.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/text_of.h"
+
 namespace ir::gui {
 
 QString read_only_text(const projects::OpenProject& open) {

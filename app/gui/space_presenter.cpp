@@ -152,12 +152,14 @@ void SpacePresenter::update(int view) {
         space.view().clear(tr("Drawing …"));
     }
     const auto result = live_.result(owner);
-    space.view().set_stale(live_.state(owner) == LivePictures::State::rendering);
+    space.view().set_stale(views_.pictures().is_stale(owner));
     // What another method has drawn must not stand under this one's name.
-    if (!result) {
+    const bool is_past = live_.past().is_elsewhere();  // its buffers are gone
+    if (!result || is_past) {
         drawing = {};
         drawing.owner = owner;
-        return space.view().clear(views_.pictures().why_nothing(owner));
+        return space.view().clear(is_past ? tr("Views in space show the newest frame alone (Alt+N).")
+                                          : views_.pictures().why_nothing(owner));
     }
     if (drawing.result.lock() == result) return;
     drawing.result = result;
@@ -166,7 +168,7 @@ void SpacePresenter::update(int view) {
 
 void SpacePresenter::request(int view, const SpaceScene& scene, QSize device_px, int oversampling) {
     const auto& owner = views_.state(view).a.owner;
-    if (!live_.result(owner) || device_px.isEmpty()) return;
+    if (!live_.result(owner) || live_.past().is_elsewhere() || device_px.isEmpty()) return;
     engine::SceneViewRequest request;
     request.tag = tag_of(view);
     request.execution = owner;

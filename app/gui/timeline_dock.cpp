@@ -90,9 +90,9 @@ void TimelineDock::update_panel() {
     if (!playback_.can_play()) {
         state.empty = !chosen
                           ? tr("No experiment is open.")
-                          : tr("Nothing moves in this experiment.\nAdd a motion of its camera, of a light or "
-                               "of a part of its scene with + in the panel Project, or open a glTF scene "
-                               "that is animated.");
+                          : tr("Nothing moves in this experiment.\nMake a path of its camera with C, add a "
+                               "motion of a light or of a part of its scene with + in the panel Project, "
+                               "or open a glTF scene that is animated.");
         return panel_->show_state(state);
     }
     state.tracks = tracks();

@@ -51,6 +51,7 @@ void ViewRules::complete_source(ViewSource& source) const {
         const auto* chosen = session_.experiment();
         source = {chosen ? chosen->id : std::string(), {}};
     }
+    if (live_.past().is_elsewhere()) return;  // what is missing then may be there now
     const auto outputs = pictures_.outputs(source.owner);
     const auto* output = pictures_.find(outputs, source.output);
     // A buffer that another method lacks; while nothing is known, it may still come.

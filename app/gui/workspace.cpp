@@ -195,7 +195,7 @@ void Workspace::update_table(int view) {
     const auto result = live_.result(source.owner);
     const auto* resource = result ? find_resource(result->report, key) : nullptr;
     if (!result) return table.clear(pictures.why_nothing(source.owner));
-    table.set_stale(live_.state(source.owner) == LivePictures::State::rendering);
+    table.set_stale(pictures.is_stale(source.owner));
     const auto found = result->buffers.find(key);
     if (found == result->buffers.end() || found->second.elements == 0)
         return table.clear(pictures.why_empty(source.owner, key));

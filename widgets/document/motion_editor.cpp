@@ -56,6 +56,14 @@ MotionEditor::MotionEditor(QWidget* parent) : ItemForm(parent) {
             id_, "loop", [loops = id == QLatin1String("loop")](Motion& motion) { motion.loop = loops; },
             false));
     });
+    smooth_ = new ChoiceField("motion-smooth", this);
+    auto* label = row(grid, tr("Between keys"), smooth_, tr("How a camera goes from one key to the next"));
+    connect(smooth_, &ChoiceField::chosen, this, [this](const QString& id) {
+        emit edit_wanted(field_edit<Motion>(
+            id_, "path", [smooth = id == QLatin1String("smooth")](Motion& motion) { motion.smooth = smooth; },
+            false));
+    });
+    rows_.push_back({Motion::Kind::camera, label, smooth_, nullptr});
     make_keys(make_form_section(tr("Keys"), this));
 }
 
@@ -230,6 +238,9 @@ void MotionEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     loop_->show_options({{QStringLiteral("stay"), tr("It stays there"), {}},
                          {QStringLiteral("loop"), tr("It begins again"), {}}},
                         motion_.loop ? QStringLiteral("loop") : QStringLiteral("stay"));
+    smooth_->show_options({{QStringLiteral("straight"), tr("Straight"), tr("With a bend at each key")},
+                           {QStringLiteral("smooth"), tr("Smooth"), tr("Along a curve through all keys")}},
+                          motion_.smooth ? QStringLiteral("smooth") : QStringLiteral("straight"));
     try {
         rest_ = key_at_rest(motion_, shown.project);
     } catch (const UsageError&) {

@@ -29,7 +29,7 @@ class MotionEditor : public ItemForm {
     void show_key();
 
     TextField* name_;
-    ChoiceField *moves_, *given_, *loop_;
+    ChoiceField *moves_, *given_, *loop_, *smooth_;
     OrderedList* list_;
     NumberField* time_;
     struct Row {

@@ -30,10 +30,12 @@ void InspectorPanel::add_column_actions(QMenu& menu, int column) {
     menu.addAction(tr("Explain pixel %1, %2").arg(pixel->x()).arg(pixel->y()), this,
                    [this, at = *pixel] { emit explain_wanted(at); });
     const int pin = column - InspectorModel::first_pin_column;
-    if (pin < 0)
+    if (pin < 0) {
         menu.addAction(tr("Pin this pixel"), this, [this, at = *pixel] { emit pin_wanted(at); });
-    else
+    } else {
+        menu.addAction(tr("Fly to pin %1").arg(pin + 1), this, [this, pin] { emit fly_wanted(pin); });
         menu.addAction(tr("Remove pin %1").arg(pin + 1), this, [this, pin] { emit pin_removed(pin); });
+    }
 }
 
 void InspectorPanel::show_column_menu(int column, QPoint at) {

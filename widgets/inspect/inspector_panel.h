@@ -39,6 +39,7 @@ class InspectorPanel : public QWidget {
     void pin_wanted(QPoint pixel);
     void pin_removed(int number);  ///< from 0 on
     void pins_cleared();
+    void fly_wanted(int number);  ///< from 0 on
     void explain_wanted(QPoint pixel);
 
   public slots:

@@ -12,7 +12,8 @@
 namespace ir::widgets {
 namespace {
 
-constexpr double axis_width = 52, space_between = 8, name_height = 18, foot_height = 6;
+constexpr double space_between = 8, name_height = 18, foot_height = 6;
+constexpr int axis_parts = 4;
 constexpr QRgb scope_black = 0xff141414;
 /// Of a value that occurs once, so that it is seen.
 constexpr double least_brightness = 0.2;
@@ -57,27 +58,35 @@ WaveformView::WaveformView(QWidget* parent) : QWidget(parent) {
 void WaveformView::set_waveforms(std::vector<Waveform> waveforms, bool logarithmic) {
     waveforms_ = std::move(waveforms);
     images_.clear();
+    axis_width_ = 0;
+    if (!waveforms_.empty())
+        for (int i = 0; i <= axis_parts; ++i)
+            axis_width_ =
+                std::max(axis_width_, fontMetrics().horizontalAdvance(short_number(axis_value(i))) + 12.0);
     for (std::size_t i = 0; i < shown(); ++i) images_.push_back(scope_image(waveforms_[i], logarithmic));
     update();
 }
 
 QRectF WaveformView::place_of(std::size_t waveform) const {
     const double count = double(std::max<std::size_t>(1, shown()));
-    const double wide = std::max(1.0, (width() - axis_width - space_between * count) / count);
-    return {axis_width + double(waveform) * (wide + space_between), name_height, wide,
+    const double wide = std::max(1.0, (width() - axis_width_ - space_between * count) / count);
+    return {axis_width_ + double(waveform) * (wide + space_between), name_height, wide,
             std::max(1.0, height() - name_height - foot_height)};
 }
 
-void WaveformView::paint_axis(QPainter& painter) const {
+double WaveformView::axis_value(int part) const {
     const auto& axis = waveforms_.front().axis;
+    return axis.low + (axis.high - axis.low) * part / axis_parts;
+}
+
+void WaveformView::paint_axis(QPainter& painter) const {
     const QRectF area = place_of(0);
-    const int parts = area.height() > 110 ? 4 : 2;
+    const int step = area.height() > 110 ? 1 : 2;
     painter.setPen(palette().color(QPalette::Text));
-    for (int i = 0; i <= parts; ++i) {
-        const double y = area.bottom() - area.height() * i / parts;
-        const QRectF box(0, std::clamp(y - 8, 0.0, height() - 16.0), axis_width - 6, 16);
-        painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter,
-                         short_number(axis.low + (axis.high - axis.low) * i / parts));
+    for (int i = 0; i <= axis_parts; i += step) {
+        const double y = area.bottom() - area.height() * i / axis_parts;
+        const QRectF box(0, std::clamp(y - 8, 0.0, height() - 16.0), axis_width_ - 6, 16);
+        painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, short_number(axis_value(i)));
     }
 }
 

@@ -31,10 +31,12 @@ class WaveformView : public QWidget {
 
   private:
     void paint_axis(QPainter& painter) const;
+    double axis_value(int part) const;
     std::size_t shown() const { return std::min(waveforms_.size(), max_shown); }
 
     std::vector<Waveform> waveforms_;
     std::vector<QImage> images_;
+    double axis_width_ = 0;  ///< of the numbers at the left, logical pixels
 };
 
 }  // namespace ir::widgets

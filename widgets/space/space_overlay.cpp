@@ -33,7 +33,7 @@ QRectF paint_lines(QPainter& painter, const QStringList& lines, QPointF top_left
     return box;
 }
 
-struct Axis {
+struct TripodAxis {
     glm::dvec3 direction;
     QColor colour;
     QString name;
@@ -42,18 +42,18 @@ struct Axis {
 void paint_tripod(QPainter& painter, const CameraPose& pose, QPointF middle) {
     constexpr double reach = 24;
     const CameraAxes axes = camera_axes(pose);
-    std::array<Axis, 3> three{Axis{{1, 0, 0}, QColor(235, 95, 90), QStringLiteral("X")},
-                              Axis{{0, 1, 0}, QColor(120, 205, 105), QStringLiteral("Y")},
-                              Axis{{0, 0, 1}, QColor(105, 160, 250), QStringLiteral("Z")}};
+    std::array<TripodAxis, 3> three{TripodAxis{{1, 0, 0}, QColor(235, 95, 90), QStringLiteral("X")},
+                                    TripodAxis{{0, 1, 0}, QColor(120, 205, 105), QStringLiteral("Y")},
+                                    TripodAxis{{0, 0, 1}, QColor(105, 160, 250), QStringLiteral("Z")}};
     // Those that point away first, so that the near ones lie over them.
-    std::sort(three.begin(), three.end(), [&](const Axis& a, const Axis& b) {
+    std::sort(three.begin(), three.end(), [&](const TripodAxis& a, const TripodAxis& b) {
         return glm::dot(a.direction, axes.forward) > glm::dot(b.direction, axes.forward);
     });
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 20, 20, 120));
     painter.drawEllipse(middle, reach + 12, reach + 12);
     painter.setFont(small_font(painter, 11, true));
-    for (const Axis& axis : three) {
+    for (const TripodAxis& axis : three) {
         const QPointF tip(glm::dot(axis.direction, axes.right) * reach,
                           -glm::dot(axis.direction, axes.up) * reach);
         // Darker where it points away: seen end-on, both ways would look alike.
@@ -140,7 +140,10 @@ void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRe
     painter.setRenderHint(QPainter::Antialiasing);
     if (state.has_picture) {
         paint_tripod(painter, state.camera, area.bottomLeft() + QPointF(46, -46));
-        if (has_metres(state)) paint_scale(painter, state.camera, area);
+        if (has_metres(state)) {
+            paint_marks(painter, state.marks, state.camera, area);
+            paint_scale(painter, state.camera, area);
+        }
         paint_legends(painter, state, area);
     }
     const QString badge = !state.note.isEmpty() ? state.note

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QWidget>
 
+#include "widgets/space/space_marks.h"
 #include "widgets/space/space_scene.h"
 
 namespace ir::widgets {
@@ -17,6 +18,7 @@ struct OverlayState {
     QString note;        ///< why there is no newer picture
     QString hover;
     QPointF hover_at;
+    SpaceMarks marks = {};
 };
 
 /// Paints tripod, scale, legends, notes and the text at the cursor; `area` is the picture's in logical

@@ -189,6 +189,12 @@ void SpaceView::clear(const QString& note) {
     update_hover();
 }
 
+void SpaceView::set_marks(SpaceMarks marks) {
+    if (marks == overlay_.marks) return;
+    overlay_.marks = std::move(marks);
+    overlay_widget_->update();
+}
+
 void SpaceView::set_bounds(const SpaceBox& bounds) {
     bounds_ = bounds;
     hand_.set_fly_speed(glm::length(bounds.high - bounds.low) / crossing_seconds);

@@ -40,6 +40,9 @@ class SpaceView : public QWidget {
     void clear(const QString& note);
     const QString& note() const { return overlay_.note; }
 
+    /// In world space, over the pictures.
+    void set_marks(SpaceMarks marks);
+    const SpaceMarks& marks() const { return overlay_.marks; }
     /// Extent of the scene: framing and the speed of flying.
     void set_bounds(const SpaceBox& bounds);
     /// For the text under the cursor: what a click on an element chooses.

@@ -186,7 +186,10 @@ class FakeRenderer final : public Renderer {
         ++cancels;
         if (hold) QTimer::singleShot(0, this, [this, tag] { emit failed(tag, "cancelled", true); });
     }
-    void release(const std::string& tag) override { releases.push_back(tag); }
+    void release(const std::string& tag) override {
+        releases.push_back(tag);
+        painted.erase(tag);
+    }
     std::uint64_t draw(engine::SceneViewRequest request) override {
         views.push_back(request);
         const auto serial = std::uint64_t(views.size());
@@ -200,7 +203,7 @@ class FakeRenderer final : public Renderer {
     void find_surface(engine::SurfaceRequest request) override {
         surfaces.push_back(request);
         QTimer::singleShot(0, this, [this, request] {
-            emit surface_arrived({request.tag, surface_error, surface});
+            emit surface_arrived({request.tag, surface_error, surface, request.asker});
         });
     }
     void export_layers(engine::ExportRequest request) override { exports.push_back(std::move(request)); }
@@ -219,6 +222,8 @@ class FakeRenderer final : public Renderer {
         result->tag = request.tag;
         result->serial = serial;
         result->frame = result->frames = request.experiment.frames;
+        if (std::exchange(painted[request.tag], request.picture) != request.picture) ++runs;
+        result->run = runs;
         const auto level = request.experiment.settings.find("level");
         const double value =
             level == request.experiment.settings.end() ? 0.25 : std::get<double>(level->second);
@@ -404,6 +409,8 @@ class FakeRenderer final : public Renderer {
     std::vector<LightSource> scene_sources{{LightKind::environment, "the environment"}};
     std::string failure;  ///< of every request from now on
     int cancels = 0;
+    std::map<std::string, std::string> painted;  ///< by tag: what was computed last
+    std::uint64_t runs = 0;
 };
 
 }  // namespace ir::gui

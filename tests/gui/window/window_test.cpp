@@ -319,8 +319,8 @@ TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
     }
     window.action("layout-default")->trigger();
     QApplication::processEvents();
-    const QStringList quiet{"messages", "results",    "plots",   "sweeps",   "analyses",
-                            "timeline", "benchmarks", "profile", "pipeline", "shaders"};
+    const QStringList quiet{"messages", "results",    "plots",   "sweeps",   "analyses", "timeline",
+                            "frames",   "benchmarks", "profile", "pipeline", "shaders"};
     for (auto* dock : docks)
         EXPECT_EQ(dock->isHidden(), quiet.contains(dock->objectName())) << dock->objectName().toStdString();
     window.action("dock-messages")->trigger();

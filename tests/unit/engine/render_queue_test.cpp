@@ -117,10 +117,13 @@ TEST_F(RenderQueueTest, LooksAreTheNewestOfEachTag) {
     queue.find_surface({"a", {}, {1, 0, 0}});
     queue.find_surface({"a", {}, {0, 1, 0}});
     queue.find_surface({"b", {}, {0, 1, 0}});
+    queue.find_surface({"a", {}, {0, 0, 1}, "somebody else"});
+    queue.find_surface({"b", {}, {0, 0, 1}, "somebody else"});
     queue.release("b");
     const auto surfaces = queue.take_looks().surfaces;
-    ASSERT_EQ(surfaces.size(), 1u);
+    ASSERT_EQ(surfaces.size(), 2u);
     EXPECT_EQ(surfaces[0].direction.y, 1);
+    EXPECT_EQ(surfaces[1].direction.z, 1);
 }
 
 TEST_F(RenderQueueTest, FilesWaitUntilTheirTagIsRendered) {

@@ -46,6 +46,24 @@ TEST(Document, MatchesTheFrozenFileOfSchema5) {
     EXPECT_EQ(read(text).project, sample_project());
 }
 
+TEST(Document, CameraPathsMayBeSmoothAndNothingElseIs) {
+    auto project = sample_project();
+    bool has_camera = false;
+    for (auto& motion : project.motion) {
+        motion.smooth = motion.kind == Motion::Kind::camera;
+        has_camera |= motion.smooth;
+    }
+    ASSERT_TRUE(has_camera);
+    auto json = to_json(project);
+    EXPECT_EQ(read(pretty_json(json)).project, project);
+    for (auto& motion : json["motion"]) motion["smooth"] = true;
+    for (const auto& motion : read(pretty_json(json)).project.motion)
+        EXPECT_EQ(motion.smooth, motion.kind == Motion::Kind::camera) << motion.id;
+    for (auto& motion : json["motion"])
+        if (motion["moves"] == "camera") motion["smooth"] = "very";
+    EXPECT_NE(refusal(json).find("smooth"), std::string::npos);
+}
+
 TEST(Document, ASetShinesBesideTheScenesLights) {
     auto project = sample_project();
     project.lights[0].use_scene_lights = true;

@@ -58,6 +58,53 @@ TEST(Motion, ALoopBeginsAgainAfterItsLastKey) {
     EXPECT_EQ(key_at(motion, 7).intensity, 1);
 }
 
+Motion of_camera(std::vector<std::pair<double, glm::dvec3>> eyes) {
+    Motion motion{"m", "M", "nave", {}};
+    motion.smooth = true;
+    for (const auto& [time, eye] : eyes) {
+        motion.keys.emplace_back();
+        motion.keys.back().time = time;
+        motion.keys.back().eye = eye;
+    }
+    return motion;
+}
+
+TEST(Motion, SmoothPathsGoThroughTheirKeysWithoutABend) {
+    const auto motion = of_camera({{0, {0, 0, 0}}, {1, {1, 2, 0}}, {3, {4, 1, 1}}, {4, {4, 0, 5}}});
+    const auto eye = [&](double time) { return key_at(motion, time).eye; };
+    for (const auto& key : motion.keys) expect_near(eye(key.time), key.eye);
+    constexpr double h = 1e-6;
+    for (const double time : {1.0, 3.0}) {
+        const auto before = (eye(time) - eye(time - h)) / h, after = (eye(time + h) - eye(time)) / h;
+        expect_near(before, after, 1e-4);
+    }
+    expect_near(eye(99), motion.keys.back().eye);
+    expect_near(key_at(motion, 1.7).target, motion.keys[0].target);  // what all keys share stands still
+}
+
+TEST(Motion, SmoothPathsFollowLinesAndParabolasOfUnequalTimesExactly) {
+    const auto parabola = [](double t) { return glm::dvec3(3 * t, t * t, 2 - t * t); };
+    std::vector<std::pair<double, glm::dvec3>> eyes;
+    for (const double time : {0.0, 0.5, 2.0, 3.0}) eyes.emplace_back(time, parabola(time));
+    const auto motion = of_camera(eyes);
+    for (const double time : {0.2, 1.0, 1.7, 2.9}) expect_near(key_at(motion, time).eye, parabola(time));
+    const auto line = of_camera({{1, {0, 0, 0}}, {3, {2, 4, 0}}});
+    expect_near(key_at(line, 1.5).eye, {0.5, 1, 0});
+    const auto alone = of_camera({{1, {1, 2, 3}}});
+    expect_near(key_at(alone, 5).eye, {1, 2, 3});
+}
+
+TEST(Motion, AClosedLoopHasNoBendWhereItBeginsAgain) {
+    auto motion =
+        of_camera({{0, {1, 0, 0}}, {1, {0, 1, 0}}, {2, {-1, 0, 0}}, {3, {0, -1, 0}}, {4, {1, 0, 0}}});
+    motion.loop = true;
+    constexpr double h = 1e-6;
+    const auto eye = [&](double time) { return key_at(motion, time).eye; };
+    expect_near((eye(4) - eye(4 - h)) / h, (eye(h) - eye(0)) / h, 1e-4);
+    motion.keys.back().eye = {2, 0, 0};  // open: it jumps
+    expect_near(eye(4 - h), {2, 0, 0}, 1e-4);
+}
+
 TEST(Motion, DirectionsTurnAtAConstantSpeed) {
     auto motion = of_light({0, 3});
     motion.keys[0].direction = {2, 0, 0};

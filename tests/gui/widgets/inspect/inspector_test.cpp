@@ -310,14 +310,21 @@ TEST_F(InspectorPanelTest, PinsAreRemovedByKeyMenuAndButton) {
     QTest::keyClick(&panel.view(), Qt::Key_Delete);
     ASSERT_EQ(removed.count(), 1);
     EXPECT_EQ(removed[0][0].toInt(), 1);
-    auto* header = panel.view().header();
-    QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
-                      {header->sectionViewportPosition(2) + 20, header->height() / 2});
-    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-    ASSERT_NE(menu, nullptr);
-    QTest::keyClick(menu, Qt::Key_Down);  // Explain …
-    QTest::keyClick(menu, Qt::Key_Down);  // Remove pin 1
-    QTest::keyClick(menu, Qt::Key_Return);
+    const QSignalSpy flown(&panel, &InspectorPanel::fly_wanted);
+    const auto choose_from_menu = [&](int entry) {
+        auto* header = panel.view().header();
+        QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
+                          {header->sectionViewportPosition(2) + 20, header->height() / 2});
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        ASSERT_NE(menu, nullptr);
+        for (int i = 0; i < entry; ++i) QTest::keyClick(menu, Qt::Key_Down);
+        QTest::keyClick(menu, Qt::Key_Return);
+    };
+    choose_from_menu(2);  // the first is Explain …
+    ASSERT_EQ(flown.count(), 1);
+    EXPECT_EQ(flown[0][0].toInt(), 0);
+    EXPECT_EQ(removed.count(), 1);
+    choose_from_menu(3);
     ASSERT_EQ(removed.count(), 2);
     EXPECT_EQ(removed[1][0].toInt(), 0);
     QTest::mouseClick(find<QToolButton>("clear"), Qt::LeftButton);

@@ -1,0 +1,227 @@
+#include "app/gui/frames_dock.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QTemporaryDir>
+#include <algorithm>
+
+#include "app/engine/camera_pose.h"
+#include "app/engine/film.h"
+#include "app/gui/dialog_folder.h"
+#include "app/gui/exports.h"
+#include "app/gui/json_fields.h"
+#include "app/gui/text_of.h"
+#include "renderers/core/error.h"
+#include "renderers/image/channels.h"
+#include "renderers/image/exr.h"
+
+namespace ir::gui {
+namespace {
+
+constexpr double bytes_per_mib = 1024.0 * 1024.0;
+
+/// What the files of a film are made of, so that frames that go meanwhile are there still.
+struct FilmJob {
+    std::vector<std::shared_ptr<const engine::LiveResult>> frames;
+    engine::Part part;
+    widgets::Display display;
+    Semantic semantic = Semantic::generic;
+    FramesDock::Film film = FramesDock::Film::pictures;
+};
+
+void write_frames(const FilmJob& job, const std::filesystem::path& out, const CancelToken& cancel,
+                  const ProgressCallback& progress) {
+    const bool is_video = job.film == FramesDock::Film::video;
+    engine::check_film_file(out);
+    const QTemporaryDir temporary;
+    if (is_video && !temporary.isValid()) throw Error(temporary.errorString().toStdString());
+    const auto folder = is_video ? std::filesystem::path(temporary.path().toStdString()) : out;
+    for (std::size_t i = 0; i < job.frames.size(); ++i) {
+        cancel.check();
+        progress("picture " + std::to_string(i + 1) + " of " + std::to_string(job.frames.size()),
+                 double(i) / double(job.frames.size()));
+        const auto& image = job.frames[i]->images.at(job.part);
+        auto file = engine::film_picture(folder, int(i) + 1);
+        if (job.film == FramesDock::Film::values)
+            write_exr(file.replace_extension(".exr"),
+                      {{"", channel_names(job.semantic, image.channels), image}}, {});
+        else
+            write_picture(text_of(file.string()), widgets::to_qimage(image, job.display));
+    }
+    if (is_video) engine::make_video(folder, out, &cancel);
+}
+
+}  // namespace
+
+FramesDock::FramesDock(QWidget& window, Session& session, LivePictures& live, Workspace& workspace,
+                       Notices& notices, Actions& actions)
+    : QObject(&window),
+      window_(window),
+      session_(session),
+      live_(live),
+      workspace_(workspace),
+      past_(live.past()),
+      actions_(actions),
+      panel_(new widgets::FramesPanel),
+      job_(window, notices, tr("Film"), "frames") {
+    const auto add = [&](const char* name, const QString& text, const char* icon, Qt::Key key, auto run) {
+        actions.add(name, text, icon, {QKeySequence(Qt::ALT | key)}, run);
+    };
+    add("past-older", tr("Frame &before (of the last frames)"), "step-back", Qt::Key_Comma,
+        [this] { choose(int(past_.place()) - 1); });
+    add("past-newer", tr("Frame aft&er (of the last frames)"), "step-forward", Qt::Key_Period,
+        [this] { choose(int(past_.place()) + 1); });
+    add("past-now", tr("&Newest frame"), nullptr, Qt::Key_N, [this] { past_.show_now(); });
+    using Panel = widgets::FramesPanel;
+    connect(panel_, &Panel::frame_chosen, this, &FramesDock::choose);
+    connect(panel_, &Panel::now_wanted, &past_, &PastFrames::show_now);
+    connect(panel_, &Panel::limit_chosen, this,
+            [this](double limit) { past_.set_limit(std::uint64_t(limit * bytes_per_mib)); });
+    connect(panel_, &Panel::film_wanted, this, &FramesDock::ask);
+    connect(panel_, &Panel::experiment_wanted, this, &FramesDock::add_experiment);
+    connect(&past_, &PastFrames::kept_changed, this, &FramesDock::update);
+    connect(&past_, &PastFrames::shown_changed, this, &FramesDock::update);
+    connect(&workspace_, &Workspace::picture_shown, this, &FramesDock::update);
+    connect(&job_, &FileJob::changed, this, &FramesDock::update);
+    follow(session_, this, &FramesDock::update);
+    update();
+}
+
+void FramesDock::choose(int frame) {
+    if (frame >= 0 && !past_.frames().empty()) past_.show(std::size_t(frame));
+}
+
+const PastFrame* FramesDock::chosen() const {
+    const auto* experiment = session_.has_project() ? session_.experiment() : nullptr;
+    return experiment ? past_.shown_of(experiment->id) : nullptr;
+}
+
+QString FramesDock::caption() const {
+    const auto& frames = past_.frames();
+    const auto place = past_.place();
+    if (place >= frames.size()) return {};
+    const auto& frame = frames[place];
+    const auto& id = frame.result->tag;
+    QStringList words{past_.is_elsewhere() ? tr("%1 of %2").arg(place + 1).arg(frames.size())
+                      : frames.size() == 1 ? tr("Now, one frame is kept")
+                                           : tr("Now, %1 frames are kept").arg(frames.size()),
+                      text_of(workspace_.views().pictures().owner_name(id))};
+    if (frame.result->frames > 1)
+        words << tr("frame %1 of %2").arg(frame.result->frame).arg(frame.result->frames);
+    if (live_.is_moving(id)) words << tr("%1 s").arg(frame.result->time, 0, 'g', 4);
+    for (auto i = place + 1; i-- > 0;)
+        if (frames[i].result->tag == id && !frames[i].change.empty()) {
+            words << tr("after “%1”").arg(text_of(frames[i].change));
+            break;
+        }
+    return words.join(QStringLiteral(" · "));
+}
+
+/// Of what the active view shows as A, all of one size.
+std::vector<std::shared_ptr<const engine::LiveResult>> FramesDock::film_frames(engine::Part& part) const {
+    const auto& source = workspace_.views().active_state().a;
+    part = {source.output, source.level, source.layer, live_.step(source.owner).after};
+    std::vector<std::shared_ptr<const engine::LiveResult>> found;
+    const auto size = [&](const engine::LiveResult& result) {
+        const auto& image = result.images.at(part);
+        return std::pair(image.width, image.height);
+    };
+    const auto& frames = past_.frames();
+    for (auto each = frames.rbegin(); each != frames.rend(); ++each)
+        if (const auto& result = each->result; result->tag == source.owner && result->images.count(part) &&
+                                               (found.empty() || size(*result) == size(*found.front())))
+            found.push_back(result);
+    std::reverse(found.begin(), found.end());
+    return found;
+}
+
+void FramesDock::update() {
+    actions_.enable("past-older", past_.place() > 0);
+    actions_.enable("past-newer past-now", past_.is_elsewhere());
+    widgets::FramesState state;
+    for (const auto& frame : past_.frames()) state.edited.push_back(!frame.change.empty());
+    state.shown = int(past_.place());
+    state.caption = caption();
+    state.used_mib = double(past_.bytes()) / bytes_per_mib;
+    state.limit_mib = double(past_.limit()) / bytes_per_mib;
+    engine::Part part;
+    if (is_saving())
+        state.why_no_film = tr("Frames are being saved.");
+    else if (!session_.has_project() || film_frames(part).empty())
+        state.why_no_film = tr("No kept frame has the picture of the active view.");
+    if (!chosen())
+        state.why_no_experiment = tr("Choose an older frame of the experiment that is worked on.");
+    else if (session_.open_project().is_read_only())
+        state.why_no_experiment = read_only_text(session_.open_project());
+    if (past_.frames().empty())
+        state.caption = past_.limit() == 0 ? tr("No frames are kept.")
+                                           : tr("Frames are kept here as they arrive in the views.");
+    panel_->show_state(state);
+}
+
+void FramesDock::ask(Film film) {
+    const auto name =
+        text_of(workspace_.views().pictures().owner_name(workspace_.views().active_state().a.owner));
+    if (film == Film::video) {
+        const auto endings = QString::fromLatin1(engine::video_endings).split(QStringLiteral(", "));
+        const auto file = ask_for_export(
+            &window_, tr("Film"), name,
+            tr("Video (%1)").arg(QStringLiteral("*") + endings.join(QStringLiteral(" *"))), endings);
+        if (!file.isEmpty()) save_film(film, file);
+        return;
+    }
+    const auto folder = QFileDialog::getExistingDirectory(
+        &window_, tr("Folder for the pictures"), QFileInfo(export_proposal(name, {})).absolutePath());
+    if (folder.isEmpty()) return;
+    remember_export(folder);
+    save_film(film, folder);
+}
+
+void FramesDock::save_film(Film film, const QString& file) {
+    FilmJob job;
+    job.frames = film_frames(job.part);
+    if (job.frames.empty()) return;
+    job.film = film;
+    job.display = workspace_.active_pane().compare().compared().shown_display(0);
+    if (const auto picture = workspace_.active_pane().picture_at(0)) job.semantic = picture->semantic;
+    job_.start(file, [job, out = std::filesystem::path(file.toStdString())](
+                         const CancelToken& cancel, const ProgressCallback& progress) {
+        write_frames(job, out, cancel, progress);
+    });
+}
+
+/// As it asked for the frame, with the camera that saw it.
+void FramesDock::add_experiment() {
+    const auto* frame = chosen();
+    if (!frame) return;
+    auto copy = frame->experiment;
+    copy.last_kept_key.clear();
+    const auto pose = engine::pose_of(frame->result->camera);
+    copy.name += tr(", frame %1").arg(frame->number).toStdString();
+    const bool done = session_.edit([&](const projects::Project& project) {
+        copy.id = projects::free_experiment_id(project, copy.name);
+        const auto view = new_view(project, pose, "View");
+        copy.camera = view.id;
+        std::vector<projects::EditPtr> steps;
+        steps.push_back(projects::edits::add(project, view));
+        auto with_view = project;
+        steps.back()->apply(with_view);
+        steps.push_back(projects::edits::add(with_view, copy));
+        return projects::edits::group("Add experiment of a past frame", std::move(steps));
+    });
+    if (!done) return;
+    past_.show_now();
+    session_.select_experiment(copy.id);
+}
+
+void FramesDock::save(projects::Json& memory) const {
+    memory["frames"] = {{"limit_mib", double(past_.limit()) / bytes_per_mib}};
+}
+
+void FramesDock::load(const projects::Json& memory) {
+    const double standard = double(PastFrames::standard_limit) / bytes_per_mib;
+    const double limit = field_or(member_or_null(memory, "frames"), "limit_mib", standard);
+    past_.set_limit(std::uint64_t(std::clamp(limit, 0.0, 1e6) * bytes_per_mib));
+}
+
+}  // namespace ir::gui

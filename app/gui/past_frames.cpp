@@ -1,0 +1,109 @@
+#include "app/gui/past_frames.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ir::gui {
+namespace {
+
+std::uint64_t bytes_of(const Image& image) {
+    return image.pixels.size() * sizeof(float);
+}
+
+std::uint64_t bytes_of(const engine::LiveResult& result) {
+    std::uint64_t bytes = bytes_of(result.valid);
+    for (const auto& [part, image] : result.images) bytes += bytes_of(image);
+    for (const auto& [key, image] : result.thumbnails) bytes += bytes_of(image);
+    for (const auto& [key, buffer] : result.buffers) bytes += buffer.bytes.size();
+    return bytes;
+}
+
+/// Whether only other pictures were read back of a frame.
+bool is_same_frame(const PastFrame& a, const PastFrame& b) {
+    return a.result->tag == b.result->tag && a.result->run == b.result->run &&
+           a.computed_from == b.computed_from;
+}
+
+}  // namespace
+
+void PastFrames::add(PastFrame frame) {
+    const auto before = std::find_if(frames_.rbegin(), frames_.rend(), [&](const PastFrame& each) {
+        return each.result->tag == frame.result->tag;
+    });
+    bytes_ += bytes_of(*frame.result);
+    if (before != frames_.rend() && is_same_frame(*before, frame)) {
+        bytes_ -= bytes_of(*before->result);
+        before->result = std::move(frame.result);
+    } else {
+        frame.number = ++arrived_;
+        frames_.push_back(std::move(frame));
+    }
+    make_room();
+    emit kept_changed();
+}
+
+void PastFrames::make_room() {
+    while (bytes_ > limit_ && !frames_.empty()) {
+        if (shown_ && frames_.back().number == *shown_) return;
+        const auto gone = shown_ ? std::prev(frames_.end()) : frames_.begin();
+        bytes_ -= bytes_of(*gone->result);
+        frames_.erase(gone);
+    }
+}
+
+void PastFrames::keep_only(const std::string& experiment, const std::string& method) {
+    const auto is_other = [&](const PastFrame& each) {
+        return each.result->tag == experiment && each.experiment.method != method;
+    };
+    for (const auto& each : frames_)
+        if (is_other(each)) bytes_ -= bytes_of(*each.result);
+    if (std::erase_if(frames_, is_other) == 0) return;
+    leave_if_lost();
+    emit kept_changed();
+}
+
+void PastFrames::clear() {
+    if (frames_.empty()) return;
+    frames_.clear();
+    bytes_ = 0;
+    leave_if_lost();
+    emit kept_changed();
+}
+
+void PastFrames::leave_if_lost() {
+    if (shown_ && std::none_of(frames_.begin(), frames_.end(),
+                               [&](const PastFrame& each) { return each.number == *shown_; }))
+        show_now();
+}
+
+void PastFrames::set_limit(std::uint64_t bytes) {
+    if (std::exchange(limit_, bytes) == bytes) return;
+    make_room();
+    emit kept_changed();
+}
+
+void PastFrames::show(std::size_t place) {
+    if (place + 1 >= frames_.size()) return show_now();
+    if (std::exchange(shown_, frames_[place].number) != frames_[place].number) emit shown_changed();
+}
+
+void PastFrames::show_now() {
+    if (std::exchange(shown_, std::nullopt)) emit shown_changed();
+}
+
+std::size_t PastFrames::place() const {
+    if (!shown_) return frames_.empty() ? 0 : frames_.size() - 1;
+    const auto found = std::find_if(frames_.begin(), frames_.end(),
+                                    [&](const PastFrame& each) { return each.number == *shown_; });
+    return std::size_t(found - frames_.begin());
+}
+
+const PastFrame* PastFrames::shown_of(const std::string& experiment) const {
+    if (!shown_) return nullptr;
+    const auto found = std::find_if(frames_.rbegin(), frames_.rend(), [&](const PastFrame& each) {
+        return each.number <= *shown_ && each.result->tag == experiment;
+    });
+    return found == frames_.rend() ? nullptr : &*found;
+}
+
+}  // namespace ir::gui
