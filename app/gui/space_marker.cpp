@@ -104,17 +104,18 @@ void SpaceMarker::on_surface(const engine::SurfaceResult& result) {
         return asker_of(each, places->second.generation) == result.asker;
     });
     if (pin == pins.end()) return;
-    auto& of_pin = places->second.of_pin;
-    if (!result.error.empty()) return void(of_pin.erase({pin->x(), pin->y()}));  // asked again later
-    of_pin[{pin->x(), pin->y()}] = result.point ? std::optional(result.point->position) : std::nullopt;
     const int number = int(pin - pins.begin());
-    if (will_land_ == number && result.tag == workspace_.views().active_state().a.owner) {
-        will_land_.reset();
-        if (result.point)
-            land(number, result.point->position);
-        else
-            notices_.say(tr("Pin %1 shows no surface.").arg(number + 1));
+    const bool lands = will_land_ == number && result.tag == workspace_.views().active_state().a.owner;
+    if (will_land_ == number) will_land_.reset();
+    auto& of_pin = places->second.of_pin;
+    if (!result.error.empty()) {
+        of_pin.erase({pin->x(), pin->y()});  // asked again later
+        if (lands) notices_.say(tr("Cannot fly yet: %1.").arg(text_of(result.error)));
+        return;
     }
+    of_pin[{pin->x(), pin->y()}] = result.point ? std::optional(result.point->position) : std::nullopt;
+    if (lands && result.point) land(number, result.point->position);
+    if (lands && !result.point) notices_.say(tr("Pin %1 shows no surface.").arg(number + 1));
     update();
 }
 

@@ -66,6 +66,10 @@ TEST_F(SpaceMarkerTest, WhatShowsNoSurfaceOrLiesOutsideIsSaid) {
         QTest::qWaitFor([&] { return label("state").find("no surface") != std::string::npos; }, 5000));
     marker().fly_to(1);
     EXPECT_NE(label("state").find("outside"), std::string::npos) << label("state");
+    renderer.surface_error = "nothing is rendered";
+    marker().fly_to(0);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return label("state").find("nothing is rendered") != std::string::npos; }, 5000));
     marker().fly_to(7);
     EXPECT_EQ(pose().eye, before.eye);
     EXPECT_FALSE(marker().place(owner(), {3, 2}));
