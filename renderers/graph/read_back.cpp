@@ -92,7 +92,7 @@ std::optional<std::vector<std::byte>> Graph::read_buffer(const std::string& key,
     auto& copy = physical->now();
     std::vector<std::byte> bytes(std::min(physical->copy_bytes(), max_bytes));
     if (copy.on_host)
-        std::memcpy(bytes.data(), copy.host.data(), bytes.size());
+        std::copy_n(copy.host.begin(), bytes.size(), bytes.begin());
     else if (!bytes.empty())
         cache_->device.read_buffer(copy.name, 0, bytes);
     return bytes;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -210,6 +211,55 @@ TEST(ProjectFuzz, HostileShapesAreRefusedQuickly) {
         EXPECT_THROW(read_project(text, "hostile.json", fuzz::registry()), InputError);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         EXPECT_LT(took.count(), 10);
+    }
+}
+
+/// Lists of objects or names, wherever they stand.
+void collect_lists(const Json& json, const Json::json_pointer& at, std::vector<Json::json_pointer>& out) {
+    if (json.is_array() && !json.empty() && (json[0].is_object() || json[0].is_string())) out.push_back(at);
+    if (json.is_structured())
+        for (const auto& [key, child] : json.items()) collect_lists(child, at / key, out);
+}
+
+/// The first item of a list of objects or names, again and again until there is a megabyte, each with an id
+/// of its own.
+Json longer(const Json& list) {
+    const Json first = list[0];
+    const auto count = (1u << 20) / (first.dump().size() + 9);
+    Json items = Json::array();
+    for (std::size_t i = 0; i < count; ++i) {
+        Json item = first;
+        const auto number = std::to_string(i);
+        if (item.is_string()) item = item.get<std::string>() + number;
+        if (item.contains("id")) item["id"] = item["id"].get<std::string>() + number;
+        if (item.contains("time")) item["time"] = i;
+        items.push_back(std::move(item));
+    }
+    return items;
+}
+
+/// A megabyte in any list of a project takes at most 2 s of a processor, and ten times that with sanitizers.
+TEST(ProjectFuzz, LongListsAreReadQuickly) {
+#ifdef INTERREFLECT_SANITIZED
+    constexpr double most_seconds = 20;
+#else
+    constexpr double most_seconds = 2;
+#endif
+    const Json seed = parse_json(file_text("schema-6.json"), "seed");
+    std::vector<Json::json_pointer> lists;
+    collect_lists(seed, Json::json_pointer(), lists);
+    EXPECT_GT(lists.size(), 10u);
+    for (const auto& at : lists) {
+        Json document = seed;
+        document[at] = longer(seed[at]);
+        const auto text = document.dump();
+        const auto start = std::clock();
+        try {
+            check(read_project(text, "long.json", fuzz::registry()), "/nonexistent", fuzz::registry());
+        } catch (const InputError& error) {
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        }
+        EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, most_seconds) << at;
     }
 }
 
