@@ -177,7 +177,7 @@ void MainWindow::make_docks() {
     docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
     docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     docks_.add("pipeline", tr("Pipeline"), &pipeline_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_F));
-    docks_.add("shaders", tr("Shaders"), shaders_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_E));
+    docks_.add("shaders", tr("Shaders"), shaders_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
     // Panels behind tabs and closed ones ask for nothing.
     connect(&docks_, &DockLayout::seen_changed, &joins_, [this] {
         inspector_.set_visible(docks_.is_seen("inspector"), docks_.is_seen("explain"));
