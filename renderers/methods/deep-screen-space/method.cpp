@@ -11,8 +11,8 @@
 
 #include "renderers/methods/deep-screen-space/benchmark.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
-#include "renderers/methods/deep-screen-space/splatting.h"
-#include "renderers/methods/deep-screen-space/splatting/steps.h"
+#include "renderers/methods/deep-screen-space/splatting/additive.h"
+#include "renderers/methods/deep-screen-space/splatting/explain.h"
 #include "renderers/passes/direct/compose.h"
 #include "renderers/passes/direct/lit.h"
 #include "renderers/passes/gbuffer/glass.h"

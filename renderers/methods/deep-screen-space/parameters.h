@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "renderers/core/transport.h"
 #include "renderers/graph/frame_inputs.h"
@@ -116,5 +117,15 @@ inline unsigned random_seed(const graph::FrameInputs& inputs, const Parameters& 
     const auto frame = parameters.reprojection.reprojection ? static_cast<unsigned>(inputs.frame) : 0u;
     return seed + frame * 0x9e3779b9u;
 }
+
+/// What the contents of buffers depend on, empty where the scene has no fingerprint. Surfels without their
+/// light: the scene's geometry, the view (they are of equal size in the picture), the parameters of surfels
+/// and the seed. Lights do not count. `reach` as of make_surfels.
+std::string surfel_fingerprint(const graph::FrameInputs& inputs, float reach, const Parameters& parameters);
+
+/// Which surfel each sample met: as `surfels` says, and all parameters but those of light and of what comes
+/// later. Empty where that is.
+std::string splat_fingerprint(const graph::FrameInputs& inputs, const std::string& surfels,
+                              const Parameters& parameters);
 
 }  // namespace ir::methods::deep_screen_space

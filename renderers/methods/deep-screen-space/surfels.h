@@ -4,13 +4,11 @@
 
 #include "renderers/graph/builder.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
-#include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/shadow/shadow_maps.h"
 #include "shaders/methods/deep-screen-space/records.glsl.h"
 
 namespace ir::methods::deep_screen_space {
-
 /// The surfels of a frame.
 struct Surfels {
     graph::BufferRef records;  ///< "surfels.records": Surfel, growable; the same order in every run
@@ -24,11 +22,6 @@ struct Surfels {
 
 /// Those that a pass of the cpu queue may read; it reads `records` and `stored`.
 std::span<const Surfel> stored_surfels(const graph::PassContext& context, const Surfels& surfels);
-
-/// Surfels in this buffer, with `stored`.
-Surfels declare_surfels(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint);
-/// And with the pass that fills it, of what the device counted.
-Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint);
 
 /// Declares the passes that make surfels of the scene's triangles: cull and pre-tessellate, place fine
 /// surfels by hardware tessellation and transform feedback, thin, shade. `reach` (m): surfels farther than

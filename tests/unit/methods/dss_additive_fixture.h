@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/methods/deep-screen-space/splatting/steps.h"
+#include "renderers/methods/deep-screen-space/splatting/additive.h"
 #include "tests/unit/methods/dss_fixture.h"
 
 namespace ir::test {

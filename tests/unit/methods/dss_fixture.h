@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/deep-screen-space/splatting.h"
+#include "renderers/methods/deep-screen-space/splatting/additive.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 #include "renderers/passes/sampling/pcg.h"
 #include "tests/unit/methods/dss_published.h"
 #include "tests/unit/passes/pass_fixture.h"

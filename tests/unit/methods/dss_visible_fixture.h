@@ -4,8 +4,7 @@
 #include <random>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/deep-screen-space/splatting/explain_records.h"
-#include "renderers/methods/deep-screen-space/splatting/steps.h"
+#include "renderers/methods/deep-screen-space/splatting/explain.h"
 #include "tests/unit/methods/dss_fixture.h"
 
 namespace ir::test {

@@ -5,7 +5,6 @@
 #include "renderers/passes/bounce/receiver.h"
 
 namespace ir::methods::deep_screen_space {
-
 /// What the parts of one additive splatting share.
 struct Additive {
     Splats splats;
@@ -33,5 +32,15 @@ gl::ProgramSource with_share(gl::ProgramSource source, const Additive& additive)
 
 /// Declares what explains the picked pixel: all surfels that were added to it, found by a search over all.
 void explain_additive(graph::GraphBuilder& builder, const Additive& additive);
+
+/// Splatting without visibility: every surfel adds its form factor, or the light that it sends there, on one
+/// level by distance; levels are blurred (by the blur's parameters, as many pixels of the level) and added.
+/// The image that `text` describes: accessibility r32f or reflected radiance rgba32f. [Nalbach14]
+graph::ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                               const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
+                               const Hierarchy& hierarchy, const Surfels& surfels,
+                               const Parameters& parameters, graph::ResourceText text);
+
+std::vector<OutputDescription> additive_outputs();  ///< only without visibility
 
 }  // namespace ir::methods::deep_screen_space

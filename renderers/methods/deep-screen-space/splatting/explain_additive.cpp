@@ -3,7 +3,6 @@
 
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/deep-screen-space/splatting/additive.h"
-#include "renderers/methods/deep-screen-space/splatting/steps.h"
 #include "shaders/methods/deep-screen-space/splatting/explain_additive.comp.h"
 
 namespace ir::methods::deep_screen_space {

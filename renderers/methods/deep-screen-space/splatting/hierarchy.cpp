@@ -1,8 +1,9 @@
+#include "renderers/methods/deep-screen-space/splatting/hierarchy.h"
+
+#include <algorithm>
 #include <bit>
+
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/deep-screen-space/parameters.h"
-#include "renderers/methods/deep-screen-space/splatting.h"
-#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
@@ -57,7 +58,7 @@ void shuffle_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuff
     builder.pass("shuffle")
         .reads(hierarchy.layout, gbuffer.position, gbuffer.normal)
         .writes(hierarchy.positions, hierarchy.normals)
-        .compute({{folder + "shuffle.comp"}}, hierarchy.positions);
+        .compute({{folder + "shuffle.comp"}, {{"COLOURS", "0"}}}, hierarchy.positions);
 }
 
 /// Only for people: the colours of the picture, shuffled.
@@ -67,26 +68,8 @@ void shuffle_colours(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
     builder.pass("shuffle colours")
         .reads(hierarchy.layout, gbuffer.albedo)
         .writes("colours", colours)
-        .compute({{folder + "shuffle_colours.comp"}}, colours);
+        .compute({{folder + "shuffle.comp"}, {{"COLOURS", "1"}}}, colours);
 }
-
-}  // namespace
-
-Hierarchy shuffle(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
-                  const Parameters& parameters) {
-    const auto& view = builder.inputs().view;
-    Hierarchy hierarchy;
-    hierarchy.levels = parameters.levels;
-    hierarchy.width = padded(view.width, parameters.levels);
-    hierarchy.height = padded(view.height, parameters.levels);
-    lay_out(builder, hierarchy, random_seed(builder.inputs(), parameters));
-    shuffle_surfaces(builder, gbuffer, hierarchy);
-    shuffle_colours(builder, gbuffer, hierarchy);
-    bound_positions(builder, gbuffer, hierarchy);
-    return hierarchy;
-}
-
-namespace {
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, int levels) {
     return builder.output(key, {.format = gl::Format::rgba32f, .levels = levels});
@@ -105,8 +88,8 @@ void reduce(const graph::PassContext& p, const Hierarchy& hierarchy, int level) 
     p.barrier();
 }
 
-}  // namespace
-
+/// "hierarchy.min" and "max", down to one texel. A pixel (x, y) lies on mip level m below the texel
+/// (min(x >> m, width_m - 1), …). [Nalbach15 §4.3]
 void bound_positions(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, Hierarchy& hierarchy) {
     const auto& view = builder.inputs().view;
     const int levels = std::bit_width(static_cast<unsigned>(std::max(view.width, view.height)));
@@ -118,6 +101,22 @@ void bound_positions(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
         .execute([=](graph::PassContext& p) {
             for (int level = 0; level < levels; ++level) reduce(p, hierarchy, level);
         });
+}
+
+}  // namespace
+
+Hierarchy shuffle(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                  const Parameters& parameters) {
+    const auto& view = builder.inputs().view;
+    Hierarchy hierarchy;
+    hierarchy.levels = parameters.levels;
+    hierarchy.width = padded(view.width, parameters.levels);
+    hierarchy.height = padded(view.height, parameters.levels);
+    lay_out(builder, hierarchy, random_seed(builder.inputs(), parameters));
+    shuffle_surfaces(builder, gbuffer, hierarchy);
+    shuffle_colours(builder, gbuffer, hierarchy);
+    bound_positions(builder, gbuffer, hierarchy);
+    return hierarchy;
 }
 
 std::vector<OutputDescription> hierarchy_outputs() {

@@ -4,10 +4,11 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
-#include "renderers/methods/deep-screen-space/splatting.h"
+#include "renderers/methods/deep-screen-space/splatting/hierarchy.h"
+#include "renderers/methods/deep-screen-space/surfels.h"
+#include "renderers/passes/bounce/samples.h"
 
 namespace ir::methods::deep_screen_space {
-
 /// Of the surfels: so finely can work on them be sliced.
 inline constexpr std::int64_t surfel_parts = 256;
 
@@ -97,5 +98,7 @@ struct SphereBounds {
     IR_FIELDS(view_from_world, pixel_scale, pixel_offset, near_plane, far_plane, perspective, view_size)
 };
 SphereBounds sphere_bounds(const scene::View& view);
+
+std::vector<OutputDescription> splat_outputs();
 
 }  // namespace ir::methods::deep_screen_space

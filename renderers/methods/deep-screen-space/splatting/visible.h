@@ -43,7 +43,7 @@ VisibleSplats whole(VisibleSplats visible, const passes::bounce::Batches& batche
 /// Declares what people look at, of all samples.
 void show_visible(graph::GraphBuilder& builder, const VisibleSplats& visible);
 
-/// Constants of shaders/methods/deep-screen-space/splatting/visible_level.glsl.
+/// Constants of shaders/methods/deep-screen-space/splatting/visible_hit.glsl.
 struct VisibleLevel {
     InfluenceConstants influence;
     float coverage, max_distance;
@@ -90,5 +90,7 @@ void resolve_light_on_host(graph::GraphBuilder& builder, const VisibleSplats& vi
 /// at the edges of discs. Writes `nearest`, `hit_level` and the distance; and `depth` and `winner`, which run
 /// only for those who look at them.
 void splat_on_host(graph::GraphBuilder& builder, const VisibleSplats& visible, const std::string& batch);
+
+std::vector<OutputDescription> visible_outputs();  ///< only with visibility
 
 }  // namespace ir::methods::deep_screen_space

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
+#include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 #include "renderers/passes/scan/scan.h"
 #include "shaders/methods/deep-screen-space/surfels/patch.glsl.h"
@@ -216,6 +217,46 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
     second_round(builder, s);
     passes::scan_in_place(builder, "surfels.fine", s.points.buffer, total);
     return {s.patches, s.points, total, s.triangles, {}};
+}
+
+namespace {
+
+/// Constants of place.comp.
+struct Place {
+    Ideal ideal;
+    unsigned seed, patch_capacity, capacity;
+    IR_FIELDS(ideal, seed, patch_capacity, capacity)
+};
+
+}  // namespace
+
+Surfels place(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Patches& patches,
+              std::uint64_t reserve, const Parameters& parameters, const std::string& fingerprint) {
+    const auto kept = declare_records(builder, reserve, fingerprint);
+    builder.pass("place surfels")
+        .reads(scene.positions, scene.indices, scene.uv0, scene.uv1, scene.triangle_materials,
+               scene.materials, scene.opacity, scene.opacity_words)
+        .reads("Patches", patches.list.buffer)
+        .reads("Points", patches.points.buffer)
+        .writes("Surfels", kept.buffer)
+        .counts("PatchCount", patches.list.count)
+        .counts("WordCount", patches.points.count)
+        .counts("UnitCount", patches.total)
+        .counts("SurfelCount", kept.count)
+        .execute_sliced(
+            packing_parts,
+            [=](graph::PassContext& context, graph::Slice slice) {
+                const auto& program = context.use({{"methods/deep-screen-space/surfels/place.comp"}});
+                const auto capacity = context.capacity(kept.buffer);
+                const auto listed =
+                    std::min(context.capacity(patches.list.buffer), context.capacity(patches.points.buffer));
+                program.set(Place{ideal(context.inputs().view, parameters),
+                                  random_seed(context.inputs(), parameters), static_cast<unsigned>(listed),
+                                  static_cast<unsigned>(capacity)});
+                dispatch_parts(program, capacity, slice);
+            },
+            1);
+    return count_stored(builder, kept, fingerprint);
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -1,6 +1,5 @@
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 
-#include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/methods/deep-screen-space/surfels/senders.h"
 
 namespace ir::methods::deep_screen_space {

@@ -1,14 +1,38 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string>
 
+#include "renderers/gl/program.h"
+#include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/surfels.h"
-#include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "shaders/methods/deep-screen-space/surfels/fine.glsl.h"
+#include "shaders/methods/deep-screen-space/surfels/parts.glsl.h"
 
 /// The steps by which surfels are made, in their order; all but their light is kept as long as the
 /// fingerprint stays. [Nalbach15 fig. 6]
 namespace ir::methods::deep_screen_space {
+/// Passes over items whose number only the device knows are divided into so many parts (parts.glsl).
+inline constexpr std::int64_t packing_parts = parts;
+
+/// Runs a compute program in use, with groups of 64 that include parts.glsl, for a slice of the parts of a
+/// list with this capacity. Gives the constants of parts.glsl.
+void dispatch_parts(const gl::Program& program, std::uint64_t capacity, graph::Slice slice);
+
+/// Declares a growable buffer with the counter that makes it grow, of `reserve` elements at first.
+struct Growing {
+    graph::BufferRef buffer;
+    graph::CounterRef count;
+};
+Growing growing(graph::GraphBuilder& builder, graph::BufferDesc desc, graph::CounterDesc counter,
+                std::uint64_t reserve);
+
+/// Surfels in this buffer, with `stored`.
+Surfels declare_surfels(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint);
+/// And with the pass that fills it, of what the device counted.
+Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint);
+
 /// Parts of triangles that the tessellator divides, in the order of triangles; struct Patch of patch.glsl.
 struct Patches {
     Growing list;                 ///< "surfels.patches.list"

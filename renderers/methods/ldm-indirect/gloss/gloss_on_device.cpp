@@ -11,7 +11,7 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-const std::string folder = "methods/ldm-indirect/gloss/";
+const std::string gloss_folder = "methods/ldm-indirect/gloss/";
 
 /// Constants of path.glsl.
 struct PathNumbers {
@@ -66,13 +66,13 @@ class DeviceReflections {
         const PathNumbers numbers{static_cast<unsigned>(seed_), static_cast<unsigned>(seed_ >> 32), number,
                                   highlight_share(context.inputs(), parameters_)};
         if (event == 0)
-            rays_.dispatch(context, folder + "look.comp", band, numbers,
+            rays_.dispatch(context, gloss_folder + "look.comp", band, numbers,
                            passes::viewer(context.inputs().view),
                            Look{parameters_.gloss.kind == Gloss::mirror});
         passes::LightRays::trace_hits(context, band);
         rays_.add_punctual(context, band);
         rays_.add_sample(context, band, seed_ + 1 + event, 0, number);
-        auto source = rays_.source(folder + "go_on.comp");
+        auto source = rays_.source(gloss_folder + "go_on.comp");
         if (parameters_.progressive) source.defines["PROGRESSIVE"] = "1";
         rays_.dispatch(context, source, band, numbers, passes::HitNormals{parameters_.transport.normal_maps},
                        constants_of(context, event));

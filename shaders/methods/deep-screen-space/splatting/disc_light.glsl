@@ -1,4 +1,4 @@
-// What a disc sends that stands for many surfels. AVERAGED: the mean of theirs. Include visible_level.glsl, and before
+// What a disc sends that stands for many surfels. AVERAGED: the mean of theirs. Include visible_hit.glsl, and before
 // it the surfels, how many are stored, and their light.
 #include "lib/random.glsl"
 

@@ -1,6 +1,6 @@
 // What becomes of a surfel's splat on one pixel, with visibility.
 #include "methods/deep-screen-space/splatting/splat_search.glsl"
-#include "methods/deep-screen-space/splatting/visible_level.glsl"
+#include "methods/deep-screen-space/splatting/visible_hit.glsl"
 #include "methods/deep-screen-space/splatting/accepted.glsl"
 
 uniform sampler2D gbuffer_position;

@@ -19,7 +19,7 @@ uniform usampler2DArray nearest;
 uniform sampler2DArray directions;
 layout(rgba32f) uniform writeonly image2DArray incoming;
 
-#include "methods/deep-screen-space/splatting/visible_level.glsl"
+#include "methods/deep-screen-space/splatting/visible_hit.glsl"
 #include "methods/deep-screen-space/splatting/disc_light.glsl"
 
 #if GLOSSY_SENDERS || EXACT
@@ -27,7 +27,14 @@ layout(rgba32f) uniform writeonly image2DArray incoming;
 #endif
 #if GLOSSY_SENDERS
 #include "methods/deep-screen-space/splatting/resolve_glossy.glsl"
-#include "methods/deep-screen-space/splatting/ray_footprint.glsl"
+
+uniform float highlight_share;  // of the solid angle 1 / density; 0: rays stand for points
+
+/// What of a sender one ray stands for. DEVIATION [Nalbach15 §3.2]: a ray shows what its one direction has.
+float ray_slope_variance(uint triangle, float distance_m, float density) {
+    if (highlight_share == 0.0) return 0.0;
+    return slope_variance(triangle, distance_m, highlight_share / density);
+}
 #endif
 
 uniform sampler2D gbuffer_position;

@@ -1,18 +1,26 @@
-// Gives each place of each level the surface of the pixel that stands there.  [Nalbach15 §4.1]
+// Gives each place of each level the surface of the pixel that stands there, or (COLOURS) its colour, for people to
+// look at.  [Nalbach15 §4.1]
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "methods/deep-screen-space/splatting/places.glsl"
 
 uniform usampler2DArray layout_texture;
+#if COLOURS
+uniform sampler2D gbuffer_albedo;
+uniform writeonly image2DArray colours;
+
+void shuffle(ivec3 place, uint word) {
+    vec4 colour = vec4(0);
+    if (word != PADDING) colour = vec4(texelFetch(gbuffer_albedo, unpacked_place(word), 0).xyz, 1);
+    imageStore(colours, place, colour);
+}
+#else
 uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_normal;
 uniform writeonly image2DArray shuffled_positions;
 uniform writeonly image2DArray shuffled_normals;
 
-void main() {
-    ivec3 place = ivec3(gl_GlobalInvocationID);
-    if (any(greaterThanEqual(place, textureSize(layout_texture, 0)))) return;
-    uint word = texelFetch(layout_texture, place, 0).x;
+void shuffle(ivec3 place, uint word) {
     vec4 position = vec4(0), normal = vec4(0);
     if (word != PADDING) {
         position = texelFetch(gbuffer_position, unpacked_place(word), 0);
@@ -23,4 +31,11 @@ void main() {
     }
     imageStore(shuffled_positions, place, position);
     imageStore(shuffled_normals, place, normal);
+}
+#endif
+
+void main() {
+    ivec3 place = ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(place, textureSize(layout_texture, 0)))) return;
+    shuffle(place, texelFetch(layout_texture, place, 0).x);
 }

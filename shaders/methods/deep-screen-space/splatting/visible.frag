@@ -1,7 +1,7 @@
 // One surfel against the ray of one pixel, for one sample on one level. [Nalbach15 §3.2, §4.2]
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/places.glsl"
-#include "methods/deep-screen-space/splatting/visible_level.glsl"
+#include "methods/deep-screen-space/splatting/visible_hit.glsl"
 #include "methods/deep-screen-space/splatting/accepted.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };

@@ -2,7 +2,7 @@
 // solid angle of the disc that stands for them, seen face on; at the outer border of a shell it is ε = (r / d)².
 // [Nalbach15 fig. 9]
 #include "methods/deep-screen-space/records.glsl"
-#include "methods/deep-screen-space/splatting/visible_level.glsl"
+#include "methods/deep-screen-space/splatting/visible_hit.glsl"
 #include "methods/deep-screen-space/splatting/exact.glsl"
 #include "passes/bounce/tiles.glsl"
 

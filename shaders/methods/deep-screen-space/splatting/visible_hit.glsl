@@ -1,4 +1,9 @@
-// What a surfel does to a ray of a pixel: the same for splatting and for its explanation.
+// What a surfel does to a ray of a pixel: the same for splatting and for its explanation. Constants: VisibleLevel of
+// renderers/methods/deep-screen-space/splatting/visible.h. Include records.glsl before it.
+#include "methods/deep-screen-space/splatting/influence.glsl"
+
+uniform float coverage, max_distance;
+uniform bool full_discs;
 
 /// What one level needs to know of a surfel.
 struct SplatLevel {
@@ -10,6 +15,11 @@ struct SplatLevel {
     bool full_discs;     // inner shells count, too
     bool is_open;        // its shell ends where all shells end
 };
+
+SplatLevel splat_level(int level, Surfel surfel) {
+    return SplatLevel(level, first_shell(surfel.radius), whole_reach, coverage, max_distance, full_discs,
+                      level == open_level);
+}
 
 /// The level whose shell around the surfel holds x_p: [0, d], then (d 2^(k-1), d 2^k], as far as they reach, the last
 /// one if open as far as all; -1 where

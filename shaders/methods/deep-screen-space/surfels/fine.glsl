@@ -1,4 +1,4 @@
-// A fine surfel, as transform feedback leaves it: 12 words (renderers/methods/deep-screen-space/surfels/fine.h).
+// A fine surfel, as transform feedback leaves it: 12 words.
 
 #include "lib/constants.glsl"
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/steps.h"
+#include "renderers/methods/deep-screen-space/splatting/hierarchy.h"
 
 #include <array>
 #include <utility>
@@ -25,7 +25,7 @@ std::uint32_t permuted(std::uint32_t digit, std::uint32_t which) {
     return order[digit];
 }
 
-/// sub_image_of of permutation.glsl.
+/// sub_image_of of layout.comp.
 glm::uvec2 sub_image_of(glm::uvec2 pixel, std::uint32_t level, unsigned seed) {
     glm::uvec2 sub_image(0);
     for (std::uint32_t depth = 0; depth < level; ++depth) {

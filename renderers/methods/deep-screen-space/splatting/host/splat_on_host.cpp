@@ -35,6 +35,11 @@ struct ReleaseDevice {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
 };
 
+/// Levels of the hierarchical framebuffer.
+struct Levels {
+    int first, end;
+};
+
 /// What the rays of a frame are traced through.
 class HostSplats {
   public:
@@ -58,12 +63,12 @@ class HostSplats {
         if (!device_) throw Error("deep screen space: Embree does not start; --processor gl does without");
     }
 
-    /// Stratified, all samples have the same discs, only in other sub-images: it is called once then.
-    void begin_sample(int sample) {
-        const auto& hierarchy = visible_.splats.hierarchy;
+    /// Builds the discs of these levels, and forgets those of others. Stratified, all samples have the same,
+    /// only in other sub-images: `sample` is then the first one.
+    void build(Levels levels, int sample) {
         levels_.clear();
-        levels_.resize(static_cast<std::size_t>(hierarchy.levels));
-        tbb::parallel_for(0, hierarchy.levels, [&](int level) {
+        levels_.resize(static_cast<std::size_t>(visible_.splats.hierarchy.levels));
+        tbb::parallel_for(levels.first, levels.end, [&](int level) {
             const auto mask = (1u << 2 * level) - 1;
             levels_[static_cast<std::size_t>(level)] = std::make_unique<DiscLevel>(
                 device_.get(), surfels_, rules_, level, *seen_, [&](const Surfel& surfel) {
@@ -75,8 +80,8 @@ class HostSplats {
                 });
         });
         if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
-            throw Error("deep screen space: Embree has no room for " + std::to_string(surfels_.size()) +
-                        " surfels on each level; raise surfel_radius");
+            throw Error("deep screen space: Embree has no room for the discs of " +
+                        std::to_string(surfels_.size()) + " surfels; raise surfel_radius");
     }
 
     /// Calls `to` with the number and the place of each pixel of the tile.
@@ -221,15 +226,16 @@ struct Samples {
     int first, end;
 };
 
-/// Calls `run(splats, samples, stage, tile)` for all of them, so that only the discs of one sample are held,
-/// and stage by stage.
+/// Calls `run(splats, samples, stage, tile)` for all of them, stage by stage. Only the discs that one stage
+/// of one sample needs are held, of `stages[i]`.
 template <class Run>
-void execute(graph::PassBuilder& pass, const VisibleSplats& visible, graph::ObjectRef bvh, int stages,
-             const Run& make_run) {
+void execute(graph::PassBuilder& pass, const VisibleSplats& visible, graph::ObjectRef bvh,
+             const std::vector<Levels>& stages, const Run& make_run) {
     const auto& hierarchy = visible.splats.hierarchy;
     const bool shared = visible.splats.parameters.sub_images == SubImages::stratified;
     const int together = shared ? visible.splats.samples : 1;
-    const auto tiles = tiles_of(hierarchy).count(), of_samples = tiles * stages;
+    const auto tiles = tiles_of(hierarchy).count();
+    const auto of_samples = tiles * static_cast<std::int64_t>(stages.size());
     const auto splats = std::make_shared<HostSplats>(visible, bvh);
     pass.reads(visible.splats.surfels.records, visible.splats.surfels.stored, hierarchy.places,
                hierarchy.layout, visible.gbuffer.position, visible.gbuffer.geometric_normal,
@@ -245,7 +251,7 @@ void execute(graph::PassBuilder& pass, const VisibleSplats& visible, graph::Obje
                 const int sample = static_cast<int>(item / of_samples) * together;
                 const auto stage = static_cast<int>(item % of_samples / tiles);
                 const auto first = item % tiles, end = std::min(tiles, first + slice.end - item);
-                if (item % of_samples == 0) splats->begin_sample(sample);
+                if (first == 0) splats->build(stages[static_cast<std::size_t>(stage)], sample);
                 tbb::parallel_for(first, end, [&](std::int64_t tile) {
                     run(*splats, Samples{sample, sample + together}, stage, tile);
                 });
@@ -256,13 +262,16 @@ void execute(graph::PassBuilder& pass, const VisibleSplats& visible, graph::Obje
 }
 
 /// The pass of the picture: only the winners of all levels together are looked for. Triangles first, then
-/// level by level the pixels of a sub-image after each other, as they meet the same discs.
+/// level by level the pixels of a sub-image after each other, as they meet the same discs. Only the discs of
+/// one level are held, which are most of what a large picture needs.
 void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh,
                      const std::string& batch) {
     const auto distance = visible.samples.distance;
     auto pass = builder.pass("splat" + batch, graph::Queue::cpu);
     pass.has_two_bodies().writes(visible.nearest, visible.hit_level, distance);
-    const int stages = 1 + visible.splats.hierarchy.levels;
+    std::vector<Levels> stages{{0, 0}};
+    for (int level = 0; level < visible.splats.hierarchy.levels; ++level)
+        stages.push_back({level, level + 1});
     execute(pass, visible, bvh, stages, [=](const PassContext& p, Slice) {
         return [directions = graph::layers<const glm::vec4>(p, visible.directions.directions),
                 nearest = graph::layers<std::uint32_t>(p, visible.nearest),
@@ -317,7 +326,8 @@ void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, 
                     const std::string& batch) {
     auto pass = builder.pass("splat level by level" + batch, graph::Queue::cpu);
     pass.writes(visible.depth, visible.winner);
-    execute(pass, visible, bvh, 1, [=](const PassContext& p, Slice slice) {
+    const std::vector<Levels> all{{0, visible.splats.hierarchy.levels}};
+    execute(pass, visible, bvh, all, [=](const PassContext& p, Slice slice) {
         const auto depths = graph::layers<float>(p, visible.depth);
         const auto winners = graph::layers<std::uint32_t>(p, visible.winner);
         if (slice.first) {

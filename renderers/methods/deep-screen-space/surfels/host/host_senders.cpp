@@ -109,7 +109,7 @@ float SenderSurfaces::ior(const passes::Surface& surface) const {
     return scene_.materials[static_cast<std::size_t>(surface.material)].ior;
 }
 
-/// diffuse_albedo of diffuse.glsl.
+/// diffuse_albedo of sent.glsl.
 glm::vec3 SenderSurfaces::albedo(const passes::Surface& s) const {
     if (s.is_unlit) return glm::vec3(0);
     if (materials_ == Materials::lambert) return s.base_colour;

@@ -7,8 +7,8 @@
 
 namespace ir::methods::deep_screen_space {
 
-/// Surfaces of senders, on the host: diffuse.glsl, ray_footprint.glsl and what resolve_glossy.glsl says of
-/// widths. Thread-safe.
+/// Surfaces of senders, on the host: sent.glsl, ray_slope_variance of resolve.comp and what
+/// resolve_glossy.glsl says of widths. Thread-safe.
 class SenderSurfaces {
   public:
     /// For a pass of the cpu queue that reads the surfaces (host_surfaces()).
@@ -31,7 +31,7 @@ class SenderSurfaces {
     bool are_glossy() const { return is_glossy_; }
     /// Widens the highlight by a variance of half vectors' slopes, and gives the factor that keeps its light.
     float widen(passes::Surface& surface, glm::vec3 direction_ws, float variance) const;
-    /// As ray_footprint.glsl.
+    /// As in resolve.comp.
     float ray_slope_variance(std::uint32_t triangle, float distance_m, float density) const;
     float ior(const passes::Surface& surface) const;
 

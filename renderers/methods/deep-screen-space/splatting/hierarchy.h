@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "renderers/methods/deep-screen-space/surfels.h"
-#include "renderers/passes/bounce/samples.h"
+#include "renderers/graph/builder.h"
+#include "renderers/methods/deep-screen-space/parameters.h"
+#include "renderers/passes/gbuffer/gbuffer.h"
 
 namespace ir::methods::deep_screen_space {
-
 inline const std::string folder = "methods/deep-screen-space/splatting/";  ///< of the shaders
 
 /// The hierarchical framebuffer: level l holds 4^l sub-images, into which each neighbourhood of 2^l × 2^l
@@ -25,17 +25,9 @@ struct Hierarchy {
 };
 Hierarchy shuffle(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters);
 
-/// Splatting without visibility: every surfel adds its form factor, or the light that it sends there, on one
-/// level by distance; levels are blurred (by the blur's parameters, as many pixels of the level) and added.
-/// The image that `text` describes: accessibility r32f or reflected radiance rgba32f. [Nalbach14]
-graph::ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                               const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
-                               const Hierarchy& hierarchy, const Surfels& surfels,
-                               const Parameters& parameters, graph::ResourceText text);
-
 std::vector<OutputDescription> hierarchy_outputs();
-std::vector<OutputDescription> splat_outputs();
-std::vector<OutputDescription> visible_outputs();   ///< only with visibility
-std::vector<OutputDescription> additive_outputs();  ///< only without
+
+/// Declares the pass "framebuffer layout" on the host's threads: what layout.comp writes, bit by bit.
+void lay_out_on_host(graph::GraphBuilder& builder, const Hierarchy& hierarchy, unsigned seed);
 
 }  // namespace ir::methods::deep_screen_space
