@@ -107,7 +107,7 @@ class AnalyseCommand {
         const auto& first = analyses_.front();
         const auto why_not = projects::why_not_analysed(loaded_.project, first, engine::registry());
         if (analyses_.size() == 1 && !why_not.empty())
-            throw InputError(flags_.project + ": " + with_name(first, why_not));
+            throw InputError(flags_.project, "", with_name(first, why_not));
         OutputFiles files;
         files.reads(loaded_);
         for (const auto& [option, file] : {std::pair("--csv", flags_.csv), std::pair("--svg", flags_.svg)}) {
