@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 
 namespace ir {
@@ -16,7 +17,7 @@ class BenchCommand : public testing::Test {
   protected:
     BenchCommand() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::temp_directory_path() / ("interreflect-bench-" + std::string(test->name()));
+        root_ = own_folder("bench-" + std::string(test->name()));
         fs::remove_all(root_);
         fs::create_directories(root_);
     }

@@ -11,6 +11,7 @@
 
 #include "renderers/image/exr.h"
 #include "renderers/image/metrics.h"
+#include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 
 namespace ir {
@@ -20,7 +21,7 @@ class Compare : public testing::Test {
   protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() / ("interreflect-compare-" + std::string(test->name()));
+        folder_ = own_folder("compare-" + std::string(test->name()));
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }

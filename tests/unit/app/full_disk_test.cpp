@@ -10,6 +10,7 @@
 #include "projects/results.h"
 #include "projects/store.h"
 #include "renderers/image/exr.h"
+#include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 #include "tests/unit/scarce_disk.h"
 
@@ -73,7 +74,7 @@ class FullDiskCommand : public testing::Test {
   protected:
     FullDiskCommand() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        root = fs::temp_directory_path() / ("interreflect-full-disk-" + std::string(test->name()));
+        root = own_folder("full-disk-" + std::string(test->name()));
         fs::remove_all(root);
         fs::create_directories(disk = root / "disk");
         fs::create_directories(project = root / "p.interreflect");

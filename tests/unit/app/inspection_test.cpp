@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderers/image/exr.h"
+#include "tests/own_folder.h"
 #include "tests/small_sample.h"
 #include "tests/unit/app/outcome.h"
 
@@ -18,7 +19,7 @@ class PickAndChoose : public testing::Test {
   protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() / ("interreflect-pick-" + std::string(test->name()));
+        folder_ = own_folder("pick-" + std::string(test->name()));
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }

@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/own_folder.h"
+
 namespace ir {
 
 namespace fs = std::filesystem;
@@ -42,8 +44,7 @@ class CommandTest : public testing::Test {
   protected:
     void SetUp() override {
         const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() /
-                  ("interreflect-" + std::string(test.test_suite_name()) + "-" + test.name());
+        folder_ = own_folder(std::string(test.test_suite_name()) + "-" + test.name());
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }

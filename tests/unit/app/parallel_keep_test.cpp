@@ -13,6 +13,7 @@
 #include "projects/open_project.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
+#include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 
 namespace ir {
@@ -22,7 +23,7 @@ class ParallelKeeping : public testing::Test {
   protected:
     ParallelKeeping() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::temp_directory_path() / ("interreflect-parallel-" + std::string(test->name()));
+        root_ = own_folder("parallel-" + std::string(test->name()));
         fs::remove_all(root_);
         project = root_ / "p.interreflect";
         fs::create_directories(project);

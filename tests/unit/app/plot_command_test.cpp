@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 
 namespace ir {
@@ -17,7 +18,7 @@ class PlotCommand : public testing::Test {
   protected:
     PlotCommand() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::temp_directory_path() / ("interreflect-plot-" + std::string(test->name()));
+        root_ = own_folder("plot-" + std::string(test->name()));
         fs::remove_all(root_);
         project_ = root_ / "p.interreflect";
         fs::create_directories(project_);

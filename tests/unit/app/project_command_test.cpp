@@ -9,6 +9,7 @@
 #include "projects/autosave.h"
 #include "projects/lock.h"
 #include "projects/results.h"
+#include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 #include "tests/unit/scene/gltf_builder.h"
 
@@ -25,7 +26,7 @@ class ProjectCommand : public testing::Test {
   protected:
     ProjectCommand() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::temp_directory_path() / ("interreflect-project-" + std::string(test->name()));
+        root_ = own_folder("project-" + std::string(test->name()));
         fs::remove_all(root_);
         project = root_ / "p.interreflect";
         json = Json::parse(

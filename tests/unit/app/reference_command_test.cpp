@@ -10,6 +10,7 @@
 #include "app/engine/stored_state.h"
 #include "projects/results.h"
 #include "renderers/image/exr.h"
+#include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 
 namespace ir {
@@ -20,7 +21,7 @@ class ReferenceCommand : public testing::Test {
   protected:
     ReferenceCommand() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::temp_directory_path() / ("interreflect-reference-" + std::string(test->name()));
+        root_ = own_folder("reference-" + std::string(test->name()));
         fs::remove_all(root_);
         auto json = Json::parse(
             read(fs::path(SOURCE_ROOT) / "projects/samples/crevice-leaks.interreflect/project.json"));

@@ -10,6 +10,7 @@
 #include "projects/results.h"
 #include "renderers/image/exr.h"
 #include "tests/child_process.h"
+#include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 
 namespace ir {
@@ -61,7 +62,7 @@ class Signals : public testing::Test {
   protected:
     Signals() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::temp_directory_path() / ("interreflect-signals-" + std::string(test->name()));
+        root_ = own_folder("signals-" + std::string(test->name()));
         fs::remove_all(root_);
         project_ = root_ / "p.interreflect";
         fs::create_directories(project_);
