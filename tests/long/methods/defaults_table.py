@@ -3,6 +3,7 @@
 the screen-space methods.
 
     defaults_table.py build/release/bin/interreflect-cli [--size 156x104] [--samples 1024] [--only "still life"]
+                      [--seeds 1 2]
 
 Prints Markdown. References are kept in --keep, so that another run takes them from there. With --check it exits with 1
 where the light is too far from the reference's, or where the method is not ahead by FLIP or, beyond the reference's own
@@ -22,7 +23,6 @@ from dataclasses import dataclass, field
 METHOD = "deep-screen-space"
 AO = {"paths": "ao", "max_distance": "1"}
 LIGHT = {"paths": "indirect", "max_distance": "0"}
-SEEDS = 2  # of the methods: 1, 2
 TRUTH_SEED, COARSE_SEED = 7, 8  # of the reference
 
 
@@ -64,6 +64,7 @@ ROWS = [
 class Table:
     def __init__(self, options, keep):
         self.cli, self.size, self.samples = str(pathlib.Path(options.cli).resolve()), options.size, options.samples
+        self.seeds = options.seeds
         self.keep = keep
         self.keep.mkdir(parents=True, exist_ok=True)
 
@@ -96,7 +97,7 @@ class Table:
         noise = self.errors(row, coarse, truth)["rmse"] / math.sqrt(5)  # s²/N and 4 s²/N add up
         result = {}
         for method in (METHOD, row.competitor):
-            each = [self.errors(row, self.render(row, method, seed), truth) for seed in range(1, SEEDS + 1)]
+            each = [self.errors(row, self.render(row, method, seed), truth) for seed in self.seeds]
             mean = lambda of: sum(map(of, each)) / len(each)
             result[method] = (mean(lambda e: e["mean"] / e["reference-mean"]),
                               math.sqrt(mean(lambda e: e["rmse"] ** 2)), mean(lambda e: e[row.flip]))
@@ -130,6 +131,7 @@ def main():
     parser.add_argument("cli")
     parser.add_argument("--size", default="156x104")
     parser.add_argument("--samples", type=int, default=1024, help="of the reference")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2], help="of the methods")
     parser.add_argument("--keep", help="folder for the pictures (default: a temporary one)")
     parser.add_argument("--only", action="append", help="name of a row; repeat for more")
     parser.add_argument("--check", action="store_true")
