@@ -61,14 +61,15 @@ QImage with_shape(const QImage& picture, QSize size) {
     return small.copy(QRect(QPoint(left, top), size));
 }
 
-QByteArray card_of(Workspace& workspace, bool last) {
+QByteArray card_of(Workspace& workspace, bool is_set_up) {
     QImage picture;
     for (const int view : workspace.area().open_views()) {
         auto* pane = workspace.pane(view);
         const auto shown = pane ? picture_of(*pane) : QImage();
         if (shown.isNull()) continue;
-        picture = shown;
-        if (!last) break;
+        const bool is_plain = pane->content() == widgets::ViewPane::Content::picture;
+        if (picture.isNull() || !is_plain) picture = shown;
+        if (!is_set_up || !is_plain) break;
     }
     QByteArray bytes;
     for (int width = card_width; !picture.isNull() && width > 32; width = width * 7 / 8) {

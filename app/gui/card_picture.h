@@ -11,8 +11,8 @@ namespace ir::gui {
 QImage picture_of(widgets::ViewPane& pane);
 /// The part of a picture with the shape of `size`, as large as it may be, where most is seen.
 QImage with_shape(const QImage& picture, QSize size);
-/// A view as a card of the start page has it: small, also as a file. Of those that show something the first,
-/// or the last. Empty where there is none.
-QByteArray card_of(Workspace& workspace, bool last = false);
+/// A view as a card has it: small, also as a file. Of those that show something the first; of what was set up
+/// rather one that shows more than a picture. Empty where there is none.
+QByteArray card_of(Workspace& workspace, bool is_set_up = false);
 
 }  // namespace ir::gui

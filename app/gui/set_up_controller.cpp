@@ -41,7 +41,7 @@ SetUpController::SetUpController(QWidget& window, Session& session, LivePictures
     space_ = actions.add("set-up-space", tr("&What stands in space"), nullptr,
                          {K(Qt::CTRL | Qt::ALT | Qt::Key_P)}, [this] { show_space(); });
     space_->setData(tr("The method's points, lines and directions over its scene, beside the picture"));
-    actions.add("set-ups", tr("&Choose by a picture …"), nullptr, {K(Qt::CTRL | Qt::ALT | Qt::Key_S)},
+    actions.add("set-ups", tr("&Choose by a picture …"), nullptr, {K(Qt::CTRL | Qt::ALT | Qt::Key_C)},
                 [this] { show_cards(); });
     follow(session_, this, &SetUpController::update);
     update();
