@@ -141,6 +141,7 @@ void FramesDock::update() {
     widgets::FramesState state;
     for (const auto& frame : past_.frames()) state.edited.push_back(!frame.change.empty());
     state.shown = int(past_.place());
+    state.is_past = past_.is_elsewhere();
     state.caption = caption();
     state.used_mib = double(past_.bytes()) / bytes_per_mib;
     state.limit_mib = double(past_.limit()) / bytes_per_mib;
