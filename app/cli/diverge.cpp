@@ -62,7 +62,7 @@ void print(const Divergence& found, bool all) {
     for (const auto& each : found.buffers) {
         const bool has_numbers = each.values > 0;
         same += each.is_same() ? 1 : 0;
-        missing += has_numbers || each.diverges ? 0 : 1;
+        missing += has_numbers || each.diverges || each.problem.empty() ? 0 : 1;
         if (each.is_same() && !all) continue;
         const auto said = each.diverges && each.problem.empty() ? std::string("diverges") : each.problem;
         rows.push_back({each.key, each.pass, has_numbers ? std::to_string(each.values) : "",

@@ -23,8 +23,8 @@ struct BufferDivergence {
     double largest = 0;   ///< difference
     std::string problem;  ///< one line: why nothing is compared, or what is to be known of it
     bool diverges = false;
-    /// There is nothing to say of it.
-    bool is_same() const { return values > 0 && largest == 0 && problem.empty(); }
+    /// There is nothing to say of it; an empty one of both is the same, too.
+    bool is_same() const { return largest == 0 && problem.empty(); }
 };
 
 /// An experiment on two machines.

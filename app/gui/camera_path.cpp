@@ -3,6 +3,7 @@
 #include <QAction>
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "app/gui/text_of.h"
 #include "projects/motion.h"
@@ -45,10 +46,16 @@ class Steps {
     std::vector<projects::EditPtr> steps_;
 };
 
+/// "View" or "View 2", as looking around names cameras; not one that a person has named.
+bool is_view_name(const std::string& name) {
+    constexpr std::string_view view = "View";
+    return name.rfind(view, 0) == 0 && name.find_first_not_of(" 0123456789", view.size()) == name.npos;
+}
+
 /// A camera that looking around made and that nothing uses any more.
 bool is_left_over(const Project& project, const std::string& id) {
     const auto* camera = projects::find_item(project.cameras, id);
-    return camera && camera->name.rfind("View", 0) == 0 && !projects::motion_of_camera(project, id) &&
+    return camera && is_view_name(camera->name) && !projects::motion_of_camera(project, id) &&
            std::none_of(project.experiments.begin(), project.experiments.end(),
                         [&](const auto& each) { return each.camera == id; });
 }

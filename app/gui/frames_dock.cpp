@@ -1,5 +1,6 @@
 #include "app/gui/frames_dock.h"
 
+#include <QAction>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QTemporaryDir>
@@ -64,14 +65,17 @@ FramesDock::FramesDock(QWidget& window, Session& session, LivePictures& live, Wo
       actions_(actions),
       panel_(new widgets::FramesPanel),
       job_(window, notices, tr("Film"), "frames") {
-    const auto add = [&](const char* name, const QString& text, const char* icon, Qt::Key key, auto run) {
-        actions.add(name, text, icon, {QKeySequence(Qt::ALT | key)}, run);
+    const auto add = [&](const char* name, const QString& text, const char* icon, Qt::Key key,
+                         const QString& help, auto run) {
+        actions.add(name, text, icon, {QKeySequence(Qt::ALT | key)}, run)->setData(help);
     };
     add("past-older", tr("Frame &before (of the last frames)"), "step-back", Qt::Key_Comma,
+        tr("All views go back by one of the frames that are kept"),
         [this] { choose(int(past_.place()) - 1); });
     add("past-newer", tr("Frame aft&er (of the last frames)"), "step-forward", Qt::Key_Period,
-        [this] { choose(int(past_.place()) + 1); });
-    add("past-now", tr("&Newest frame"), nullptr, Qt::Key_N, [this] { past_.show_now(); });
+        tr("All views go on by one of the frames that are kept"), [this] { choose(int(past_.place()) + 1); });
+    add("past-now", tr("&Newest frame"), nullptr, Qt::Key_N, tr("All views show what is newest again"),
+        [this] { past_.show_now(); });
     using Panel = widgets::FramesPanel;
     connect(panel_, &Panel::frame_chosen, this, &FramesDock::choose);
     connect(panel_, &Panel::now_wanted, &past_, &PastFrames::show_now);
@@ -136,11 +140,13 @@ std::vector<std::shared_ptr<const engine::LiveResult>> FramesDock::film_frames(e
 }
 
 void FramesDock::update() {
-    actions_.enable("past-older", past_.place() > 0);
-    actions_.enable("past-newer past-now", past_.is_elsewhere());
+    set_reason(*actions_.find("past-older"), past_.place() > 0 ? QString() : tr("No older frame is kept."));
+    for (const char* name : {"past-newer", "past-now"})
+        set_reason(*actions_.find(name), past_.is_elsewhere() ? QString() : tr("The newest frame is shown."));
     widgets::FramesState state;
     for (const auto& frame : past_.frames()) state.edited.push_back(!frame.change.empty());
     state.shown = int(past_.place());
+    state.is_past = past_.is_elsewhere();
     state.caption = caption();
     state.used_mib = double(past_.bytes()) / bytes_per_mib;
     state.limit_mib = double(past_.limit()) / bytes_per_mib;

@@ -212,7 +212,11 @@ void LivePictures::send_if_changed(const std::string& id, Entry& entry) {
     const auto wanted = pose ? with_pose(*entry.experiment, *pose) : *entry.experiment;
     const auto again = " again " + std::to_string(entry.frames_again);
     const auto text = signature(wanted) + again + "\n" + signature_of(entry.want);
-    if (text == entry.signature) return void(entry.revision = revision_);
+    if (text == entry.signature) {  // what was edited is no change of its picture
+        entry.revision = revision_;
+        entry.steps = session_.open_project().undo_stack().position();
+        return;
+    }
     entry.signature = text;
     send(id, entry, wanted);
 }

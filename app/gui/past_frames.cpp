@@ -88,7 +88,10 @@ void PastFrames::show(std::size_t place) {
 }
 
 void PastFrames::show_now() {
-    if (std::exchange(shown_, std::nullopt)) emit shown_changed();
+    if (!std::exchange(shown_, std::nullopt)) return;
+    make_room();  // for what did not have to go while a past frame was shown
+    emit shown_changed();
+    emit kept_changed();
 }
 
 std::size_t PastFrames::place() const {

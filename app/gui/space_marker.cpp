@@ -14,7 +14,7 @@ namespace {
 
 /// Of the way to a pin's surface that is left after a flight.
 constexpr double left_of_way = 0.4;
-/// Straight path_pieces between two keys of a path.
+/// Straight pieces that a path is drawn with between two of its keys.
 constexpr int path_pieces = 24;
 /// Length of a key's frustum as a part of the way between eyes of the path, or of that to the target.
 constexpr double frustum_part = 0.2;
@@ -55,7 +55,7 @@ SpaceMarker::SpaceMarker(QObject& parent, Session& session, LivePictures& live, 
     connect(&workspace_.views(), &ViewModel::shown_changed, this, &SpaceMarker::update);
     connect(&session_, &Session::project_replaced, this, [this] {
         places_.clear();
-        will_land_.reset();
+        will_land_.clear();
         flown_to_ = -1;
     });
     update_action();
@@ -105,8 +105,9 @@ void SpaceMarker::on_surface(const engine::SurfaceResult& result) {
     });
     if (pin == pins.end()) return;
     const int number = int(pin - pins.begin());
-    const bool lands = will_land_ == number && result.tag == workspace_.views().active_state().a.owner;
-    if (will_land_ == number) will_land_.reset();
+    const bool is_awaited = will_land_ == result.asker;
+    const bool lands = is_awaited && result.tag == workspace_.views().active_state().a.owner;
+    if (is_awaited) will_land_.clear();
     auto& of_pin = places->second.of_pin;
     if (!result.error.empty()) {
         of_pin.erase({pin->x(), pin->y()});  // asked again later
@@ -184,14 +185,16 @@ void SpaceMarker::fly_to(int pin) {
     if (pin < 0 || pin >= int(pins.size())) return;
     if (!session_.experiment(owner) || !live_.result(owner))
         return notices_.say(tr("Choose a view that shows a picture of an experiment."));
+    if (live_.past().is_elsewhere()) return notices_.say(tr("Flights begin at the newest frame (Alt+N)."));
     flown_to_ = pin;
     find_places(owner);
     if (const auto at = place(owner, pins[std::size_t(pin)])) return land(pin, *at);
     const auto size = workspace_.views().rules().main_size(owner);
     if (!QRect(QPoint(0, 0), size).contains(pins[std::size_t(pin)]))
         return notices_.say(tr("Pin %1 lies outside the picture.").arg(pin + 1));
-    will_land_ = pin;
-    places_[owner].of_pin.erase({pins[std::size_t(pin)].x(), pins[std::size_t(pin)].y()});
+    auto& places = places_[owner];
+    will_land_ = asker_of(pins[std::size_t(pin)], places.generation);
+    places.of_pin.erase({pins[std::size_t(pin)].x(), pins[std::size_t(pin)].y()});
     find_places(owner);
 }
 

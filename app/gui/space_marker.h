@@ -51,8 +51,8 @@ class SpaceMarker : public QObject {
     Notices& notices_;
     std::map<std::string, Places> places_;
     int generations_ = 0;
-    int flown_to_ = -1;             ///< pin
-    std::optional<int> will_land_;  ///< pin whose place is not known yet
+    int flown_to_ = -1;      ///< pin
+    std::string will_land_;  ///< asker for the pin that is flown to once its place is known; empty: none
 };
 
 }  // namespace ir::gui

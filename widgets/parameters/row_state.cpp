@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+
 #include "widgets/style/rich_text.h"
 
 namespace ir::widgets {

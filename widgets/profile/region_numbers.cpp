@@ -161,8 +161,9 @@ RegionNumbers measure_region(const RegionRequest& request, const std::atomic<boo
     for (const auto& shown : request.pictures) {
         const auto image = measured(shown);
         const auto read = pixel_numbers(image.semantic, image.image->channels, request.choice);
-        if (!read.empty() && !cancelled)
-            numbers.waveforms.push_back(waveform(image, read, looked_at(shown), *axis, cancelled));
+        const auto rectangle = looked_at(shown);
+        if (!read.empty() && !rectangle.isEmpty() && !cancelled)
+            numbers.waveforms.push_back(waveform(image, read, rectangle, *axis, cancelled));
     }
     return numbers;
 }

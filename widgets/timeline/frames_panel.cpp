@@ -157,8 +157,8 @@ void FramesPanel::show_state(const FramesState& state) {
     }
     static_cast<FrameSlider*>(slider_)->set_marks(state.edited);
     older_->setEnabled(state.shown > 0);
-    newer_->setEnabled(state.shown < last);
-    now_->setEnabled(state.shown < last);
+    newer_->setEnabled(state.is_past);
+    now_->setEnabled(state.is_past);
     caption_->setText(state.caption);
     caption_->setToolTip(state.caption);
     used_->setText(tr("%1 MiB of").arg(std::ceil(state.used_mib)));

@@ -15,7 +15,8 @@ class NumberField;
 /// The frames that are kept, and which of them is shown.
 struct FramesState {
     std::vector<bool> edited;  ///< of each, oldest first: whether something was changed before it
-    int shown = -1;            ///< which; the last one is now
+    int shown = -1;            ///< which
+    bool is_past = false;      ///< it is not what is newest; the last kept one may be past, too
     QString caption = {};      ///< of the one that is shown, or why none is kept
     double used_mib = 0, limit_mib = 0;
     QString why_no_film = {};  ///< not empty: the frames cannot be saved

@@ -112,7 +112,7 @@ const Image& AnalysisRun::reference() {
     for (const auto& line : truth.notes) note(line);
     if (truth.noise > 0)
         note("the reference has an RMSE of about " + plot_number(truth.noise) +
-             " left of its own; what is nearer to it than that is as good");
+             " left of its own; smaller errors against it say nothing");
     ++done_;
     *reference_ = take(std::move(truth.image), truth.valid, "the reference");
     return *reference_;

@@ -132,8 +132,10 @@ TEST_F(FramesTest, OldFramesGoFirstButNoneWhileOneIsShown) {
     emit dock().panel().limit_chosen(1.5 * one);
     EXPECT_EQ(past().frames().size(), 1u);
     EXPECT_FLOAT_EQ(pixel(), 0.5f) << "what is shown stays";
+    EXPECT_TRUE(dock().panel().findChild<QToolButton*>("now")->isEnabled()) << "the last one, but past";
     emit dock().panel().limit_chosen(0);
     press(Qt::Key_N);
+    EXPECT_TRUE(past().frames().empty()) << "nothing holds it any more";
     edit_level(1);
     EXPECT_TRUE(past().frames().empty());
     EXPECT_EQ(past().bytes(), 0u);

@@ -120,6 +120,21 @@ TEST_F(ResultsWindowTest, WhileAPictureIsBeingKeptItIsNotKeptTwice) {
     EXPECT_TRUE(window.action("keep")->toolTip().contains("finished"));
 }
 
+TEST_F(ResultsWindowTest, WhileAPastFrameIsShownTheNewestIsNotKeptUnseen) {
+    save();
+    ASSERT_TRUE(settle());
+    type_level("0.75");
+    ASSERT_TRUE(settle());
+    const auto* action = window.action("keep");
+    ASSERT_TRUE(action->isEnabled()) << action->toolTip().toStdString();
+    window.live().past().show(0);
+    ASSERT_TRUE(window.live().past().is_elsewhere());
+    EXPECT_FALSE(action->isEnabled());
+    EXPECT_TRUE(action->toolTip().contains("newest")) << action->toolTip().toStdString();
+    window.live().past().show_now();
+    EXPECT_TRUE(action->isEnabled()) << action->toolTip().toStdString();
+}
+
 TEST_F(ResultsWindowTest, AKeptResultIsBInEveryMode) {
     save();
     keep();

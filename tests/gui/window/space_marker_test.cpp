@@ -75,6 +75,25 @@ TEST_F(SpaceMarkerTest, WhatShowsNoSurfaceOrLiesOutsideIsSaid) {
     EXPECT_FALSE(marker().place(owner(), {3, 2}));
 }
 
+TEST_F(SpaceMarkerTest, FromAPastFrameNobodyFliesThenOrLater) {
+    window.inspector().pin({3, 2});
+    window.session().edit([&](const projects::Project& project) {
+        return projects::edits::set_values(project, fake_registry(), owner(), {{"level", 0.5}});
+    });
+    window.session().end_gesture();
+    ASSERT_TRUE(settle());
+    const auto before = pose();
+    window.live().past().show(0);
+    ASSERT_TRUE(window.live().past().is_elsewhere());
+    marker().fly_to(0);
+    EXPECT_NE(label("state").find("newest frame"), std::string::npos) << label("state");
+    window.live().past().show_now();
+    window.views().show_output("cloud");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().marks().pins.empty(); }, 5000));
+    EXPECT_EQ(pose().eye, before.eye);
+    EXPECT_FALSE(space().is_free());
+}
+
 TEST_F(SpaceMarkerTest, InA3DViewItsOwnCameraFlies) {
     window.inspector().pin({3, 2});
     window.views().show_output("cloud");

@@ -22,6 +22,7 @@ class FramesPanelTest : public testing::Test {
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
         panel.show_state({.edited = {false, true, false, false},
                           .shown = 2,
+                          .is_past = true,
                           .caption = "3 of 4",
                           .used_mib = 1.2,
                           .limit_mib = 512});
@@ -58,6 +59,9 @@ TEST_F(FramesPanelTest, NowHasNothingNewerAndReasonsAreSaid) {
     EXPECT_TRUE(find<QToolButton>("frame-film")->toolTip().contains("no picture"));
     panel.show_state({});
     EXPECT_FALSE(find<QToolButton>("older")->isEnabled());
+    panel.show_state({.edited = {false}, .shown = 0, .is_past = true});
+    EXPECT_TRUE(find<QToolButton>("newer")->isEnabled()) << "what came after it was not kept";
+    EXPECT_TRUE(find<QToolButton>("now")->isEnabled());
 }
 
 TEST_F(FramesPanelTest, TheLimitIsTypedAndFilmsAreChosen) {
