@@ -156,7 +156,8 @@ Lock Lock::take(const fs::path& folder, bool by_force) {
     if (error == EEXIST) {
         lock.holder_ = read_holder(lock.file_);
         const bool may_take = by_force || (lock.holder_ && has_ended(*lock.holder_));
-        if (may_take && ::unlink(lock.file_.c_str()) == 0)
+        // Gone already: by others, or by us where a network lost the answer. Creation decides who has it.
+        if (may_take && (::unlink(lock.file_.c_str()) == 0 || errno == ENOENT))
             error = create_lock(lock.file_, to_text(lock.self_));
     }
     lock.held_ = error == 0;

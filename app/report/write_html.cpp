@@ -355,12 +355,11 @@ class Page {
         if (data.headings.empty() || data.count() == 0) return;
         Table table{"Points of " + data.title, {}, {}, {}};
         for (const auto& heading : data.headings) table.headings.push_back({heading});
-        for (const auto& series : data.series)
-            for (const auto& point : series.points) {
-                std::vector<Cell> row;
-                for (const auto& cell : point.cells) row.push_back({cell.text, cell.number});
-                table.rows.push_back(std::move(row));
-            }
+        for (const auto& [point, series] : data.in_reading_order()) {
+            std::vector<Cell> row;
+            for (const auto& cell : point->cells) row.push_back({cell.text, cell.number});
+            table.rows.push_back(std::move(row));
+        }
         out_.open("details").line("summary", "Numbers");
         write_table(table, "numbers");
         out_.close();

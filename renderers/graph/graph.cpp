@@ -200,14 +200,14 @@ void Frame::run_attempts(const std::vector<std::string>& requested) {
             if (!divide_further()) refuse(*this, memory.plan());
             continue;
         }
-        // A program that says something was met for the first time.
-        if (!says && cache.debug.is_asked() && cache.debug.can_say()) continue;
         const auto counts = read_counters();
         cache.report.complete = !memory.grow(counts);
         if (!cache.report.complete) drop_unsure_fingerprints();
+        // A program that says something was met for the first time. What need not run again keeps its counts.
+        if (!says && cache.debug.is_asked() && cache.debug.can_say()) continue;
+        if (cache.report.complete && options->rebuild) cache.debug.forget_others();
         if (!is_cut_short) fill_report(*this, counts);
         if (cache.report.complete) {
-            if (options->rebuild) cache.debug.forget_others();
             remember_committed(wanted);
             share_contents(*this);
         }

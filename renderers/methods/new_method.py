@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Makes a new method: copies the folders of the example, renderers/methods/view-normals and shaders/methods/view-normals,
-under a new id. Usage: new_method.py ID [--title TITLE] [--into ROOT]
+"""Makes a new method: copies the folders of the example, renderers/methods/view-normals and
+shaders/methods/view-normals, under a new id. Usage: new_method.py ID [--title TITLE] [--into ROOT]
 
-Without --into the folders are made in this source tree and must not be there yet; elsewhere they are brought up to date.
+Without --into the folders are made in this source tree and must not be there yet; elsewhere they are brought up to
+date.
 """
 import argparse
 import re
@@ -57,8 +58,8 @@ def main():
     if not ID.fullmatch(method):
         sys.exit(f"'{method}' is no id of a method; use small letters, digits and single hyphens, as in {EXAMPLE}")
     title = arguments.title or method.replace("-", " ").capitalize()
-    if re.search(r'["\\\n]', title):
-        sys.exit(f"the title {title!r} has quotes, backslashes or several lines; leave them out")
+    if not title.isprintable() or re.search(r'["\\]', title):
+        sys.exit(f"the title {title!r} has quotes, backslashes, tabs or several lines; leave them out")
     for top in ("renderers", "shaders"):
         folder = ROOT / top / "methods" / method
         if not arguments.into and folder.exists():

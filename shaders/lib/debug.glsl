@@ -38,7 +38,8 @@ layout(std430) buffer Debug {
 uniform ivec2 debug_pixel;
 uniform int debug_use;
 
-ivec2 debug_own_pixel = ivec2(-1);
+bool debug_is_at_pixel = false;
+ivec2 debug_own_pixel = ivec2(0);
 uint debug_line = 0u;
 
 int debug_at_line(int line) {
@@ -48,11 +49,12 @@ int debug_at_line(int line) {
 
 int debug_at_pixel(ivec2 pixel) {
     debug_own_pixel = pixel;
+    debug_is_at_pixel = true;
     return 0;
 }
 
 int debug_put(uint kind, uint numbers, uvec4 first, uvec4 second) {
-    ivec2 own = debug_own_pixel.x < 0 ? DEBUG_INVOCATION : debug_own_pixel;
+    ivec2 own = debug_is_at_pixel ? debug_own_pixel : DEBUG_INVOCATION;
     if (own != debug_pixel) return 0;
     uint at = atomicAdd(debug_count, 1u);
     if (at >= DEBUG_CAPACITY) return 0;

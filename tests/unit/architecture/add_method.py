@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The test of the architecture: adding a method is adding one folder of code and one of shaders.
 
-Copies the source tree, adds a method as ./dev method does, builds the command line and asks it for the new method: list, describe, render. Usage: add_method.py ROOT FOLDER [CMAKE_ARGUMENT...]
+Copies the source tree, adds a method as ./dev method does, builds the command line and asks it for the new method:
+list, describe, render. Usage: add_method.py ROOT FOLDER [CMAKE_ARGUMENT...]
 """
 import os
 import shutil

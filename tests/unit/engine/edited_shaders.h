@@ -25,8 +25,11 @@ class EditedShaders {
     EditedShaders(const EditedShaders&) = delete;
 
     const std::filesystem::path& folder() const { return folder_; }
+    /// Who watches sees the old text or the new one.
     void write(const std::string& file, const std::string& text) const {
-        std::ofstream(folder_ / file) << text;
+        const auto aside = folder_ / (file + ".new");
+        std::ofstream(aside) << text;
+        std::filesystem::rename(aside, folder_ / file);
     }
     void replace(const std::string& file, const std::string& old, const std::string& by) const {
         std::stringstream text;

@@ -136,7 +136,8 @@ TEST_F(ShaderDebugTest, AComputeShaderSaysForWhichPixelItWorks) {
     const std::string march = "methods/hbao/march.comp";
     edited.replace(march, "layout(rgba32f)", "#include \"lib/debug.glsl\"\nlayout(rgba32f)");
     edited.replace(
-        march, "vec4 sum =", "print(pixel);\n    at_pixel(pixel + 1);\n    print(pixel.yx);\n    vec4 sum =");
+        march, "vec4 sum =",
+        "print(pixel);\n    at_pixel(pixel + 1);\n    print(pixel.yx);\n    at_pixel(ivec2(-1));\n    print(0);\n    vec4 sum =");
     const auto report = run(execution(normals("hbao")), 5, 3);
     std::set<std::string> texts;
     for (const auto& each : report.printed) texts.insert(each.label + " = " + each.text);

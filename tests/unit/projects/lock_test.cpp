@@ -19,15 +19,25 @@ bool loses_answers = false;
 extern "C" {
 
 int __real_link(const char* from, const char* to);
+int __real_unlink(const char* file);
 
-/// The linker puts us between (--wrap).
+// The linker puts these between (--wrap).
+
 int __wrap_link(const char* from, const char* to) {
     const int linked = __real_link(from, to);
     if (linked != 0 || !loses_answers) return linked;
     errno = EEXIST;
     return -1;
 }
+
+int __wrap_unlink(const char* file) {
+    const int unlinked = __real_unlink(file);
+    if (unlinked != 0 || !loses_answers) return unlinked;
+    errno = ENOENT;
+    return -1;
 }
+
+}  // extern "C"
 
 namespace ir::projects {
 namespace {
@@ -79,6 +89,9 @@ TEST(Lock, ANetworkMayLoseTheAnswer) {
     EXPECT_FALSE(Lock::acquire(folder.path()).is_held());
     first.release();
     EXPECT_TRUE(Lock::acquire(folder.path()).is_held());
+    EXPECT_TRUE(in_child([&] { return (new Lock(Lock::acquire(folder.path())))->is_held(); }))
+        << "and crashes";
+    EXPECT_TRUE(Lock::acquire(folder.path()).is_held()) << "of one who is gone";
     loses_answers = false;
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }

@@ -40,7 +40,8 @@ bool is_box_reached(vec3 least, vec3 most, vec3 centre, float radius, float inne
     return length(nearest) <= 1.0001 * radius && length(farthest) >= 0.9999 * inner;
 }
 
-/// Whether any surface seen in the range of pixels lies in the shell, by the finest mip level on which the range touches at most 2 × 2 texels.
+/// Whether any surface seen in the range of pixels lies in the shell, by the finest mip level on which the range
+/// touches at most 2 × 2 texels.
 // DEVIATION [Nalbach15 §4.3]: there all pixels fall into one texel, which for a range across the picture's
 // middle is the last one, with the bounds of everything.
 bool is_range_reached(ivec2 first, ivec2 last, vec3 centre, float radius, float inner) {
