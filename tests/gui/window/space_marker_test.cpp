@@ -77,6 +77,7 @@ TEST_F(SpaceMarkerTest, WhatShowsNoSurfaceOrLiesOutsideIsSaid) {
 
 TEST_F(SpaceMarkerTest, FromAPastFrameNobodyFliesThenOrLater) {
     window.inspector().pin({3, 2});
+    ASSERT_TRUE(settle());
     window.session().edit([&](const projects::Project& project) {
         return projects::edits::set_values(project, fake_registry(), owner(), {{"level", 0.5}});
     });
