@@ -1,4 +1,5 @@
-// Ten everyday tasks by mouse and keys alone, and how many steps each takes (docs/testing.md).
+// Ten everyday tasks and how many steps by mouse and keys each takes (docs/testing.md). Menus, file dialogs
+// and the form of a sweep are counted and not clicked: they have tests of their own.
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
@@ -164,17 +165,16 @@ TEST_F(TenTasks, SweepTwoParametersWithPlotAndReport) {
         return projects::edits::change(project, changed);
     });
     ASSERT_TRUE(settle());
-    press("dock-sweeps");
     click_tool("run");
     ASSERT_TRUE(finish());
-    EXPECT_EQ(count_done(), 6);
+    ASSERT_EQ(count_done(), 6);
     ++count;
     find<QTabBar>("tabs")->setCurrentIndex(widgets::SweepPanel::plot_tab);
     ASSERT_TRUE(settle());
     EXPECT_GT(panel().plot().data().count(), 0u);
     EXPECT_TRUE(find<QToolButton>("report")->isEnabled());
     count += 2;  // the button, and Enter in the file dialog
-    EXPECT_LE(count, 15);
+    EXPECT_LE(count, 13);
 }
 
 TEST_F(TenTasks, ShareAComparison) {
