@@ -65,7 +65,7 @@ void count_differing(BufferDivergence& result, const std::vector<float>& a, cons
         if (x == y || (std::isnan(x) && std::isnan(y))) continue;
         const double difference = std::abs(x - y);
         const double allowed = same.absolute + same.relative * std::max(std::abs(x), std::abs(y));
-        if (!(difference <= allowed)) ++result.differing;
+        if (!(difference <= allowed) || std::isinf(difference)) ++result.differing;
         result.largest = std::max(result.largest, std::isnan(difference) ? INFINITY : difference);
     }
     result.diverges = double(result.differing) > same.share * double(result.values);
