@@ -1,5 +1,7 @@
 #include <QAction>
+#include <QImage>
 
+#include "renderers/core/resources_path.h"
 #include "tests/gui/window/window_fixture.h"
 #include "widgets/panels/action_cards.h"
 #include "widgets/panels/cards.h"
@@ -35,6 +37,14 @@ TEST_F(SetUpWindowTest, AllMethodsAndTheTruthStandInOneRowAndGoWithOneUndo) {
     EXPECT_EQ(window.session().document().experiments.size(), before + 2) << "they are there already";
     trigger("undo");
     EXPECT_EQ(window.session().document().experiments.size(), before);
+}
+
+TEST(SetUps, HaveACardEach) {
+    for (const auto& name : SetUpController::names()) {
+        const auto card = samples_directory() / "set-ups" / (name.toStdString() + ".jpg");
+        EXPECT_FALSE(QImage(QString::fromStdString(card.string())).isNull())
+            << "./dev thumbnails " << name.toStdString();
+    }
 }
 
 TEST_F(SetUpWindowTest, CardsDoWhatTheMenuDoesAndSayWhyTheyCannot) {

@@ -30,7 +30,7 @@ nlohmann::json read_json(const fs::path& file) {
 std::vector<fs::path> samples() {
     std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_ROOT) / "projects" / "samples"))
-        if (entry.is_directory()) folders.push_back(entry.path());
+        if (entry.path().extension() == projects::folder_suffix) folders.push_back(entry.path());
     std::sort(folders.begin(), folders.end());
     return folders;
 }
