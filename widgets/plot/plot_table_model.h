@@ -6,7 +6,8 @@
 
 namespace ir::widgets {
 
-/// The points of a plot, one a row, in the order in which they are read. The first column has the series' marks.
+/// The points of a plot, one a row, in the order in which they are read. The first column has the series'
+/// marks.
 class PlotTableModel : public QAbstractTableModel {
     Q_OBJECT
   public:
