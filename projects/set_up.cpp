@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "projects/edit_steps.h"
 #include "renderers/core/error.h"
 
 namespace ir::projects {
@@ -25,25 +26,6 @@ bool is_same_picture(Experiment a, const Experiment& b) {
     return a == b;
 }
 
-/// The state that the edits so far leave, and they.
-class Steps {
-  public:
-    explicit Steps(const Project& project) : project_(project) {}
-    const Project& project() const { return project_; }
-    void take(EditPtr edit) {
-        if (!edit) return;
-        edit->apply(project_);
-        edits_.push_back(std::move(edit));
-    }
-    EditPtr grouped(const std::string& label) {
-        return edits_.empty() ? nullptr : edits::group(label, std::move(edits_));
-    }
-
-  private:
-    Project project_;
-    std::vector<EditPtr> edits_;
-};
-
 }  // namespace
 
 SetUp methods_beside_truth(const Project& project, const std::string& id, const std::string& paths,
@@ -51,11 +33,11 @@ SetUp methods_beside_truth(const Project& project, const std::string& id, const 
     const auto* chosen = find_item(project.experiments, id);
     if (!chosen) throw UsageError("no experiment '" + id + "' in the project");
     const auto run = effective(*chosen);
-    Steps steps(project);
+    EditSteps steps(project);
     SetUp result;
     for (const auto* method : registry.methods()) {
         if (!computes(*method, paths)) continue;
-        auto added = edits::new_experiment(steps.project(), registry, method->id, "", run.scene, run.camera);
+        auto added = edits::new_experiment(steps.after(), registry, method->id, "", run.scene, run.camera);
         added.lights = run.lights;
         added.size = run.size;
         added.seed = run.seed;
@@ -66,16 +48,16 @@ SetUp methods_beside_truth(const Project& project, const std::string& id, const 
         const auto same = std::find_if(known.begin(), known.end(), [&](const Experiment& experiment) {
             return is_same_picture(effective(experiment), added);
         });
-        if (same == known.end()) steps.take(edits::add(steps.project(), added));
+        if (same == known.end()) steps.add(edits::add(steps.after(), added));
         result.experiments.push_back(same == known.end() ? added.id : same->id);
     }
     for (const auto& each : std::vector(result.experiments)) {
-        steps.take(match(steps.project(), each, registry, is_animated));
-        const auto& truth = find_item(steps.project().experiments, each)->reference;
+        steps.add(match(steps.after(), each, registry, is_animated));
+        const auto& truth = find_item(steps.after().experiments, each)->reference;
         auto& shown = result.experiments;
         if (std::find(shown.begin(), shown.end(), truth) == shown.end()) shown.push_back(truth);
     }
-    result.edit = steps.grouped("Set up all methods for '" + paths + "'");
+    result.edit = steps.as_one("Set up all methods for '" + paths + "'");
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/gui/text_of.h"
+#include "projects/edit_steps.h"
 #include "projects/motion.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
@@ -27,25 +28,6 @@ const Motion* motion_of(const Project& project, const projects::Experiment& expe
     return projects::motion_of_camera(project, camera->id);
 }
 
-/// Steps that are built on what those before them leave.
-class Steps {
-  public:
-    explicit Steps(const Project& project) : after_(project) {}
-    const Project& after() const { return after_; }
-    void add(projects::EditPtr step) {
-        if (step->changes_nothing()) return;
-        step->apply(after_);
-        steps_.push_back(std::move(step));
-    }
-    projects::EditPtr as_one(const std::string& label) {
-        return steps_.empty() ? nullptr : projects::edits::group(label, std::move(steps_));
-    }
-
-  private:
-    Project after_;
-    std::vector<projects::EditPtr> steps_;
-};
-
 /// "View" or "View 2", as looking around names cameras; not one that a person has named.
 bool is_view_name(const std::string& name) {
     constexpr std::string_view view = "View";
@@ -60,10 +42,15 @@ bool is_left_over(const Project& project, const std::string& id) {
                         [&](const auto& each) { return each.camera == id; });
 }
 
-/// In the order of times; one within half a frame is replaced.
+/// Keys of one time: not half a frame apart.
+bool are_same_time(double a, double b) {
+    return std::abs(a - b) < projects::frame_seconds / 2 + 1e-9;
+}
+
+/// In the order of times; one of the same time is replaced.
 std::size_t put_key(Motion& motion, const Motion::Key& key) {
     const auto same = std::find_if(motion.keys.begin(), motion.keys.end(), [&](const Motion::Key& each) {
-        return std::abs(each.time - key.time) < projects::frame_seconds / 2;
+        return are_same_time(each.time, key.time);
     });
     if (same != motion.keys.end()) {
         same->aim() = key;
@@ -76,10 +63,11 @@ std::size_t put_key(Motion& motion, const Motion::Key& key) {
 
 }  // namespace
 
-CameraPath::CameraPath(QObject& parent, Session& session, Playback& playback, Workspace& workspace,
-                       Notices& notices, Actions& actions)
+CameraPath::CameraPath(QObject& parent, Session& session, LivePictures& live, Playback& playback,
+                       Workspace& workspace, Notices& notices, Actions& actions)
     : QObject(&parent),
       session_(session),
+      live_(live),
       playback_(playback),
       workspace_(workspace),
       notices_(notices),
@@ -118,9 +106,8 @@ const Motion* CameraPath::path(const std::string& experiment) const {
 
 std::size_t CameraPath::key_here(const Motion& motion) const {
     const double now = playback_.time();
-    const auto found = std::find_if(motion.keys.begin(), motion.keys.end(), [&](const auto& key) {
-        return std::abs(key.time - now) < projects::frame_seconds / 2 + 1e-9;
-    });
+    const auto found = std::find_if(motion.keys.begin(), motion.keys.end(),
+                                    [&](const auto& key) { return are_same_time(key.time, now); });
     return std::size_t(found - motion.keys.begin());
 }
 
@@ -166,6 +153,7 @@ void CameraPath::write_key(double time) {
     const auto* chosen = session_.experiment();
     const auto pose = session_.camera().pose();
     if (!chosen || !pose) return notices_.say(tr("A key is set once the view shows something."));
+    if (live_.past().is_elsewhere()) return notices_.say(live_.past().why_not_now());
     if (!(time <= max_seconds)) return notices_.say(tr("A path lasts %1 s at most.").arg(max_seconds));
     const auto id = chosen->id;
     const auto before = chosen->camera;
@@ -175,7 +163,7 @@ void CameraPath::write_key(double time) {
     Motion motion;
     std::size_t place = 0;
     const bool done = session_.edit([&](const Project& project) {
-        Steps steps(project);
+        projects::EditSteps steps(project);
         const auto* present = path(id);
         if (present) {
             motion = *present;
@@ -242,12 +230,12 @@ void CameraPath::go(int keys) {
     const auto* chosen = session_.experiment();
     const auto* motion = chosen ? path(chosen->id) : nullptr;
     if (!motion || motion->keys.empty()) return;
-    constexpr double half_frame = projects::frame_seconds / 2 + 1e-9;
     const double now = playback_.time();
     const Motion::Key* found = nullptr;
     for (const auto& key : motion->keys) {
-        if (keys > 0 && key.time > now + half_frame && !found) found = &key;
-        if (keys < 0 && key.time < now - half_frame) found = &key;
+        if (are_same_time(key.time, now)) continue;
+        if (keys > 0 && key.time > now && !found) found = &key;
+        if (keys < 0 && key.time < now) found = &key;
     }
     // Round from the last to the first.
     if (!found) found = keys > 0 ? &motion->keys.front() : &motion->keys.back();

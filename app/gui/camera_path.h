@@ -16,8 +16,8 @@ namespace ir::gui {
 class CameraPath : public QObject {
     Q_OBJECT
   public:
-    CameraPath(QObject& parent, Session& session, Playback& playback, Workspace& workspace, Notices& notices,
-               Actions& actions);
+    CameraPath(QObject& parent, Session& session, LivePictures& live, Playback& playback,
+               Workspace& workspace, Notices& notices, Actions& actions);
 
     /// The motion that the camera of an experiment has, or had before somebody looked around; null: none.
     const projects::Motion* path(const std::string& experiment) const;
@@ -37,6 +37,7 @@ class CameraPath : public QObject {
     std::size_t key_here(const projects::Motion& motion) const;
 
     Session& session_;
+    LivePictures& live_;
     Playback& playback_;
     Workspace& workspace_;
     Notices& notices_;

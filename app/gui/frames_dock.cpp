@@ -3,8 +3,10 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <optional>
 
 #include "app/engine/camera_pose.h"
 #include "app/engine/film.h"
@@ -12,6 +14,7 @@
 #include "app/gui/exports.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
+#include "projects/edit_steps.h"
 #include "renderers/core/error.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/exr.h"
@@ -34,9 +37,9 @@ void write_frames(const FilmJob& job, const std::filesystem::path& out, const Ca
                   const ProgressCallback& progress) {
     const bool is_video = job.film == FramesDock::Film::video;
     engine::check_film_file(out);
-    const QTemporaryDir temporary;
-    if (is_video && !temporary.isValid()) throw Error(temporary.errorString().toStdString());
-    const auto folder = is_video ? std::filesystem::path(temporary.path().toStdString()) : out;
+    std::optional<QTemporaryDir> temporary;
+    if (is_video && !temporary.emplace().isValid()) throw Error(temporary->errorString().toStdString());
+    const auto folder = is_video ? std::filesystem::path(temporary->path().toStdString()) : out;
     for (std::size_t i = 0; i < job.frames.size(); ++i) {
         cancel.check();
         progress("picture " + std::to_string(i + 1) + " of " + std::to_string(job.frames.size()),
@@ -179,6 +182,12 @@ void FramesDock::ask(Film film) {
     const auto folder = QFileDialog::getExistingDirectory(
         &window_, tr("Folder for the pictures"), QFileInfo(export_proposal(name, {})).absolutePath());
     if (folder.isEmpty()) return;
+    const auto first = text_of(engine::film_picture(folder.toStdString(), 1).string());
+    if (QFileInfo::exists(first) &&
+        QMessageBox::question(&window_, tr("Film"),
+                              tr("%1 and those behind it are there. Replace them?").arg(first)) !=
+            QMessageBox::Yes)
+        return;
     remember_export(folder);
     save_film(film, folder);
 }
@@ -208,12 +217,10 @@ void FramesDock::add_experiment() {
         copy.id = projects::free_experiment_id(project, copy.name);
         const auto view = new_view(project, pose, "View");
         copy.camera = view.id;
-        std::vector<projects::EditPtr> steps;
-        steps.push_back(projects::edits::add(project, view));
-        auto with_view = project;
-        steps.back()->apply(with_view);
-        steps.push_back(projects::edits::add(with_view, copy));
-        return projects::edits::group("Add experiment of a past frame", std::move(steps));
+        projects::EditSteps steps(project);
+        steps.add(projects::edits::add(project, view));
+        steps.add(projects::edits::add(steps.after(), copy));
+        return steps.as_one("Add experiment of a past frame");
     });
     if (!done) return;
     past_.show_now();

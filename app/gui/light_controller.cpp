@@ -10,9 +10,14 @@
 
 namespace ir::gui {
 
-LightController::LightController(Session& session, Renderer& renderer, SceneShelf& scenes,
+LightController::LightController(Session& session, LivePictures& live, Renderer& renderer, SceneShelf& scenes,
                                  Workspace& workspace, PixelInspector& inspector, Actions& actions)
-    : session_(session), renderer_(renderer), scenes_(scenes), workspace_(workspace), inspector_(inspector) {
+    : session_(session),
+      live_(live),
+      renderer_(renderer),
+      scenes_(scenes),
+      workspace_(workspace),
+      inspector_(inspector) {
     using K = QKeySequence;
     const auto add = [&](const char* name, const QString& text, const QKeySequence& key, const QString& help,
                          Place place) {
@@ -46,6 +51,7 @@ void LightController::place(Place place) {
     auto& views = workspace_.views();
     if (!chosen || !pose || views.active_state().a.owner != chosen->id)
         return emit said(tr("A light belongs to an experiment: choose a view that shows one."));
+    if (live_.past().is_elsewhere()) return emit said(live_.past().why_not_now());
     const auto pixel = inspector_.pointed();
     if (place == Place::surface && pixel.x() < 0)
         return emit said(tr("Point at a surface in a picture, or click it: the light stands before it."));

@@ -13,8 +13,8 @@ namespace ir::gui {
 class LightController : public QObject {
     Q_OBJECT
   public:
-    LightController(Session& session, Renderer& renderer, SceneShelf& scenes, Workspace& workspace,
-                    PixelInspector& inspector, Actions& actions);
+    LightController(Session& session, LivePictures& live, Renderer& renderer, SceneShelf& scenes,
+                    Workspace& workspace, PixelInspector& inspector, Actions& actions);
     /// For a scene without light.
     void add_for_view();
 
@@ -40,6 +40,7 @@ class LightController : public QObject {
     double exposure() const;
 
     Session& session_;
+    LivePictures& live_;
     Renderer& renderer_;
     SceneShelf& scenes_;
     Workspace& workspace_;

@@ -101,6 +101,10 @@ std::size_t PastFrames::place() const {
     return std::size_t(found - frames_.begin());
 }
 
+QString PastFrames::why_not_now() const {
+    return is_elsewhere() ? tr("A past frame is shown; go back to the newest frame first (Alt+N).") : QString();
+}
+
 const PastFrame* PastFrames::shown_of(const std::string& experiment) const {
     if (!shown_) return nullptr;
     const auto found = std::find_if(frames_.rbegin(), frames_.rend(), [&](const PastFrame& each) {

@@ -85,8 +85,7 @@ QString ResultsDock::why_not_keep() const {
     const auto state = live_.state(id);
     if (state == State::failed || state == State::blocked) return text_of(live_.text(id));
     if (state == State::absent) return tr("The experiment is not shown, so there is no picture of it.");
-    if (live_.past().is_elsewhere())
-        return tr("A past frame is shown; only the newest one can be kept as a result (Alt+N).");
+    if (const auto why_not = live_.past().why_not_now(); !why_not.isEmpty()) return why_not;
     if (live_.moment() && live_.is_moving(id))
         return tr("The timeline shows another time than the experiment's: set it or return in the timeline.");
     if (keeping_.count(id)) return tr("Its picture is kept as soon as it is finished.");

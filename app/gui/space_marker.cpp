@@ -185,7 +185,7 @@ void SpaceMarker::fly_to(int pin) {
     if (pin < 0 || pin >= int(pins.size())) return;
     if (!session_.experiment(owner) || !live_.result(owner))
         return notices_.say(tr("Choose a view that shows a picture of an experiment."));
-    if (live_.past().is_elsewhere()) return notices_.say(tr("Flights begin at the newest frame (Alt+N)."));
+    if (live_.past().is_elsewhere()) return notices_.say(live_.past().why_not_now());
     flown_to_ = pin;
     find_places(owner);
     if (const auto at = place(owner, pins[std::size_t(pin)])) return land(pin, *at);

@@ -15,6 +15,11 @@ EXAMPLE, EXAMPLE_TITLE = "view-normals", "Normals in view space"
 SUMMARY = "Normals relative to the camera, no light: the example that methods are begun from."
 COMMENT = "// The smallest whole method; copy this folder and shaders/methods/view-normals to begin another.\n"
 ID = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+# One word is a namespace by itself, and these are words of C++ or namespaces that methods use.
+TAKEN = set("""and asm auto bool break case catch char class compl concept const continue default delete do double else
+enum explicit export extern false float for friend gl goto graph if image inline int ir long methods mutable namespace
+new not operator or passes private protected public register requires return scene short signed sizeof static std struct
+switch template this throw true try typedef typename union unsigned using virtual void volatile while xor""".split())
 
 
 def name_of(method):
@@ -57,6 +62,8 @@ def main():
     method = arguments.id
     if not ID.fullmatch(method):
         sys.exit(f"'{method}' is no id of a method; use small letters, digits and single hyphens, as in {EXAMPLE}")
+    if method in TAKEN:
+        sys.exit(f"'{method}' has a meaning in C++ here; add another word, as in {method}-method")
     title = arguments.title or method.replace("-", " ").capitalize()
     if not title.isprintable() or re.search(r'["\\]', title):
         sys.exit(f"the title {title!r} has quotes, backslashes, tabs or several lines; leave them out")

@@ -24,7 +24,7 @@ ActionCards::ActionCards(const QString& title, const std::vector<Content>& conte
             accept();
             action->trigger();
         });
-        connect(action, &QAction::changed, this, &ActionCards::update);
+        connect(action, &QAction::changed, this, &ActionCards::show_reasons);
         cards_.emplace_back(card, action);
     }
     auto* scroll = new QScrollArea;
@@ -39,7 +39,7 @@ ActionCards::ActionCards(const QString& title, const std::vector<Content>& conte
     layout->addWidget(scroll, 1);
     layout->addWidget(why_not_);
     layout->addWidget(buttons);
-    update();
+    show_reasons();
     // Three cards beside each other, and two rows of them.
     const int side = scroll->verticalScrollBar()->sizeHint().width();
     const int across = 3 * SampleCard::usual_width + 2 * flow->spacing() + side;
@@ -47,7 +47,7 @@ ActionCards::ActionCards(const QString& title, const std::vector<Content>& conte
            flow->heightForWidth(across) + buttons->sizeHint().height() + 64);
 }
 
-void ActionCards::update() {
+void ActionCards::show_reasons() {
     bool any = false;
     for (const auto& [card, action] : cards_) {
         card->setEnabled(action->isEnabled());

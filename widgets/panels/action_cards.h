@@ -23,7 +23,7 @@ class ActionCards : public QDialog {
     ActionCards(const QString& title, const std::vector<Content>& contents, QWidget* parent = nullptr);
 
   private:
-    void update();
+    void show_reasons();
 
     std::vector<std::pair<SampleCard*, QAction*>> cards_;
     QLabel* why_not_;

@@ -1,5 +1,6 @@
 #include "app/gui/space_marker.h"
 
+#include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
 
 namespace ir::gui {
@@ -88,6 +89,12 @@ TEST_F(SpaceMarkerTest, FromAPastFrameNobodyFliesThenOrLater) {
     ASSERT_TRUE(window.live().past().is_elsewhere());
     marker().fly_to(0);
     EXPECT_NE(label("state").find("newest frame"), std::string::npos) << label("state");
+    // Nor is what it does not show keyed or lit.
+    for (const char* action : {"camera-key-add", "headlight"}) window.action(action)->trigger();
+    test::handle_events();
+    EXPECT_TRUE(window.session().document().motion.empty());
+    EXPECT_TRUE(window.session().document().lights.empty());
+    EXPECT_TRUE(window.live().past().is_elsewhere());
     window.live().past().show_now();
     window.views().show_output("cloud");
     ASSERT_TRUE(QTest::qWaitFor([&] { return !space().marks().pins.empty(); }, 5000));
