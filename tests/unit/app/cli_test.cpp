@@ -133,6 +133,11 @@ TEST_F(Cli, ShadersMayComeFromAnotherFolder) {
                              "void main() { normal = vec4(params.as_colour) + 0.5; }\n";
     ASSERT_EQ(run(small("view-normals", "a.exr") + "--shaders " + folder).status, 0);
     EXPECT_EQ(read_exr(file("a.exr")).front().image.pixels.front(), 0.5f);
+    const auto note_of = [&](const char* processor) {
+        return run(small("hbao", "b.exr") + "--processor " + processor + " --shaders " + folder).err;
+    };
+    EXPECT_NE(note_of("host").find("use no shaders of --shaders"), std::string::npos);
+    EXPECT_EQ(note_of("gl").find("use no shaders of --shaders"), std::string::npos);
 }
 
 TEST_F(Cli, PrintsWhatShadersSayOfThePickedPixel) {
