@@ -102,7 +102,8 @@ std::size_t PastFrames::place() const {
 }
 
 QString PastFrames::why_not_now() const {
-    return is_elsewhere() ? tr("A past frame is shown; go back to the newest frame first (Alt+N).") : QString();
+    return is_elsewhere() ? tr("A past frame is shown; go back to the newest frame first (Alt+N).")
+                          : QString();
 }
 
 const PastFrame* PastFrames::shown_of(const std::string& experiment) const {
