@@ -144,7 +144,7 @@ void MetricsDock::update() {
     fields.masks = masks(*now);
     const auto mask = chosen_mask(*now);
     if (mask) fields.mask = text_of(mask_id(mask->owner, mask->output));
-    const QString mismatch = views_.pictures().mismatch(now->a, now->b);
+    const QString mismatch = views_.pictures().mismatch().of(now->a, now->b);
     if (!mismatch.isEmpty() && !is_accepted(*now, mismatch)) {
         fields.refusal = mismatch;
         fields.may_override = true;

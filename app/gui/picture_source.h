@@ -8,6 +8,7 @@
 
 #include "app/gui/kept_pictures.h"
 #include "app/gui/live_pictures.h"
+#include "app/gui/picture_mismatch.h"
 #include "widgets/views/view_state.h"
 
 namespace ir::gui {
@@ -21,7 +22,8 @@ class PictureSource {
           live_(live),
           images_(images),
           kept_(kept),
-          kept_pictures_(session, images, kept) {}
+          kept_pictures_(session, images, kept),
+          mismatch_(session, live, kept_pictures_) {}
 
     std::vector<widgets::Option> owners() const;
     bool has_owner(const std::string& owner) const;
@@ -51,8 +53,7 @@ class PictureSource {
     widgets::Display automatic_display(const widgets::ViewSource& source);
     /// What a user should know before comparing: transports that differ. Empty: nothing.
     QString warning(const widgets::ViewSource& a, const widgets::ViewSource& b) const;
-    /// In what the computations of two experiments differ, in one line; empty: in nothing, or nobody knows.
-    QString mismatch(const widgets::ViewSource& a, const widgets::ViewSource& b) const;
+    const PictureMismatch& mismatch() const { return mismatch_; }
     /// Output that holds the variance of this one; empty: there is none.
     std::string variance_key(const widgets::ViewSource& source) const;
     /// Whose pictures come with their variance, in one line.
@@ -81,18 +82,13 @@ class PictureSource {
     /// Of the method's output; null for other buffers.
     const OutputDescription* description(const std::string& owner, const std::string& key) const;
     const projects::ForeignImage* foreign(const std::string& owner) const;
-    /// Of two experiments: in what settings, as far as both have them; absent where one is not known.
-    std::optional<QStringList> different_settings(const std::string& a, const std::string& b) const;
-    QStringList different_sources(const projects::Experiment& a, const projects::Experiment& b,
-                                  const std::vector<LightPart>& parts) const;
-    /// "time 0 s / 0.5 s" where something moves and two owners show it at different moments; else empty.
-    QString time_mismatch(const std::string& a, const std::string& b) const;
 
     Session& session_;
     LivePictures& live_;
     ImageLoader& images_;
     const KeptResults& kept_;
     KeptPictures kept_pictures_;
+    PictureMismatch mismatch_;
     std::map<Key, Entry> cache_;
 };
 
