@@ -5,12 +5,14 @@
 
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 
 namespace ir::projects {
 
 const Experiment& experiment_of(const Project& project, const std::string& id) {
     if (const auto* found = find_item(project.experiments, id)) return *found;
-    throw UsageError("there is no experiment '" + printable(id, 60) + "' in the project");
+    throw UsageError("there is no experiment '" + printable(id, 60) + "' in the project" +
+                     known_are(id, words_of(project.experiments, &Experiment::id)));
 }
 
 Experiment effective(const Experiment& experiment) {

@@ -30,9 +30,7 @@ bool is_same_picture(Experiment a, const Experiment& b) {
 
 SetUp methods_beside_truth(const Project& project, const std::string& id, const std::string& paths,
                            const Registry& registry, const AnimatedScene& is_animated) {
-    const auto* chosen = find_item(project.experiments, id);
-    if (!chosen) throw UsageError("no experiment '" + id + "' in the project");
-    const auto run = effective(*chosen);
+    const auto run = effective(experiment_of(project, id));
     EditSteps steps(project);
     SetUp result;
     for (const auto* method : registry.methods()) {

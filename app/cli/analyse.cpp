@@ -33,6 +33,9 @@ Analysis own_analysis(const AnalyseFlags& flags, const projects::Project& projec
     auto analysis = projects::analysis_of(project, flags.kind, flags.experiments.front(), engine::registry());
     analysis.id = flags.kind;
     if (flags.experiments.size() > 1) analysis.experiments = flags.experiments;
+    else if (analysis.experiments.size() > 1 && !flags.quiet)
+        complain("note: asks about " + listed(analysis.experiments) +
+                 "; choose by more than one --experiment");
     if (flags.reference) analysis.reference = *flags.reference;
     analysis.parameters = flags.parameters;
     return analysis;

@@ -131,8 +131,9 @@ int run_command_line(int argc, char** argv) {
             return fail(std::string("unknown command '") + argv[1] + "'" + known_are(argv[1], commands),
                         wrong_usage);
         return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);
-    } catch (const CLI::ExtrasError& error) {
-        return fail(error.what() + suggestion(app, argc, argv) + "; --help lists what is allowed",
+    } catch (const CLI::ExtrasError&) {
+        return fail("not expected: " + listed(app.remaining(true)) + suggestion(app, argc, argv) +
+                        "; --help lists what is allowed",
                     wrong_usage);
     } catch (const CLI::ParseError& error) {
         return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);

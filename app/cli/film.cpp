@@ -27,9 +27,10 @@ struct FilmFlags {
 projects::Experiment& experiment_of(projects::Project& project, const std::string& id) {
     auto& all = project.experiments;
     if (id.empty() && all.size() == 1) return all.front();
-    if (auto* found = projects::find_item(all, id)) return *found;
-    throw UsageError((id.empty() ? "give --experiment" : "no experiment '" + id + "' in the project") +
-                     known_are(id, words_of(all, &projects::Experiment::id)));
+    if (id.empty())
+        throw UsageError("give --experiment" + known_are(id, words_of(all, &projects::Experiment::id)));
+    projects::experiment_of(project, id);
+    return *projects::find_item(all, id);
 }
 
 /// The project of the command line, or one of its scene and method.

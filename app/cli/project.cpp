@@ -251,7 +251,8 @@ int run_project(const ProjectFlags& flags) {
     if (flags.json) {
         std::cout << json.dump(2) << "\n";
     } else {
-        std::cout << json["name"].get<std::string>() << " (schema " << json["schema"] << ")\n";
+        const auto name = json["name"].get<std::string>();
+        std::cout << (name.empty() ? "(no name)" : name) << " (schema " << json["schema"] << ")\n";
         for (const auto& experiment : json["experiments"])
             std::cout << "  " << experiment["id"].get<std::string>() << "  "
                       << experiment["method"].get<std::string>()

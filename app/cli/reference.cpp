@@ -110,9 +110,7 @@ class References {
 
     std::vector<std::string> chosen(const projects::Project& project) const {
         auto ids = flags_.experiments;
-        for (const auto& id : ids)
-            if (!projects::find_item(project.experiments, id))
-                throw UsageError("no experiment '" + id + "' in the project");
+        for (const auto& id : ids) projects::experiment_of(project, id);
         if (!ids.empty()) return ids;
         if (project.experiments.empty())
             throw InputError((folder_ / projects::project_file_name).string(), "",

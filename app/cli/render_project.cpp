@@ -23,10 +23,7 @@ namespace {
 std::vector<std::string> chosen_ids(const projects::Project& project,
                                     const std::vector<std::string>& requested) {
     if (!requested.empty()) {
-        for (const auto& id : requested)
-            if (!projects::find_item(project.experiments, id))
-                throw UsageError("no experiment '" + id + "' in the project" +
-                                 known_are(id, words_of(project.experiments, &projects::Experiment::id)));
+        for (const auto& id : requested) projects::experiment_of(project, id);
         return requested;
     }
     std::vector<std::string> ids;

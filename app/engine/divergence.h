@@ -10,7 +10,7 @@ namespace ir::engine {
 
 /// What counts as the same number on two machines.
 struct SameWithin {
-    double relative = 1e-3;
+    double relative = 2e-3;  ///< two steps of a half float, which processors round in their own ways
     double absolute = 2e-5;  ///< more than a step of 16 bits that stand for 0 to 1
     double share = 1e-3;     ///< of a buffer's values that may differ by more: edges that rays meet or miss
 };

@@ -58,7 +58,8 @@ std::size_t put_key(Motion& motion, const Motion::Key& key) {
     }
     const auto later = std::find_if(motion.keys.begin(), motion.keys.end(),
                                     [&](const Motion::Key& each) { return each.time > key.time; });
-    return std::size_t(motion.keys.insert(later, key) - motion.keys.begin());
+    const auto placed = motion.keys.insert(later, key);
+    return std::size_t(placed - motion.keys.begin());
 }
 
 }  // namespace
@@ -191,6 +192,11 @@ void CameraPath::write_key(double time) {
     });
     session_.end_gesture();
     if (!done) return;
+    show_key(motion, place);
+}
+
+void CameraPath::show_key(const Motion& motion, std::size_t place) {
+    const double time = motion.keys[place].time;
     playback_.seek(time);
     notices_.say(tr("Key %1 of %2 in the path “%3”, at %4 s")
                      .arg(place + 1)
@@ -205,12 +211,19 @@ void CameraPath::remove_key() {
     const auto* present = chosen ? path(chosen->id) : nullptr;
     if (!present || key_here(*present) == present->keys.size()) return;
     auto motion = *present;
-    motion.keys.erase(motion.keys.begin() + std::ptrdiff_t(key_here(motion)));
-    session_.edit([&](const Project& project) {
+    const auto place = key_here(motion);
+    motion.keys.erase(motion.keys.begin() + std::ptrdiff_t(place));
+    const bool done = session_.edit([&](const Project& project) {
         return motion.keys.empty() ? projects::edits::remove<Motion>(project, motion.id)
                                    : projects::edits::change(project, motion);
     });
     session_.end_gesture();
+    if (!done) return;
+    notices_.say(motion.keys.empty()
+                     ? tr("Removed the path “%1” with its last key").arg(text_of(motion.name))
+                     : tr("Removed key %1 of the path “%2”; %n left", nullptr, int(motion.keys.size()))
+                           .arg(place + 1)
+                           .arg(text_of(motion.name)));
 }
 
 /// Who looked around sees the path's camera again.
@@ -231,15 +244,14 @@ void CameraPath::go(int keys) {
     const auto* motion = chosen ? path(chosen->id) : nullptr;
     if (!motion || motion->keys.empty()) return;
     const double now = playback_.time();
-    const Motion::Key* found = nullptr;
-    for (const auto& key : motion->keys) {
-        if (are_same_time(key.time, now)) continue;
-        if (keys > 0 && key.time > now && !found) found = &key;
-        if (keys < 0 && key.time < now) found = &key;
+    const auto count = motion->keys.size();
+    auto found = keys > 0 ? 0 : count - 1;  // round from the last to the first
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto place = keys > 0 ? count - 1 - i : i;
+        const double time = motion->keys[place].time;
+        if (!are_same_time(time, now) && (keys > 0 ? time > now : time < now)) found = place;
     }
-    // Round from the last to the first.
-    if (!found) found = keys > 0 ? &motion->keys.front() : &motion->keys.back();
-    playback_.seek(found->time);
+    show_key(*motion, found);
 }
 
 }  // namespace ir::gui

@@ -32,6 +32,8 @@ class CameraPath : public QObject {
     void remove_key();
     void go(int keys);
     void write_key(double time);
+    /// Goes to the time of a key, and says which it is.
+    void show_key(const projects::Motion& motion, std::size_t place);
     void return_to_path();
     /// The key of a path at the shown time; none: its number of keys.
     std::size_t key_here(const projects::Motion& motion) const;

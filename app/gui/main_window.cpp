@@ -354,37 +354,32 @@ void MainWindow::join_panels() {
     notices_.follow(*shaders_, "shaders");
 }
 
+/// What is remembered of a project beside it.
+template <typename Do>
+void MainWindow::with_remembered(Do&& each) {
+    each(workspace_);
+    each(inspector_);
+    each(metrics_);
+    each(profile_);
+    each(pipeline_);
+    each(figure_);
+    each(frames_);
+    each(*plots_);
+    each(*sweeps_);
+    each(*analyses_);
+    each(*benchmarks_);
+    each(playback_);
+}
+
 void MainWindow::save_memory() {
     auto& memory = session_.files().memory();
-    workspace_.save(memory);
-    inspector_.save(memory);
-    metrics_.save(memory);
-    profile_.save(memory);
-    pipeline_.save(memory);
-    figure_.save(memory);
-    frames_.save(memory);
-    plots_->save(memory);
-    sweeps_->save(memory);
-    analyses_->save(memory);
-    benchmarks_->save(memory);
-    playback_.save(memory);
+    with_remembered([&](auto& part) { part.save(memory); });
     memory["notes"] = {{"folded", notes_->is_folded()}};
 }
 
 void MainWindow::load_memory() {
     const auto& memory = session_.files().memory();
-    workspace_.load(memory);
-    inspector_.load(memory);
-    metrics_.load(memory);
-    profile_.load(memory);
-    pipeline_.load(memory);
-    figure_.load(memory);
-    frames_.load(memory);
-    plots_->load(memory);
-    sweeps_->load(memory);
-    analyses_->load(memory);
-    benchmarks_->load(memory);
-    playback_.load(memory);
+    with_remembered([&](auto& part) { part.load(memory); });
     notes_->set_folded(field_or(member_or_null(memory, "notes"), "folded", height() < min_height_for_notes));
 }
 

@@ -106,6 +106,8 @@ class MainWindow : public QMainWindow {
     void join_session();
     void join_pictures();
     void join_panels();
+    template <typename Do>
+    void with_remembered(Do&& each);
     void save_memory();
     void load_memory();
     void update_frame();

@@ -131,7 +131,7 @@ class Adviser {
 };
 
 /// What to do, in the order of what it saves: at most two changes, the second only where it is enough or
-/// saves at least half as much.
+/// saves at least half as much. Says where none is enough.
 std::string mend(const MemoryPlan::Resource& largest, std::uint64_t needed, std::uint64_t limit,
                  std::vector<Advice> advice) {
     std::string result;
@@ -141,7 +141,9 @@ std::string mend(const MemoryPlan::Resource& largest, std::uint64_t needed, std:
     for (const auto& change : advice)
         if (change.bytes <= limit || 2 * (needed - change.bytes) >= needed - advice.front().bytes)
             append(change.text);
-    return result.empty() ? "use a smaller scene" : result;
+    if (result.empty()) return "use a smaller scene";
+    const bool is_enough = !largest.lower.empty() || advice.empty() || advice.front().bytes <= limit;
+    return result + (is_enough ? "" : ", which is not enough alone");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
+#include <ImfVersion.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -235,6 +236,8 @@ void require_whole_header(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     unsigned char begin[8] = {};
     stream.read(reinterpret_cast<char*>(begin), sizeof begin);
+    if (!Imf::isImfMagic(reinterpret_cast<const char*>(begin)))
+        throw InputError(file.string(), "", "is no EXR file");
     do {
         while (stream.peek() > 0) {  // a header ends with an empty name
             const auto name = text_in(stream), type = text_in(stream);

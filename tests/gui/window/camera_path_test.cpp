@@ -1,5 +1,8 @@
 #include "app/gui/camera_path.h"
 
+#include <QLabel>
+
+#include "app/gui/status_line.h"
 #include "projects/motion.h"
 #include "tests/gui/window/window_fixture.h"
 
@@ -30,6 +33,11 @@ class CameraPathTest : public WindowTest {
                    ? window.findChild<CameraPath*>()->path(window.session().experiment()->id)
                    : nullptr;
     }
+    bool says(const QString& text) {
+        const auto labels = window.findChild<StatusLine*>()->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const auto* each) { return each->text().contains(text); });
+    }
     glm::dvec3 eye() { return window.session().camera().pose()->eye; }
     const projects::Project& document() { return window.session().document(); }
 };
@@ -42,6 +50,7 @@ TEST_F(CameraPathTest, KeysFromTheViewMakeAPathThatPlaysAndIsUndone) {
     EXPECT_TRUE(path()->smooth);
     ASSERT_EQ(path()->keys.size(), 1u);
     EXPECT_EQ(path()->keys[0].eye, begin);
+    EXPECT_TRUE(says("Key 1 of 1"));
     EXPECT_FALSE(window.playback().can_play()) << "one key stands still";
     look_from({1, 2, 8});
     EXPECT_EQ(document().cameras.size(), 2u) << "who looks around leaves the path";
@@ -57,7 +66,9 @@ TEST_F(CameraPathTest, KeysFromTheViewMakeAPathThatPlaysAndIsUndone) {
     EXPECT_EQ(eye(), glm::dvec3(4, 2, 6));
     EXPECT_NEAR(window.playback().end(), 4, 1e-9);
 
+    EXPECT_TRUE(says("Key 3 of 3"));
     press(Qt::Key_PageUp, Qt::AltModifier);
+    EXPECT_TRUE(says("Key 2 of 3"));
     EXPECT_NEAR(window.playback().time(), 2, 1e-9);
     EXPECT_EQ(eye(), glm::dvec3(1, 2, 8));
     // In place of the key that is there.
@@ -73,6 +84,7 @@ TEST_F(CameraPathTest, KeysFromTheViewMakeAPathThatPlaysAndIsUndone) {
     EXPECT_NEAR(path()->keys[2].time, 3, 1e-9);
     trigger("camera-key-remove");
     EXPECT_EQ(path()->keys.size(), 3u);
+    EXPECT_TRUE(says("Removed key 3"));
     trigger("undo");
     EXPECT_EQ(path()->keys.size(), 4u);
     const auto before = steps();
@@ -94,6 +106,7 @@ TEST_F(CameraPathTest, TheLastKeyTakesThePathWithIt) {
     trigger("camera-key-remove");
     EXPECT_FALSE(path());
     EXPECT_TRUE(document().motion.empty());
+    EXPECT_TRUE(says("with its last key"));
     trigger("undo");
     EXPECT_TRUE(path());
 }

@@ -103,6 +103,8 @@ TEST_F(AnalyseCommand, AsksWhatTheProjectDoesNotHave) {
     EXPECT_TRUE(has(text, "All hits")) << text;
     text = output(command("--kind disagreement --experiment few --experiment many"));
     EXPECT_TRUE(has(text, "Distance from the middle")) << text;
+    const auto chosen = run("analyse " + project() + " --kind attribution --experiment few").err;
+    EXPECT_TRUE(has(chosen, "asks about few, many; choose by more than one --experiment")) << chosen;
 }
 
 TEST_F(AnalyseCommand, SaysInOneLineWhatItCannotDo) {

@@ -68,6 +68,7 @@ TEST_F(Cli, RefusesWrongUsageInOneLine) {
     expect_refused(small("reference", "a.exr") + "--dump 'no.such.*'", 2, "no.such.*");
     expect_refused("render --scene builtin:cornell --out " + file("a.exr"), 2, "--method");
     expect_refused("no-such-command", 2, "no-such-command");
+    expect_refused("info one two", 2, "not expected: one, two;");
     expect_refused(small("reference", "a.exr") + "--env 1,-1,1", 2, "--env");
     expect_refused(small("reference", "a.exr") + "--seed -1", 2, "--seed");
     expect_refused(small("reference", "a.exr") + "--time nan", 2, "--time");

@@ -229,7 +229,11 @@ TEST_F(ReferenceCommand, ResultsAndChangesAreListed) {
 }
 
 TEST_F(ReferenceCommand, RefusesWhatCannotBeMatched) {
-    EXPECT_EQ(run("reference " + project("p").string() + " --experiment nobody").status, 2);
+    const auto unknown = run("reference " + project("p").string() + " --experiment nobody");
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_NE(unknown.err.find("there is no experiment 'nobody' in the project; known are "),
+              std::string::npos)
+        << unknown.err;
     EXPECT_EQ(run("reference " + project("none").string()).status, 3);
     EXPECT_EQ(run("reference " + project("p").string() + " --samples 0").status, 2);
     auto json = document("p");

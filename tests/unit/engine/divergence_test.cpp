@@ -29,6 +29,9 @@ TEST(Divergence, NumbersAreTheSameWithinTolerances) {
     EXPECT_TRUE(compare_buffers(layer({INFINITY, 0}), layer({1, 0}), false, same).diverges);
     EXPECT_FALSE(compare_buffers(layer({INFINITY, 0}), layer({INFINITY, 0}), false, same).diverges);
     EXPECT_TRUE(compare_buffers(layer({1, 2}), layer({1}), false, same).diverges) << "of another size";
+    EXPECT_FALSE(compare_buffers(layer({0.18383789f}), layer({0.18408203f}), false, {}).diverges)
+        << "two steps of a half float";
+    EXPECT_TRUE(compare_buffers(layer({0.18383789f}), layer({0.18432617f}), false, {}).diverges);
     EXPECT_TRUE(compare_buffers(layer({}), layer({}), false, same).is_same()) << "empty on both";
     EXPECT_FALSE(compare_buffers(layer({1, 0}), layer({NAN, 0}), false, {1, 1, 1}).is_same());
 }

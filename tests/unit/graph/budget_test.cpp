@@ -111,13 +111,22 @@ TEST_F(AdvisedTest, NamesWhatSavesTheMostAndHowMuchIsNeededThen) {
     EXPECT_NEAR(run_with({{"many", std::int64_t(50)}}).peak_memory_bytes, 24'448, 500) << "and counters";
 }
 
+TEST_F(AdvisedTest, SaysWhereNoOneChangeIsEnough) {
+    options.memory_budget = 20'000;
+    EXPECT_TRUE(contains(refusal_with({}), ", which is not enough alone, or raise --memory"))
+        << refusal_with({});
+    options.memory_budget = 30'000;
+    EXPECT_FALSE(contains(refusal_with({}), "not enough")) << refusal_with({});
+}
+
 TEST_F(AdvisedTest, RaisesWhatCostsLessWhereItIsMoreAndTriesNothingThatIsRefused) {
     options.memory_budget = 1000;
     const auto text = refusal_with({{"few", std::int64_t(50)},
                                     {"many", std::int64_t(1)},
                                     {"reserve", std::int64_t(1)},
                                     {"fineness", std::int64_t(10)}});
-    EXPECT_TRUE(contains(text, "; raise 'fineness' to 20 (then 20.3 kB), or raise --memory")) << text;
+    EXPECT_TRUE(contains(text, "; raise 'fineness' to 20 (then 20.3 kB), which is not enough alone"))
+        << text;
 }
 
 TEST_F(AdvisedTest, ExpectsOfWhatHasGrownThatOnlyThePictureChangesIt) {
