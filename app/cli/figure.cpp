@@ -90,8 +90,9 @@ class FigureCommand {
         auto report = report::pictures_of(loaded_.project, loaded_.folder, {&engine::interruption(), {}});
         for (const auto& lack : report.lacks) std::cerr << "note: " << lack << "\n";
         if (report.galleries.empty())
-            throw InputError(flags_.what.front(), "",
-                             "has no kept picture; `render " + flags_.what.front() + "` makes them");
+            throw InputError(
+                flags_.what.front(), "",
+                "has no kept picture; `render " + flags_.what.front() + " --out FOLDER --keep` makes them");
         std::vector<report::Picture> pictures;
         for (auto& gallery : report.galleries) {
             if (!flags_.pictures.empty() || pictures.empty()) {

@@ -1,6 +1,7 @@
 #include "app/gui/picture_presenter.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "app/gui/pixel_places.h"
@@ -29,6 +30,20 @@ std::shared_ptr<const Picture> changed(const Picture& picture, Change change) {
     auto copy = std::make_shared<Picture>(picture);
     change(*copy);
     return copy;
+}
+
+/// Of pictures of several owners the names of these alone, where all show the same of theirs: there is little
+/// room under pictures in a row.
+void leave_out_common_output(std::vector<std::shared_ptr<const Picture>>& pictures) {
+    if (pictures.size() < 2) return;
+    const QString output =
+        pictures.front()->label.mid(std::max(0, int(pictures.front()->label.lastIndexOf(" · "))));
+    std::set<QString> names;
+    for (const auto& each : pictures)
+        if (each->label.endsWith(output)) names.insert(each->label.chopped(output.size()));
+    if (names.size() != pictures.size() || names.count({})) return;
+    for (auto& each : pictures)
+        each = changed(*each, [&](Picture& named) { named.label.chop(output.size()); });
 }
 
 }  // namespace
@@ -64,10 +79,11 @@ void PicturePresenter::update(int view, ViewPane& pane) {
     for (auto* each : compare.views()) link_.add(each);
 }
 
-/// Pictures of a chain are called as the method calls its stages.
+/// Pictures of a chain are called as the method calls its stages, others as briefly as they can be.
 void PicturePresenter::name_stages(int view, std::vector<PicturePtr>& pictures) const {
     const auto& shown = views_.state(view);
-    if (shown.mode != ViewMode::stages || !shown.chain) return;
+    if (shown.mode != ViewMode::stages) return;
+    if (!shown.chain) return leave_out_common_output(pictures);
     const auto chain = stages_of(session_, shown.a.owner);
     for (std::size_t i = 0; i < std::min(chain.size(), pictures.size()); ++i)
         pictures[i] = changed(*pictures[i], [&](Picture& named) { named.label = chain[i].label; });

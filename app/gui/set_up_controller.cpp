@@ -93,6 +93,7 @@ void SetUpController::show_methods(const std::string& paths) {
     state.mode = widgets::ViewMode::stages;
     state.a.owner = shown.front();
     for (std::size_t i = 1; i < shown.size(); ++i) state.more.push_back({shown[i], {}});
+    state.pair.b = int(shown.size()) - 1;  // the truth, with which all are compared
     workspace_.views().set_active_state(state);
 }
 

@@ -46,7 +46,9 @@ bool ComparedPictures::has_pair() const {
 }
 
 StagePair ComparedPictures::ends_of(int slot) const {
-    return slot == pair_slot ? pair : StagePair{slot, slot + 1};
+    if (slot == pair_slot) return pair;
+    if (pair.a != StagePair::none || pair.b < 0 || pair.b >= count()) return {slot, slot + 1};
+    return {slot < pair.b ? slot : slot + 1, pair.b};
 }
 
 bool ComparedPictures::has_difference(int slot) const {

@@ -37,7 +37,8 @@ struct ComparedPictures {
     int flipped = 0;  ///< flip: the picture that is on
     int held = -1;    ///< the picture that is shown while its number is held down
 
-    /// Differences have slots: i is between the pictures i and i + 1, this one is of the pair.
+    /// Differences have slots: i is between the pictures i and i + 1, or of the i-th of the others where all
+    /// are compared with one (a pair without A); this one is of the pair.
     static constexpr int pair_slot = 63;
 
     int count() const { return int(pictures.size()); }

@@ -23,10 +23,11 @@ StageBar::StageBar(QWidget* parent) : QWidget(parent) {
     row->setContentsMargins(6, 2, 6, 3);
     row->setSpacing(6);
     row->addWidget(new QLabel(tr("Compare"), this));
-    a_ = make_list(QStringLiteral("stage-a"), tr("A: a stage of the row (1 … 9, or a click on its name)"));
+    a_ = make_list(QStringLiteral("stage-a"),
+                   tr("All, or a stage of the row (1 … 9, or a click on its name)"));
     row->addWidget(a_);
     row->addWidget(new QLabel(tr("with"), this));
-    b_ = make_list(QStringLiteral("stage-b"), tr("B: another stage, or the reference"));
+    b_ = make_list(QStringLiteral("stage-b"), tr("Their neighbours, another stage, or the reference"));
     row->addWidget(b_);
     clear_ = new QToolButton(this);
     clear_->setObjectName(QStringLiteral("stage-clear"));
@@ -64,7 +65,7 @@ void StageBar::set_stages(const QStringList& labels, bool has_reference) {
     has_reference_ = has_reference;
     for (auto* list : {a_, b_}) {
         list->clear();
-        list->addItem(QStringLiteral("–"), StagePair::none);
+        list->addItem(list == a_ ? tr("All") : tr("neighbours"), StagePair::none);
         for (int i = 0; i < labels.size(); ++i) list->addItem(labels[i], i);
     }
     b_->addItem(tr("Reference"), StagePair::reference);

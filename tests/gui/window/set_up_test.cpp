@@ -32,6 +32,10 @@ TEST_F(SetUpWindowTest, AllMethodsAndTheTruthStandInOneRowAndGoWithOneUndo) {
     EXPECT_EQ(window.session().experiment(state.a.owner)->method, "light");
     EXPECT_EQ(window.session().experiment(state.a.owner)->reference, state.more.back().owner);
     EXPECT_EQ(window.session().experiment(state.more.back().owner)->method, "truth");
+    EXPECT_EQ(state.pair, (widgets::StagePair{widgets::StagePair::none, 1})) << "all with the truth";
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.is_settled(); }, 5000));
+    for (const auto& picture : window.workspace().active_pane().compare().compared().pictures)
+        EXPECT_FALSE(picture->label.contains(" · ")) << picture->label.toStdString();
     ASSERT_EQ(window.session().document().experiments.size(), before + 2);
     trigger("set-up-light");
     EXPECT_EQ(window.session().document().experiments.size(), before + 2) << "they are there already";

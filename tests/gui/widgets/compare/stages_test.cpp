@@ -52,6 +52,18 @@ TEST_P(StagesTest, NumbersStandUnderTheDifferences) {
         EXPECT_LT(each->geometry().bottom(), each->parentWidget()->height() - 12);
 }
 
+TEST_P(StagesTest, AllAreComparedWithOneOfTheRow) {
+    view->set_stage_pair({StagePair::none, 2});
+    wait_for_differences(*view);
+    EXPECT_EQ(view->difference_views().size(), 2u);
+    EXPECT_EQ(view->panes().captions()[3], "RMSE 0.2");
+    EXPECT_EQ(view->panes().captions()[4], "RMSE 0.1");
+    view->set_stage_pair({StagePair::none, 0});
+    wait_for_differences(*view);
+    EXPECT_EQ(view->panes().captions()[3], "RMSE 0.3") << "of B";
+    EXPECT_EQ(view->panes().captions()[4], "RMSE 0.2") << "of C";
+}
+
 TEST_P(StagesTest, ClicksOnNamesCompareAnyTwo) {
     QSignalSpy chosen(view.get(), &CompareView::stage_pair_chosen);
     click_name(2);
