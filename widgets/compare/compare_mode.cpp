@@ -62,7 +62,7 @@ class SideBySide : public CompareMode {
             all, all.count(),
             ComparedPictures::tr("Render both at one size, or unlink the views to see both."));
     }
-    QSize grid(const ComparedPictures&, int panes) const override {
+    QSize grid(const ComparedPictures&, int panes, const SizeIn&) const override {
         const int columns = panes <= 3 ? std::max(1, panes) : int(std::ceil(std::sqrt(double(panes))));
         return {columns, (panes + columns - 1) / columns};
     }
@@ -70,7 +70,7 @@ class SideBySide : public CompareMode {
     bool keeps_first() const override { return true; }
 };
 
-/// All pictures in a row, below each two neighbours their difference, and beside it a pair of choice.
+/// All pictures, below each two neighbours their difference, and behind them a pair of choice.
 class Stages : public SideBySide {
   public:
     std::vector<PaneContent> contents(const ComparedPictures& all) const override {
@@ -86,15 +86,39 @@ class Stages : public SideBySide {
         // Of three or more each difference says for itself whether there is one.
         return all.count() > 2 || all.has_difference(0) ? QString() : CompareMode::refusal(all);
     }
-    QSize grid(const ComparedPictures& all, int) const override {
-        return {all.count() + (all.has_pair() ? 1 : 0), 2};
+    /// One row of pictures and one of differences, or more where these show them clearly larger.
+    QSize grid(const ComparedPictures& all, int, const SizeIn& size_in) const override {
+        const int count = all.count() + (all.has_pair() ? 1 : 0);
+        const QSize row(count, 2);
+        const auto zoom = [&](QSize grid) {
+            const QSize pane = size_in(grid);
+            const QSizeF picture = all.pictures.front()->size();
+            return picture.isEmpty()
+                       ? 0.0
+                       : std::min(pane.width() / picture.width(), pane.height() / picture.height());
+        };
+        QSize best = row;
+        for (int columns = count - 1; columns > 0; --columns) {
+            const QSize rows(columns, 2 * ((count + columns - 1) / columns));
+            if (zoom(rows) > (best == row ? clearly : 1) * zoom(best)) best = rows;
+        }
+        return best;
     }
-    QPointF place(const ComparedPictures& all, const PaneContent& content, int) const override {
-        if (content.slot == ComparedPictures::pair_slot) return QPointF(all.count(), content.difference);
-        return {content.picture + (content.difference ? 0.5 : 0.0), double(content.difference)};
+    QPointF place(const ComparedPictures& all, const PaneContent& content, int, QSize grid) const override {
+        const auto at = [&](int picture) {
+            return QPointF(picture % grid.width(), 2 * (picture / grid.width()) + content.difference);
+        };
+        if (content.slot == ComparedPictures::pair_slot) return at(all.count());
+        if (!content.difference) return at(content.picture);
+        // Between neighbours in one row, else below the first of them.
+        const bool is_between = grid.height() == 2 && !all.are_compared_with_one();
+        return at(all.ends_of(content.slot).a) + QPointF(is_between ? 0.5 : 0, 0);
     }
     bool is_row() const override { return true; }
     bool keeps_first() const override { return false; }
+
+  private:
+    static constexpr double clearly = 1.2;
 };
 
 }  // namespace
@@ -133,13 +157,12 @@ QString CompareMode::refusal(const ComparedPictures& all) const {
     return refused_sizes(all, all.count());
 }
 
-QSize CompareMode::grid(const ComparedPictures&, int) const {
+QSize CompareMode::grid(const ComparedPictures&, int, const SizeIn&) const {
     return {1, 1};
 }
 
-QPointF CompareMode::place(const ComparedPictures& all, const PaneContent&, int pane) const {
-    const int columns = grid(all, all.count()).width();
-    return QPointF(pane % columns, pane / columns);
+QPointF CompareMode::place(const ComparedPictures&, const PaneContent&, int pane, QSize grid) const {
+    return QPointF(pane % grid.width(), pane / grid.width());
 }
 
 }  // namespace ir::widgets

@@ -2,6 +2,7 @@
 
 #include <QPointF>
 #include <QSize>
+#include <functional>
 
 #include "widgets/compare/compared_pictures.h"
 
@@ -24,13 +25,16 @@ class CompareMode {
     virtual std::vector<PaneContent> contents(const ComparedPictures& all) const;
     /// Why these pictures, two or more, cannot be compared so; empty: they can.
     virtual QString refusal(const ComparedPictures& all) const;
+    /// The size of a pane in a grid, where all fit.
+    using SizeIn = std::function<QSize(QSize grid)>;
     /// Columns and rows.
-    virtual QSize grid(const ComparedPictures& all, int panes) const;
-    /// The upper left corner of a pane, in columns and rows.
-    virtual QPointF place(const ComparedPictures& all, const PaneContent& content, int pane) const;
+    virtual QSize grid(const ComparedPictures& all, int panes, const SizeIn& size_in) const;
+    /// The upper left corner of a pane, in columns and rows of the grid.
+    virtual QPointF place(const ComparedPictures& all, const PaneContent& content, int pane,
+                          QSize grid) const;
     /// A number shows its picture for as long as it is held down.
     virtual bool holds_pictures() const { return true; }
-    /// A row of stages: each pane has a caption, numbers choose the pair.
+    /// Stages, in one row or more: each pane has a caption, numbers choose the pair.
     virtual bool is_row() const { return false; }
     /// A stays where the others are refused.
     virtual bool keeps_first() const { return false; }

@@ -31,6 +31,7 @@ CompareView::CompareView(QWidget* parent, ImageView::Surface surface)
     layout->addWidget(panes_, 1);
     layout->addWidget(bar_);
     connect(panes_, &PaneBoard::pane_made, this, &CompareView::connect_pane);
+    connect(panes_, &PaneBoard::resized, this, &CompareView::arrange);
     connect(panes_, &PaneBoard::activated, this, [this] { emit activated(active_picture()); });
     connect(panes_, &PaneBoard::picked_changed, this, [this](int pane, QPoint pixel) {
         pointed_pane_ = pane;
@@ -218,13 +219,19 @@ void CompareView::refresh() {
     contents_ = rules().contents(all_);
     const QString refusal = all_.held < 0 ? all_.refusal() : QString();
     if (refusal.isEmpty() || all_.count() < 2) request_differences();
-    std::vector<PaneBoard::Cell> cells;
     for (int i = 0; i < int(contents_.size()); ++i) fill(panes_->pane(i), contents_[std::size_t(i)], refusal);
-    for (int i = 0; i < int(contents_.size()); ++i) cells.push_back(cell_of(i));
-    panes_->arrange(std::move(cells), rules().grid(all_, int(contents_.size())),
-                    rules().is_row() && contents_.size() > 1);
+    arrange();
     update_bar();
     relink();
+}
+
+void CompareView::arrange() {
+    const bool captions = rules().is_row() && contents_.size() > 1;
+    const QSize grid = rules().grid(all_, int(contents_.size()),
+                                    [&](QSize tried) { return panes_->size_in(tried, captions); });
+    std::vector<PaneBoard::Cell> cells;
+    for (int i = 0; i < int(contents_.size()); ++i) cells.push_back(cell_of(i, grid));
+    panes_->arrange(std::move(cells), grid, captions);
 }
 
 void CompareView::request_differences() {
@@ -324,10 +331,10 @@ Display CompareView::row_display() const {
     return common.value_or(Display());
 }
 
-PaneBoard::Cell CompareView::cell_of(int pane) const {
+PaneBoard::Cell CompareView::cell_of(int pane, QSize grid) const {
     const PaneContent& content = contents_[std::size_t(pane)];
     PaneBoard::Cell cell;
-    cell.place = rules().place(all_, content, pane);
+    cell.place = rules().place(all_, content, pane, grid);
     cell.difference = content.difference;
     if (!rules().is_row() || all_.count() < 2) return cell;
     if (content.difference) {

@@ -102,12 +102,13 @@ class CompareView : public QWidget {
     bool is_of_second(int pane, QPoint pixel) const;
 
     void refresh();
+    void arrange();
     void request_differences();
     void show_difference(int slot);
     void fill(ImageView& view, const PaneContent& content, const QString& refusal);
     void fill_difference(ImageView& view, int slot);
     Display row_display() const;
-    PaneBoard::Cell cell_of(int pane) const;
+    PaneBoard::Cell cell_of(int pane, QSize grid) const;
     QString number_of(int slot) const;
     QString tip_of(int slot) const;
     void relink();

@@ -45,9 +45,13 @@ bool ComparedPictures::has_pair() const {
     return pair.b >= 0 && pair.b < count() && pair.b != pair.a;
 }
 
+bool ComparedPictures::are_compared_with_one() const {
+    return mode == Mode::stages && pair.a == StagePair::none && pair.b >= 0 && pair.b < count();
+}
+
 StagePair ComparedPictures::ends_of(int slot) const {
     if (slot == pair_slot) return pair;
-    if (pair.a != StagePair::none || pair.b < 0 || pair.b >= count()) return {slot, slot + 1};
+    if (!are_compared_with_one()) return {slot, slot + 1};
     return {slot < pair.b ? slot : slot + 1, pair.b};
 }
 

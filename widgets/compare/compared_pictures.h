@@ -53,6 +53,8 @@ struct ComparedPictures {
     Display shown_display(int place) const;
 
     bool has_pair() const;
+    /// Stages: one of them is compared with all others, in place of neighbours.
+    bool are_compared_with_one() const;
     /// The two pictures that a difference is between.
     StagePair ends_of(int slot) const;
     bool has_difference(int slot) const;

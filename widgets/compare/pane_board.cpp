@@ -147,7 +147,8 @@ void PaneBoard::update_marks() {
     }
 }
 
-/// In a row the last one speaks for those that are shown alike; a difference alone always says its range.
+/// In a row the last one speaks for those that are shown alike, which keep its room free, so that all stand
+/// alike; a difference alone always says its range.
 void PaneBoard::update_legends() {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         bool last = true;
@@ -155,12 +156,16 @@ void PaneBoard::update_legends() {
             last &=
                 cells_[i].difference != cells_[j].difference || panes_[i]->display() != panes_[j]->display();
         const bool alone = cells_.size() == 1 && cells_[i].difference;
-        panes_[i]->set_legend(alone || (legend_ && last));
+        panes_[i]->set_legend(alone || (legend_ && last), legend_ && cells_.size() > 1);
     }
 }
 
+int PaneBoard::caption_line() const {
+    return fontMetrics().height() + 4;
+}
+
 int PaneBoard::caption_height() const {
-    return captions_ ? fontMetrics().height() + 4 : 0;
+    return captions_ ? caption_line() : 0;
 }
 
 QString PaneBoard::missing() const {
@@ -192,6 +197,17 @@ QRect PaneBoard::cell_rect(int pane) const {
     const QSize step((sheet_->width() - gap) / grid_.width(), (sheet_->height() - gap) / grid_.height());
     return QRect(scaled(cells_[std::size_t(pane)].place, step) + QPoint(gap, gap),
                  step - QSize(gap, gap + caption_height()));
+}
+
+QSize PaneBoard::size_in(QSize grid, bool captions) const {
+    const QSize room = maximumViewportSize() - QSize(gap, gap);
+    return QSize(room.width() / grid.width(), room.height() / grid.height()) -
+           QSize(gap, gap + (captions ? caption_line() : 0));
+}
+
+void PaneBoard::resizeEvent(QResizeEvent* event) {
+    QScrollArea::resizeEvent(event);
+    emit resized();
 }
 
 void PaneBoard::place_panes() {
@@ -233,7 +249,8 @@ QImage PaneBoard::snapshot(bool overlays, bool legend, ImageView::SnapshotScale 
     std::vector<QImage> shots;
     QSize step;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-        const bool wanted = legend && (panes_[i]->state().legend || cells_.size() == 1 || whole);
+        const bool wanted = legend && (panes_[i]->state().legend || panes_[i]->state().legend_room ||
+                                       cells_.size() == 1 || whole);
         shots.push_back(panes_[i]->snapshot(overlays, wanted, scale));
         step = step.expandedTo(shots.back().size() + QSize(snapshot_gap, snapshot_gap));
     }

@@ -27,6 +27,8 @@ class PaneBoard : public QScrollArea {
     void arrange(std::vector<Cell> cells, QSize grid, bool captions);
     /// Made when it is first asked for.
     ImageView& pane(int index);
+    /// Of a pane where all fit without scrolling.
+    QSize size_in(QSize grid, bool captions) const;
     int pane_count() const { return int(panes_.size()); }
     /// Those that are shown.
     const std::vector<Cell>& cells() const { return cells_; }
@@ -58,6 +60,7 @@ class PaneBoard : public QScrollArea {
                     ImageView::SnapshotScale scale = ImageView::SnapshotScale::as_shown) const;
 
   signals:
+    void resized();
     void pane_made(ir::widgets::ImageView* view, int pane);
     void activated(int pane);
     void caption_pressed(int pane);
@@ -74,11 +77,13 @@ class PaneBoard : public QScrollArea {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void place_panes();
     void paint();
     void paint_captions(QPainter& painter) const;
+    int caption_line() const;
     int caption_height() const;
     int caption_at(QPoint point) const;
     QRect cell_rect(int pane) const;

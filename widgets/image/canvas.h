@@ -51,6 +51,7 @@ struct CanvasState {
     bool has_lens = false;   ///< instead of the divider
     QPointF lens{0.5, 0.5};  ///< its middle, fractions of the picture's size
     bool pixel_grid = true, legend = false;
+    bool legend_room = false;     ///< the room of a legend stays free where none is
     QString label, second_label;  ///< in the top corners
     QString note;                 ///< instead of a picture: why there is none
     QString hint;                 ///< in the bottom left corner: how the tool is used

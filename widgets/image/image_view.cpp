@@ -139,8 +139,9 @@ void ImageView::set_wipe(double fraction) {
     repaint_all();
 }
 
-void ImageView::set_legend(bool on) {
+void ImageView::set_legend(bool on, bool has_room) {
     state_.legend = on;
+    state_.legend_room = has_room;
     repaint_all();
 }
 
@@ -182,7 +183,8 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     drawn.region_edited = drawn.line_edited = false;
     drawn.light.reset();
     drawn.stale = false;
-    drawn.legend = legend;
+    drawn.legend = legend && (state_.legend || !state_.legend_room);
+    drawn.legend_room &= legend;
     qreal ratio = devicePixelRatioF();
     drawn.transform.set_margins(legend_place(drawn, ratio).margins);
     QSize size = state_.transform.view_size().toSize();
@@ -190,7 +192,7 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     if (scale == SnapshotScale::picture_pixels && state_.has_image()) {
         ratio = 1;
         size = state_.transform.image_size().toSize();
-        drawn.legend = false;
+        drawn.legend = drawn.legend_room = false;
         drawn.transform.set_margins({0, 0});
         drawn.transform.set_view_size(size);
         drawn.transform.fit();

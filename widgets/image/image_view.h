@@ -35,7 +35,7 @@ class ImageView : public QWidget {
     void set_labels(const QString& label, const QString& second = {});
     /// Where the divider is: a fraction of the picture's width, 0 … 1.
     void set_wipe(double fraction);
-    void set_legend(bool on);
+    void set_legend(bool on, bool has_room = false);  ///< room that stays free without one
     /// As in set_mark(&Marks::picked, pixel). Emits nothing.
     template <typename Mark>
     void set_mark(Mark Marks::*mark, const std::type_identity_t<Mark>& value) {

@@ -64,6 +64,27 @@ TEST_P(StagesTest, AllAreComparedWithOneOfTheRow) {
     EXPECT_EQ(view->panes().captions()[4], "RMSE 0.2") << "of C";
 }
 
+TEST_P(StagesTest, WrapWhereThatShowsThemLarger) {
+    view->resize(500, 900);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() > view->views()[0]->y(); }, 5000));
+    EXPECT_EQ(view->views()[1]->y(), view->views()[0]->y());
+    EXPECT_EQ(view->difference_views()[0]->x(), view->views()[0]->x()) << "below the first of its two";
+    EXPECT_GT(view->views()[2]->y(), view->difference_views()[0]->geometry().bottom());
+    view->resize(1200, 400);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() == view->views()[0]->y(); }, 5000));
+}
+
+TEST_P(StagesTest, PicturesShownAlikeStandAlike) {
+    view->panes().set_legend(true);
+    view->active_view().fit();
+    const auto zoom = view->views()[0]->transform().zoom();
+    for (auto* each : view->views()) EXPECT_EQ(each->transform().zoom(), zoom);
+    EXPECT_FALSE(view->views()[0]->state().legend);
+    EXPECT_TRUE(view->views()[2]->state().legend);
+    EXPECT_EQ(view->views()[0]->transform().view_from_image({0, 0}),
+              view->views()[2]->transform().view_from_image({0, 0}));
+}
+
 TEST_P(StagesTest, ClicksOnNamesCompareAnyTwo) {
     QSignalSpy chosen(view.get(), &CompareView::stage_pair_chosen);
     click_name(2);
