@@ -32,7 +32,8 @@ Analysis own_analysis(const AnalyseFlags& flags, const projects::Project& projec
                          listed(words_of(project.experiments, &projects::Experiment::id)));
     auto analysis = projects::analysis_of(project, flags.kind, flags.experiments.front(), engine::registry());
     analysis.id = flags.kind;
-    if (flags.experiments.size() > 1) analysis.experiments = flags.experiments;
+    if (flags.experiments.size() > 1)
+        analysis.experiments = flags.experiments;
     else if (analysis.experiments.size() > 1 && !flags.quiet)
         complain("note: asks about " + listed(analysis.experiments) +
                  "; choose by more than one --experiment");

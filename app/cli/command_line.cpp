@@ -126,8 +126,8 @@ int run_command_line(int argc, char** argv) {
     } catch (const CLI::RequiredError& error) {
         std::vector<std::string> commands;
         for (const auto* command : app.get_subcommands({})) commands.push_back(command->get_name());
-        if (argc > 1 && argv[1][0] != '-' &&
-            std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
+        if (argc == 1) return fail("give a command; --help lists them", wrong_usage);
+        if (argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
             return fail(std::string("unknown command '") + argv[1] + "'" + known_are(argv[1], commands),
                         wrong_usage);
         return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);

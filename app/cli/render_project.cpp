@@ -91,6 +91,10 @@ double frames_of(const projects::Experiment& experiment) {
 int render_project(const ProjectRender& job) {
     const auto loaded = load_project(job.project);
     const auto ids = part_of(chosen_ids(loaded.project, job.experiments), job.shard);
+    if (const auto ending = std::filesystem::path(job.out).extension();
+        (ending == ".exr" || ending == ".png") && !std::filesystem::is_directory(job.out))
+        throw UsageError("--out '" + job.out +
+                         "': give a folder; each experiment makes files of its own in it");
     OutputFiles files;
     files.reads(loaded);
     for (const auto& id : std::set(ids.begin(), ids.end()))

@@ -87,6 +87,10 @@ double minutes_of(const std::string& time) {
 }
 
 void check(const SubmitFlags& flags) {
+    if (flags.tasks == 0)
+        throw UsageError(has_option(flags.command, "--tasks")
+                             ? "give --tasks before the command that is divided"
+                             : "--tasks is required: how many share the work");
     check("--mem", flags.mem, "[0-9]+[KMGT]?", "give megabytes, or as in 4G");
     check("--time", flags.time, "([0-9]+-)?[0-9]+(:[0-9]+){0,2}",
           "give HOURS:MINUTES:SECONDS, as in 04:00:00");
@@ -118,8 +122,7 @@ std::string afterwards(const Words& words) {
            engine::shell_word((fs::path(out) / "sweep.json").string()) + "\n";
 }
 
-std::string script_of(const SubmitFlags& flags) {
-    const auto words = task_command(flags.command);
+std::string script_of(const SubmitFlags& flags, const Words& words) {
     const auto name = flags.name.empty() ? "interreflect-" + words.front() : flags.name;
     const auto log = flags.log.empty() ? std::string("%x-%A_%a.log") : flags.log;
     std::string text = "#!/bin/sh\n# By interreflect-cli " + engine::version() + ": " +
@@ -193,8 +196,9 @@ void submit(const std::string& script) {
 }
 
 int print_script(const SubmitFlags& flags) {
+    const auto words = task_command(flags.command);
     check(flags);
-    const auto script = script_of(flags);
+    const auto script = script_of(flags, words);
     if (!flags.script.empty()) write_file(flags.script, script);
     (flags.run ? std::cerr : std::cout) << script;
     if (flags.run) submit(script);
@@ -209,7 +213,6 @@ void add_submit(CLI::App& app, Run& run) {
         "submit",
         "Print a Slurm job array that does a command in shards: submit --tasks 16 sweep P NAME --out FOLDER");
     command->add_option("--tasks", flags->tasks, "Tasks of the job array, one shard each")
-        ->required()
         ->check(CLI::Range(1, 100000));
     command->add_option("--cpus", flags->cpus, "Processors of a task")
         ->check(CLI::Range(1, 4096))

@@ -7,6 +7,7 @@
 #include <QSocketNotifier>
 #include <QTimer>
 #include <csignal>
+#include <filesystem>
 #include <future>
 #include <iostream>
 #include <memory>
@@ -141,6 +142,12 @@ void take_screenshot(MainWindow& window, const Arguments& arguments) {
     looks->start(look_ms);
 }
 
+/// What is typed is there, or it is a slip of the hand; what the window opens by itself may have gone.
+void check_project(const std::string& project) {
+    if (project.empty() || project.starts_with("builtin:") || std::filesystem::exists(project)) return;
+    throw InputError(project, "", "there is no such file or folder");
+}
+
 /// Qt aborts where it finds no display, so that is looked at first; a screenshot needs none.
 void check_display(const Arguments& arguments) {
 #ifdef Q_OS_LINUX
@@ -253,6 +260,9 @@ int run(int argc, char** argv) {
                              DockLayout::names().join(", ").toStdString());
         if (!arguments.set_up.empty() && arguments.project.empty())
             throw UsageError("--set-up needs a project or a scene to begin with");
+        if (!arguments.plot.empty() && arguments.project.empty())
+            throw UsageError("--plot needs a project that has it");
+        check_project(arguments.project);
         if (arguments.exports()) check_plot_file(arguments.plot_file);
         check_display(arguments);
         // Off screen Qt says what is no news to anybody; stderr is for the one line that says what failed.

@@ -86,14 +86,15 @@ class Stages : public SideBySide {
         // Of three or more each difference says for itself whether there is one.
         return all.count() > 2 || all.has_difference(0) ? QString() : CompareMode::refusal(all);
     }
-    /// One row of pictures and one of differences, or more where these show them clearly larger.
+    /// One row of pictures and one of differences, or more where these show them clearly larger, or all at
+    /// once.
     QSize grid(const ComparedPictures& all, int, const SizeIn& size_in) const override {
         const int count = all.count() + (all.has_pair() ? 1 : 0);
         const QSize row(count, 2);
         const auto zoom = [&](QSize grid) {
             const QSize pane = size_in(grid);
             const QSizeF picture = all.pictures.front()->size();
-            return picture.isEmpty()
+            return picture.isEmpty() || pane.isEmpty()
                        ? 0.0
                        : std::min(pane.width() / picture.width(), pane.height() / picture.height());
         };

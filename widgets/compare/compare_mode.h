@@ -25,7 +25,7 @@ class CompareMode {
     virtual std::vector<PaneContent> contents(const ComparedPictures& all) const;
     /// Why these pictures, two or more, cannot be compared so; empty: they can.
     virtual QString refusal(const ComparedPictures& all) const;
-    /// The size of a pane in a grid, where all fit.
+    /// The size of a pane in a grid; empty: not all fit.
     using SizeIn = std::function<QSize(QSize grid)>;
     /// Columns and rows.
     virtual QSize grid(const ComparedPictures& all, int panes, const SizeIn& size_in) const;

@@ -201,8 +201,9 @@ QRect PaneBoard::cell_rect(int pane) const {
 
 QSize PaneBoard::size_in(QSize grid, bool captions) const {
     const QSize room = maximumViewportSize() - QSize(gap, gap);
-    return QSize(room.width() / grid.width(), room.height() / grid.height()) -
-           QSize(gap, gap + (captions ? caption_line() : 0));
+    const QSize pane = QSize(room.width() / grid.width(), room.height() / grid.height()) -
+                       QSize(gap, gap + (captions ? caption_line() : 0));
+    return pane.expandedTo(min_pane) == pane ? pane : QSize();
 }
 
 void PaneBoard::resizeEvent(QResizeEvent* event) {

@@ -27,7 +27,7 @@ class PaneBoard : public QScrollArea {
     void arrange(std::vector<Cell> cells, QSize grid, bool captions);
     /// Made when it is first asked for.
     ImageView& pane(int index);
-    /// Of a pane where all fit without scrolling.
+    /// Of a pane where all fit without scrolling; empty: they do not.
     QSize size_in(QSize grid, bool captions) const;
     int pane_count() const { return int(panes_.size()); }
     /// Those that are shown.

@@ -80,6 +80,14 @@ TEST_P(Screenshot, OfAMissingSceneSaysSoAndIsWrittenNevertheless) {
     EXPECT_GE(outcome.picture.width(), 900);
 }
 
+TEST_P(Screenshot, OfWhatIsNotThereOpensNoWindow) {
+    const auto outcome = shot(root_ / "nowhere.glb");
+    EXPECT_EQ(outcome.status, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("nowhere.glb: there is no such file"), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_TRUE(outcome.picture.isNull());
+}
+
 INSTANTIATE_TEST_SUITE_P(
     , Screenshot,
     testing::Values(Platform{"default", ""}, Platform{"offscreen", "QT_QPA_PLATFORM=offscreen"},

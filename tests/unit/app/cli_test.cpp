@@ -68,6 +68,7 @@ TEST_F(Cli, RefusesWrongUsageInOneLine) {
     expect_refused(small("reference", "a.exr") + "--dump 'no.such.*'", 2, "no.such.*");
     expect_refused("render --scene builtin:cornell --out " + file("a.exr"), 2, "--method");
     expect_refused("no-such-command", 2, "no-such-command");
+    expect_refused("", 2, "give a command");
     expect_refused("info one two", 2, "not expected: one, two;");
     expect_refused(small("reference", "a.exr") + "--env 1,-1,1", 2, "--env");
     expect_refused(small("reference", "a.exr") + "--seed -1", 2, "--seed");
@@ -272,6 +273,7 @@ TEST_F(Cli, ChecksEverySampleAndRendersOne) {
     EXPECT_TRUE(fs::exists(file("out/ldm.json")));
     const auto as_json = run("render " + sample + " --experiment ldm --quiet --json --out " + file("out"));
     EXPECT_TRUE(nlohmann::json::parse(as_json.out)["ldm"].contains("passes"));
+    expect_refused("render " + sample + " --out " + file("one.exr"), 2, "give a folder");
     expect_refused("render " + sample + " --env 1,1,1 --out " + file("out"), 2, "--env");
     expect_refused("render " + sample + " --size 8x8 --keep --out " + file("out"), 2, "--keep");
     expect_refused("render " + sample + " --set no_such_key=1 --out " + file("out"), 2, "no_such_key");

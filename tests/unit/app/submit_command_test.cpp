@@ -116,6 +116,8 @@ TEST_F(SubmitCommand, RefusesInOneLine) {
     const auto sweep = " sweep " + project() + " s --out " + file("out");
     expect_refused("submit --tasks 2", 2, "sweep, reference, render, plot");
     expect_refused("submit" + sweep, 2, "--tasks is required");
+    expect_refused("submit" + sweep + " --tasks 4", 2, "give --tasks before the command");
+    expect_refused("submit teleport", 2, "'teleport' cannot be divided");
     expect_refused("submit --tasks 0" + sweep, 2, "--tasks");
     expect_refused("submit --tasks 2 compare a.exr b.exr", 2, "'compare' cannot be divided");
     expect_refused("submit --tasks 2 sweep merge a --out b", 2, "when all tasks are done");
