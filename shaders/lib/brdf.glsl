@@ -17,6 +17,13 @@ const float SAME_INDEX = 1e-3;
 // C++: ir::passes::*
 const int SCATTERING_GLTF = 0, SCATTERING_METALNESS_BLEND = 1, SCATTERING_LAMBERT = 2;
 
+/// Halfway between unit l and v; the normal where they are opposite, and nothing is halfway.
+vec3 half_vector(vec3 n, vec3 l, vec3 v) {
+    vec3 sum = l + v;
+    float size = length(sum);
+    return size > 0.0 ? sum / size : n;
+}
+
 /// Microfacet distribution.  [Walter07 eq. 33]
 float ggx_distribution(float n_dot_h, float alpha) {
     float squared = alpha * alpha;
@@ -96,7 +103,7 @@ float gltf_microfacets(float alpha, vec3 n, vec3 l, vec3 v, vec3 h) {
 /// Lambert part and their colour as reflectance.  [glTF2 B.3.5]
 vec3 gltf_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
     if (dot(n, l) <= 0.0) return vec3(0);
-    vec3 h = normalize(l + v);
+    vec3 h = half_vector(n, l, v);
     float alpha = max(surface.roughness * surface.roughness, MIRROR_ALPHA);
     vec3 f0 = layered_f0(surface.ior, surface.base_colour, surface.metallic);
     vec3 fresnel = schlick_fresnel(f0, clamp(dot(v, h), 0.0, 1.0));
@@ -125,7 +132,7 @@ float blended_microfacets(float alpha, vec3 n, vec3 l, vec3 v, vec3 h) {
 /// [Smal19 eqs. 3.4-3.8]
 vec3 metalness_blend_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
     if (dot(n, l) <= 0.0) return vec3(0);
-    vec3 h = normalize(l + v);
+    vec3 h = half_vector(n, l, v);
     float alpha = max(surface.roughness * surface.roughness, MIRROR_ALPHA);
     return (1.0 - surface.metallic) * lambert_brdf(surface) +
            surface.metallic * schlick_fresnel(surface.base_colour, clamp(dot(v, h), 0.0, 1.0)) *

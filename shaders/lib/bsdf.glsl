@@ -19,7 +19,7 @@ BsdfValue evaluate_with_pdf(Scatterer s, Glass glass, SeenScatterer seen, vec3 l
         result.value = opaque * scattering_value(s, seen, l, n_dot_l);
     }
     if (is_rough_glass(s, glass)) {
-        vec3 h = normalize(l + seen.raised);
+        vec3 h = half_vector(s.n, l, seen.raised);
         float part = glass.part * glass_reflectance(glass, clamp(dot(seen.raised, h), 0.0, 1.0));
         result.pdf += part * microfacet_pdf(s, seen, l, MICROFACETS_VISIBLE_NORMALS);
         result.value += part * distribution_at(s, h) * smith_visibility(n_dot_l, seen.n_dot_v, s.alpha) * n_dot_l;

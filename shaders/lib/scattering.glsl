@@ -148,9 +148,7 @@ float microfacet_pdf(Scatterer s, SeenScatterer seen, vec3 l, int sampling) {
 
 /// f cosθ, `l` above both normals; without mirrors.
 vec3 scattering_value(Scatterer s, SeenScatterer seen, vec3 l, float n_dot_l) {
-    vec3 sum = l + seen.v;
-    float size = length(sum);
-    vec3 h = size > 0.0 ? sum / size : s.n;
+    vec3 h = half_vector(s.n, l, seen.v);
     vec3 fresnel = schlick_fresnel(s.f0, clamp(dot(seen.v, h), 0.0, 1.0));
     vec3 f = below_interface(s, fresnel) / PI;
     if (s.specular > 0.0 && s.alpha >= MIRROR_ALPHA)
@@ -179,11 +177,11 @@ Scattered scattered_by_mirror(Scatterer s, SeenScatterer seen) {
 /// The printed survival F G2 / G1 of a microfacet, over its lobe's probability.  [Smal19 §4.4.1]
 vec3 printed_weight(Scatterer s, SeenScatterer seen, vec3 l, float n_dot_l, bool is_microfacet) {
     if (!is_microfacet) {
-        vec3 h = normalize(l + seen.raised);
+        vec3 h = half_vector(s.n, l, seen.raised);
         vec3 fresnel = schlick_fresnel(s.f0, clamp(dot(seen.raised, h), 0.0, 1.0));
         return below_interface(s, fresnel) / (1.0 - seen.specular_probability);
     }
-    vec3 h = normalize(l + seen.raised);
+    vec3 h = half_vector(s.n, l, seen.raised);
     float m_dot_v = dot(seen.raised, h);
     vec3 fresnel = schlick_fresnel(s.f0, clamp(m_dot_v, 0.0, 1.0));
     float masking = smith_masking(seen.raised_cosine, m_dot_v, s.alpha);

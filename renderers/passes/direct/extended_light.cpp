@@ -324,10 +324,9 @@ bool samples_on_device(const graph::FrameInputs& inputs, const ExtendedLightOpti
 ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options) {
     ExtendedSources found;
     for (const auto& light : inputs.world->lights) found.flat_lights += scene::is_flat(light);
-    if (options.emissive_meshes)
-        for (const auto& range : inputs.world->ranges)
-            if (inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission != glm::vec3(0))
-                found.emissive_triangles += range.triangle_count;
+    for (const auto& range : inputs.world->ranges)
+        if (inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission != glm::vec3(0))
+            found.emissive_triangles += range.triangle_count;
     const auto& environment = inputs.scene->environment;
     found.environment = options.environment && (environment.map || environment.constant != glm::vec3(0));
     return found;
@@ -337,9 +336,7 @@ graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedL
     const std::string key = options.environment ? "direct.sources" : "direct.sources.placed";
     if (const auto found = graph::declared_object(builder, key)) return *found;
     auto fingerprint = builder.inputs().world_fingerprint;
-    if (!fingerprint.empty())
-        fingerprint += std::string(options.environment ? " environment" : "") +
-                       (options.emissive_meshes ? " emissive meshes" : "");
+    if (!fingerprint.empty() && options.environment) fingerprint += " environment";
     const auto textures = host_textures(builder);
     const auto result =
         builder.object({.text = {.key = key,
@@ -347,8 +344,7 @@ graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedL
                                  .doc = "Lights, emissive triangles and the environment, with "
                                         "probabilities for choosing."},
                         .fingerprint = fingerprint});
-    const LightSampler::Options sampled{
-        .punctual = false, .environment = options.environment, .emissive_meshes = options.emissive_meshes};
+    const LightSampler::Options sampled{.punctual = false, .environment = options.environment};
     builder.pass(options.environment ? "light sources" : "placed light sources", graph::Queue::cpu)
         .reads(textures)
         .writes(result)

@@ -17,7 +17,7 @@ namespace ir::passes {
 struct ExtendedLightOptions {
     LightParameters parameters;
     Transport::Materials materials = Transport::Materials::gltf;
-    bool environment = true, emissive_meshes = true;
+    bool environment = true;
     bool mirrors = true;  ///< whether mirrors show the sources that they reflect
 };
 

@@ -84,7 +84,7 @@ struct BsdfLobes {
         const bool is_reflected = n_dot_l > 0;
         if (!is_reflected && !b.is_thin_) return refracted(l, -n_dot_l);
         const auto towards = is_reflected ? l : l - 2 * n_dot_l * b.n_;
-        const auto h = glm::normalize(towards + seen_from);
+        const auto h = half_vector(b.n_, towards, seen_from);
         const float reflectance = glass_reflectance(std::clamp(glm::dot(seen_from, h), 0.0f, 1.0f));
         const float part = is_reflected ? reflectance : 1 - reflectance, cosine = std::abs(n_dot_l);
         const float value = part * distribution(h) * smith_visibility(cosine, n_dot_v, b.alpha_) * cosine;
@@ -111,9 +111,7 @@ struct BsdfLobes {
 
     /// `l` above both normals.
     glm::vec3 opaque_value(glm::vec3 l, float n_dot_l) const {
-        const auto sum = l + v;
-        const float size = glm::length(sum);
-        const auto h = size > 0 ? sum / size : b.n_;
+        const auto h = half_vector(b.n_, l, v);
         const auto fresnel = schlick_fresnel(b.f0_, std::clamp(glm::dot(v, h), 0.0f, 1.0f));
         auto f = inverse_pi * below_interface(fresnel);
         if (b.specular_ > 0 && !is_mirror)

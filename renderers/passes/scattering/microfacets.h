@@ -11,6 +11,13 @@
 /// vectors; `_ts` ones are in a frame whose z is the normal.
 namespace ir::passes {
 
+/// Halfway between l and v; the normal where they are opposite, and nothing is halfway.
+inline glm::vec3 half_vector(glm::vec3 n, glm::vec3 l, glm::vec3 v) {
+    const auto sum = l + v;
+    const float size = glm::length(sum);
+    return size > 0 ? sum / size : n;
+}
+
 /// [Walter07 eq. 33]
 inline float ggx_distribution(float n_dot_h, float alpha) {
     const float squared = alpha * alpha;

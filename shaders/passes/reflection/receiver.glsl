@@ -33,15 +33,13 @@ Receiver receiver_at(ivec2 pixel, vec3 n, vec3 v) {
 /// What the interface above a Lambert surface leaves of light from l; where that is 0, unknown, at normal incidence.
 /// [glTF2 B.3.5]
 vec3 below_interface(Receiver r, vec3 l) {
-    vec3 sum = l + r.v;
-    float size = length(sum);
-    if (l == vec3(0) || size == 0.0) return 1.0 - r.f0;
-    return 1.0 - schlick_fresnel(r.f0, clamp(dot(r.v, sum / size), 0.0, 1.0));
+    if (l == vec3(0)) return 1.0 - r.f0;
+    return 1.0 - schlick_fresnel(r.f0, clamp(dot(r.v, half_vector(r.n, l, r.v)), 0.0, 1.0));
 }
 
 /// BRDF of the interface for light from above it, 1/sr. `alpha` is the roughness² of its microfacets.
 vec3 interface_brdf(Receiver r, vec3 l, float alpha) {
-    vec3 h = normalize(l + r.v);
+    vec3 h = half_vector(r.n, l, r.v);
     vec3 fresnel = schlick_fresnel(r.f0, clamp(dot(r.v, h), 0.0, 1.0));
 #if MATERIALS == 0
     float microfacets = gltf_microfacets(alpha, r.n, l, r.v, h);

@@ -257,6 +257,37 @@ TEST_F(LdmIndirectGlossOnBoth, HighlightsInHighlightsAreNoDots) {
     EXPECT_NEAR(light(picture(1, 64)), 1, 0.05) << "the more directions, the less they are widened";
 }
 
+/// Mirrors scatter nothing, so what they show of a lamp to a rough surface is direct light until the light
+/// has been scattered elsewhere. The lamp lights nothing but the mirror.
+TEST_F(LdmIndirectGlossOnBoth, SmoothMirrorsShowLampsToRoughSurfacesAsDirectLight) {
+    auto scene = hall(0.5f);
+    auto& ceiling = scene.materials[SmallWorld::opaque];
+    ceiling.metallic = 1;
+    ceiling.roughness = 0;
+    auto& light = scene.lights.front();
+    light.type = scene::LightType::rectangle;
+    light.direction = {0, 1, 0};
+    light.size = {1, 1};
+    const Shot shot(std::move(scene), looking(eye, {0, 0, 0}), 24, 16);
+    for (const auto processor : {Processor::gl, Processor::host}) {
+        const auto sum = [&](const char* paths, std::int64_t max_bounces) {
+            render(shot, processor,
+                   {{"gloss_samples", std::int64_t{4}},
+                    {"materials", std::string("metalness-blend")},
+                    {"max_bounces", max_bounces},
+                    {"paths", std::string(paths)}});
+            const auto gloss = read("gloss.radiance");
+            glm::vec3 result(0);
+            for (int y = 0; y < gloss.height; ++y)
+                for (int x = 0; x < gloss.width; ++x) result += rgb(gloss, x, y);
+            return result.x + result.y + result.z;
+        };
+        EXPECT_GT(sum("full", 1), 1) << to_string(processor);
+        EXPECT_EQ(sum("indirect", 1), 0) << to_string(processor);
+        EXPECT_GT(sum("indirect", 2), 0.1) << to_string(processor);
+    }
+}
+
 /// With all kinds of sources and materials, glass among them, and many bounces.
 TEST_F(LdmIndirectGlossOnBoth, SeeTheSame) {
     const Shot shot(room_with_lamps(), looking({0, 1.6f, 1.9f}, {0, 1, -1}), 32, 24);

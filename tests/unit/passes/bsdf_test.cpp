@@ -241,5 +241,34 @@ TEST_P(BrdfTwin, GltfEqualsTheShadersFunction) {
     EXPECT_GT(largest, 1) << "no highlight was compared";
 }
 
+/// Where a shading normal leans away from the viewer, light may come from straight behind the surface.
+TEST_P(BrdfTwin, LightOppositeToTheViewHasNoHalfVector) {
+    for (const auto model : {Materials::gltf, Materials::metalness_blend}) {
+        Patch patch(model);
+        patch.surface.roughness = 0.5f;
+        patch.surface.metallic = 0.6f;
+        patch.material.ior = 1.5f;
+        const auto n = patch.surface.shading_normal_ws;
+        std::vector<glm::mat4> given;  // columns: n, l, v
+        for (const float cosine : {0.01f, 0.5f, 1.0f}) {
+            const auto l = patch.direction(cosine, 1.7f);
+            EXPECT_EQ(passes::half_vector(n, l, -l), n);
+            given.emplace_back(glm::vec4(n, 0), glm::vec4(l, 0), glm::vec4(-l, 0), glm::vec4(0));
+        }
+        const std::string function = model == Materials::gltf ? "gltf_brdf" : "metalness_blend_brdf";
+        const auto found = map<glm::vec4>(
+            given, "brdf.glsl", "mat4", "vec4",
+            "mat4 p = given[i];\n    Surface s = Surface(vec3(0.8, 0.5, 0.3), 0.6, 0.5, 1.5);\n"
+            "    result[i] = vec4(" +
+                function + "(s, p[0].xyz, p[1].xyz, p[2].xyz), 0);");
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            const glm::vec3 l(given[i][1]);
+            const auto value = patch.bsdf().evaluate(-l, l) / glm::dot(n, l);
+            ASSERT_TRUE(std::isfinite(value.x + value.y + value.z));
+            EXPECT_LT(glm::distance(value, glm::vec3(found[i])), 2e-3f * glm::length(value)) << i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -196,13 +196,16 @@ Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, 
     splats.rectangles = builder.buffer(
         {.text = {.key = "splats.rectangles",
                   .label = "Rectangles of splats",
-                  .doc = "First place of the surfels drawn last, and the one after the last: x + 65536 y."},
+                  .doc =
+                      "First place of the surfels drawn last, and the one after the last: x + 65536 y. How "
+                      "many surfels a draw has depends on how long the frame's slices take."},
          .fields = {{"first", FieldType::u32}, {"after", FieldType::u32}},
          .elements = max_at_once,
          .fingerprint = splats.fingerprint});
     splats.command = builder.buffer({.text = {.key = "splats.command",
                                               .label = "Command of the draw",
-                                              .doc = "Vertices of the last draw of splats."},
+                                              .doc = "Vertices of the last draw of splats, as long as its "
+                                                     "slice was: none where that had no surfels left."},
                                      .fields = record_fields<DrawCommand>(),
                                      .elements = 1,
                                      .fingerprint = splats.fingerprint});

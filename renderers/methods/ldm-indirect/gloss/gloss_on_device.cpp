@@ -17,7 +17,8 @@ const std::string gloss_folder = "methods/ldm-indirect/gloss/";
 struct PathNumbers {
     unsigned seed_low, seed_high, number;
     float share;
-    IR_FIELDS(seed_low, seed_high, number, share)
+    bool is_whole;
+    IR_FIELDS(seed_low, seed_high, number, share, is_whole)
 };
 
 /// Constants of look.comp.
@@ -29,8 +30,8 @@ struct Look {
 /// Constants of go_on.comp.
 struct GoOn {
     unsigned event, events, samples, max_bounces;
-    bool is_whole, continues;
-    IR_FIELDS(event, events, samples, max_bounces, is_whole, continues)
+    bool continues;
+    IR_FIELDS(event, events, samples, max_bounces, continues)
 };
 
 /// The paths of a frame: bands of pixels, within them samples, within them events.
@@ -64,7 +65,8 @@ class DeviceReflections {
         const auto number = static_cast<unsigned>(item / events() % parameters_.gloss.samples);
         const auto band = bands_[item / events() / parameters_.gloss.samples];
         const PathNumbers numbers{static_cast<unsigned>(seed_), static_cast<unsigned>(seed_ >> 32), number,
-                                  highlight_share(context.inputs(), parameters_)};
+                                  highlight_share(context.inputs(), parameters_),
+                                  parameters_.transport.paths == Transport::Paths::full};
         if (event == 0)
             rays_.dispatch(context, gloss_folder + "look.comp", band, numbers,
                            passes::viewer(context.inputs().view),
@@ -82,11 +84,8 @@ class DeviceReflections {
     std::int64_t events() const { return parameters_.transport.max_bounces + most_mirrors; }
 
     GoOn constants_of(const graph::PassContext& context, unsigned event) const {
-        return {event,
-                static_cast<unsigned>(events()),
-                static_cast<unsigned>(parameters_.gloss.samples),
+        return {event, static_cast<unsigned>(events()), static_cast<unsigned>(parameters_.gloss.samples),
                 static_cast<unsigned>(parameters_.transport.max_bounces),
-                parameters_.transport.paths == Transport::Paths::full,
                 parameters_.progressive && context.has_previous() &&
                     passes::stands_still(context.inputs(), passes::Watched::surfaces_and_lights)};
     }

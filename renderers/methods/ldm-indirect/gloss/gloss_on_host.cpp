@@ -364,13 +364,15 @@ class Reflections {
         path.throughput = throughput * next->weight;
     }
 
-    /// Direct light that a surface reflects, with highlights as wide as what the ray stands for; lights
-    /// without extent have none in mirrors.
+    /// Direct light that a surface reflects, with highlights as wide as what the ray stands for. Mirrors show
+    /// no lights without extent, and others only where that counts: as wide as from a rough surface.
     glm::vec3 light_of(const Frame& frame, const Path& path, int event, const Met& met,
                        const passes::Surface& surface, const passes::Bsdf& bsdf) const {
         const auto sampler = light_sampler(path, event);
         const auto wo = -met.direction;
-        if (!(path.spread > 0)) return frame.light->reflected(surface, bsdf, wo, sampler);
+        const bool is_mirror = surface.roughness * surface.roughness < passes::mirror_alpha;
+        if (!(path.spread > 0) || (is_mirror && !mirrored_light_counts(path)))
+            return frame.light->reflected(surface, bsdf, wo, sampler);
         auto wide = surface;
         wide.roughness = passes::widened_roughness(
             surface.roughness,
@@ -378,11 +380,13 @@ class Reflections {
         const float gain =
             passes::widened_gain(surface.roughness, wide.roughness, glm::dot(surface.shading_normal_ws, wo));
         wide.base_colour *= std::lerp(1.0f, gain, surface.metallic);  // of dielectrics most is diffuse
-        const bool is_mirror = surface.roughness * surface.roughness < passes::mirror_alpha;
         const passes::Bsdf widened(wide, frame.surfaces->material(surface.material),
                                    parameters_.transport.materials);
         return frame.light->reflected(wide, is_mirror ? bsdf : widened, wo, sampler);
     }
+
+    /// A mirror is no scattering: what it shows of a source to a surface that is seen is direct light.
+    bool mirrored_light_counts(const Path& path) const { return is_whole_ || path.scatterings > 1; }
 
     void write(const graph::PassContext& context, const GlossResources& r) const {
         std::ranges::copy(errors_, context.pixels<float>(r.images.error).begin());

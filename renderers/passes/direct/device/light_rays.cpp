@@ -81,10 +81,7 @@ LightRays::LightRays(graph::GraphBuilder& builder, const SceneBuffers& scene, co
     const auto there = extended_sources(builder.inputs(), options);
     is_sampled_ = there.any() && options.parameters.light_samples > 0;
     if (of_hits_) punctual_ = punctual_lights(*builder.inputs().world);
-    sources_ = source_buffers(
-        builder,
-        {.punctual = false, .environment = options.environment, .emissive_meshes = options.emissive_meshes},
-        there.emissive_triangles);
+    sources_ = source_buffers(builder, options.environment, there.emissive_triangles);
     const auto at_once = static_cast<std::uint64_t>(bands.at_once());
     rays_ = declare_rays(builder, key, (light_kinds + (of_hits_ ? 1 : 0)) * at_once);
     paths_ = builder.buffer({.text = {.key = key + ".paths", .label = "What rays carry of the direct light"},

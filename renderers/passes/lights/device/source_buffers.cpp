@@ -11,6 +11,7 @@
 #include "renderers/passes/lights/environment_light.h"
 #include "renderers/passes/lights/flat_light.h"
 #include "renderers/passes/lights/light_choice.h"
+#include "renderers/passes/lights/light_sampler.h"
 #include "renderers/passes/lights/triangle_lights.h"
 #include "shaders/passes/lights/sources.glsl.h"
 
@@ -121,9 +122,8 @@ class FlattenedSources {
     EnvironmentLight::Tables environment_;
 };
 
-void upload_sources(const graph::PassContext& context, const SourceBuffers& to,
-                    const LightSampler::Options& options) {
-    const FlattenedSources made(context.inputs(), options);
+void upload_sources(const graph::PassContext& context, const SourceBuffers& to, bool environment) {
+    const FlattenedSources made(context.inputs(), {.punctual = false, .environment = environment});
     const auto put = [&](auto ref, const auto& values) {
         if (!values.empty()) context.upload(ref, std::as_bytes(std::span(values)));
     };
@@ -138,8 +138,8 @@ void upload_sources(const graph::PassContext& context, const SourceBuffers& to,
 }
 
 /// Keys begin with it. Pictures may have light with and without that of the environment.
-std::string prefix_of(const LightSampler::Options& options) {
-    return options.environment ? "light." : "light.placed.";
+std::string prefix_of(bool environment) {
+    return environment ? "light." : "light.placed.";
 }
 
 /// Those of an earlier call for the same frame.
@@ -163,15 +163,13 @@ std::optional<SourceBuffers> declared_sources(const graph::GraphBuilder& builder
 
 }  // namespace
 
-SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::Options& options,
-                             std::uint64_t max_triangles) {
-    const auto prefix = prefix_of(options);
+SourceBuffers source_buffers(graph::GraphBuilder& builder, bool environment, std::uint64_t max_triangles) {
+    const auto prefix = prefix_of(environment);
     if (const auto known = declared_sources(builder, prefix)) return *known;
     const auto& inputs = builder.inputs();
     std::string fingerprint;
     if (!inputs.world_fingerprint.empty())
-        fingerprint = inputs.world_fingerprint + " sources" + (options.emissive_meshes ? " meshes" : "") +
-                      (options.environment ? " environment" : "");
+        fingerprint = inputs.world_fingerprint + " sources" + (environment ? " environment" : "");
     const auto buffer = [&](const std::string& part, const std::string& label,
                             std::vector<graph::Field> fields, std::uint64_t elements) {
         return builder.buffer({.text = {.key = prefix + part, .label = label},
@@ -187,7 +185,7 @@ SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::O
                               .fingerprint = fingerprint});
     };
     const auto& map = inputs.scene->environment.map;
-    const bool has_map = options.environment && map && !map->empty();
+    const bool has_map = environment && map && !map->empty();
     const int width = has_map ? map->width : 0, height = has_map ? map->height : 0;
     const std::uint64_t lamps = inputs.world->lights.size();
     SourceBuffers result;
@@ -207,10 +205,10 @@ SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::O
     result.environment_columns =
         image("environment_columns", "Distribution over the texels of the environment's rows",
               gl::Format::r32f, std::max(1, width), std::max(1, height));
-    builder.pass(options.environment ? "upload light sources" : "upload placed light sources")
+    builder.pass(environment ? "upload light sources" : "upload placed light sources")
         .writes(result.totals, result.nodes, result.lamps, result.triangles, result.numbers,
                 result.environment_rows, result.environment_map, result.environment_columns)
-        .execute([=](graph::PassContext& context) { upload_sources(context, result, options); });
+        .execute([=](graph::PassContext& context) { upload_sources(context, result, environment); });
     return result;
 }
 

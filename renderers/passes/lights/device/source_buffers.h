@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "renderers/graph/builder.h"
-#include "renderers/passes/lights/light_sampler.h"
 
 namespace ir::passes {
 
@@ -27,10 +26,9 @@ struct SourceBuffers {
     }
 };
 
-/// Declares "light.sources" and its like with the pass "upload light sources", once per world and options;
-/// who asks again in a frame gets the same. `options` without lights that have no extent; `max_triangles` may
-/// be emissive.
-SourceBuffers source_buffers(graph::GraphBuilder& builder, const LightSampler::Options& options,
-                             std::uint64_t max_triangles);
+/// Declares "light.sources" and its like with the pass "upload light sources": all that have an extent, with
+/// or without the environment. Once per world and either; who asks again in a frame gets the same.
+/// `max_triangles` may be emissive.
+SourceBuffers source_buffers(graph::GraphBuilder& builder, bool environment, std::uint64_t max_triangles);
 
 }  // namespace ir::passes

@@ -19,8 +19,8 @@ vec3 diffuse_albedo(HitSurface s) {
 vec3 below_interface(HitSurface s, vec3 to_light_ws) {
 #if MATERIALS == 0
     vec3 f0 = layered_f0(s.ior, s.base_colour, s.metallic);
-    vec3 h = normalize(to_light_ws + s.shading_normal_ws);
-    return 1.0 - schlick_fresnel(f0, clamp(dot(s.shading_normal_ws, h), 0.0, 1.0));
+    vec3 n = s.shading_normal_ws, h = half_vector(n, to_light_ws, n);
+    return 1.0 - schlick_fresnel(f0, clamp(dot(n, h), 0.0, 1.0));
 #else
     return vec3(1);
 #endif

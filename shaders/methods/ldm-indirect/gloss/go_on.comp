@@ -15,7 +15,6 @@ layout(r32f) uniform writeonly image2D distance_image;
 uniform sampler2D radiance_before;
 
 uniform uint event, events, samples, max_bounces;
-uniform bool is_whole;   // direct light that mirrors show counts
 uniform bool continues;  // what was before
 
 Ray go_on(inout Path path, inout float spread, ivec2 pixel, Ray ray, RayHit hit, vec3 light) {
@@ -56,7 +55,9 @@ void main() {
     RayHit hit = hits[ray_of_hit(place)];
     if (event == 0u && number == 0u)
         imageStore(distance_image, pixel, vec4(ray.far > 0.0 && is_hit(hit) ? hit.distance : 0.0));
-    rays[ray_of_hit(place)] = go_on(path, spreads[place], pixel, ray, hit, group_light[place].rgb);
+    float spread = abs(spreads[place]);
+    rays[ray_of_hit(place)] = go_on(path, spread, pixel, ray, hit, group_light[place].rgb);
+    spreads[place] = signed_spread(path, spread);
     paths[place] = path;
     group_light[place] = vec4(0);
     if (event + 1u == events) add(pixel, path.light);

@@ -49,6 +49,6 @@ void main() {
     Path path;
     float spread;
     rays[ray_of_hit(place)] = look(seen_surface(pixel), pixel, path, spread);
-    spreads[place] = spread;
+    spreads[place] = signed_spread(path, spread);
     paths[place] = path;
 }

@@ -16,6 +16,7 @@ struct Path {
 uniform uint seed_low, seed_high;  // of the frame
 uniform uint number;               // of the pixel's samples
 uniform float share;               // a direction drawn with density p stands for share / p sr
+uniform bool is_whole;             // direct light that mirrors show counts
 
 /// Of the event's direction.
 Scattered scattered_at(Scatterer s, Glass glass, vec3 wo, ivec2 pixel, uint event) {
@@ -30,6 +31,10 @@ float spread_of(Scattered scattered, Scatterer s, Glass glass, vec3 wo) {
     float pdf = evaluate_with_pdf(s, glass, seen_from(s, wo), scattered.direction_ws).pdf;
     return pdf > 0.0 ? share / pdf : 0.0;
 }
+
+/// As Spreads of hit_scatterer.glsl says it. A mirror is no scattering: what it shows of a source to a surface that is
+/// seen is direct light.
+float signed_spread(Path path, float spread) { return is_whole || path.scatterings > 1u ? spread : -spread; }
 
 /// None where it goes below the surface.
 Ray ray_from(vec3 position_ws, vec3 geometric_n, vec3 direction_ws) {

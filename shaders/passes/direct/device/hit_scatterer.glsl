@@ -20,7 +20,7 @@ SeenSurface scatterer_of(HitSurface s, vec3 direction_ws) {
 }
 
 #ifdef HITS
-/// Directions that the ray stands for, sr; 0: it is mirrored.
+/// Directions that the ray stands for, sr; 0: it is mirrored. Negative: what mirrors show of sources does not count.
 layout(std430) buffer Spreads { float spreads[]; };
 
 uniform bool normal_maps;
@@ -32,8 +32,8 @@ SeenSurface surface_of_hit(Ray ray, RayHit hit, float spread, bool all_lobes) {
     if (!(ray.far > 0.0) || !is_hit(hit)) return none;
     HitSurface s = hit_surface(hit.triangle, hit.u, hit.v, ray.direction_ws, normal_maps);
     float own = s.roughness;
-    if (spread > 0.0 && (all_lobes || own * own >= MIRROR_ALPHA)) {
-        s.roughness = widened_roughness(own, slope_variance(hit.triangle, hit.distance, spread));
+    if (spread != 0.0 && (own * own >= MIRROR_ALPHA || (all_lobes && spread > 0.0))) {
+        s.roughness = widened_roughness(own, slope_variance(hit.triangle, hit.distance, abs(spread)));
         float gain = widened_gain(own, s.roughness, dot(s.shading_normal_ws, -ray.direction_ws));
         s.base_colour *= mix(1.0, gain, s.metallic);  // of dielectrics most is diffuse
     }

@@ -1,5 +1,7 @@
 #include "renderers/methods/deep-screen-space/splatting/host/disc_level.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "renderers/core/constants.h"
@@ -10,28 +12,51 @@ namespace {
 
 /// Embree tests a little more than the discs; what is met is then tested as the device does it.
 constexpr float room = 1 + 1e-5f;
+/// Surfels that a thread looks at one after the other.
+constexpr std::size_t together = 1024;
 
 }  // namespace
+
+/// The discs of a run of surfels.
+struct DiscLevel::Run {
+    std::vector<std::uint32_t> surfels;
+    glm::vec3 low = glm::vec3(infinity), high = glm::vec3(-infinity);
+};
 
 DiscLevel::DiscLevel(RTCDevice device, std::span<const Surfel> surfels, const VisibleLevel& rules, int level,
                      const WhatIsSeen& seen, const std::function<std::uint32_t(const Surfel&)>& cell_of)
     : surfels_(surfels), rules_(rules), level_(level) {
-    auto low = glm::vec3(infinity), high = glm::vec3(-infinity);
-    for (std::size_t i = 0; i < surfels.size(); ++i) {
-        const auto& s = surfels[i];
+    std::vector<Run> runs((surfels.size() + together - 1) / together);
+    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
+        runs[i] = run(i * together, std::min((i + 1) * together, surfels.size()), seen);
+    });
+    Run all;
+    for (const auto& run : runs) {
+        all.surfels.insert(all.surfels.end(), run.surfels.begin(), run.surfels.end());
+        all.low = glm::min(all.low, run.low);
+        all.high = glm::max(all.high, run.high);
+    }
+    if (all.surfels.empty()) return;
+    surfel_of_ = std::move(all.surfels);
+    place_cells(all.low, all.high);
+    build(device, cell_of);
+}
+
+DiscLevel::Run DiscLevel::run(std::size_t first, std::size_t end, const WhatIsSeen& seen) const {
+    Run run;
+    for (auto i = first; i < end; ++i) {
+        const auto& s = surfels_[i];
         if (s.radius == 0) continue;  // there is a hole
-        const auto shell = shell_of(rules.influence, s.radius, level);
+        const auto shell = shell_of(rules_.influence, s.radius, level_);
         if (shell.inner >= shell.outer) continue;
         if (!seen.may_be_reached(s.centre_ws, shell.outer)) continue;
-        surfel_of_.push_back(static_cast<std::uint32_t>(i));
+        run.surfels.push_back(static_cast<std::uint32_t>(i));
         const auto sines = glm::sqrt(glm::max(1.0f - s.normal_ws * s.normal_ws, glm::vec3(0)));
-        const auto size = splat_disc_radius(rules, level, s.radius) * (sines + 1e-3f);
-        low = glm::min(low, s.centre_ws - size);
-        high = glm::max(high, s.centre_ws + size);
+        const auto size = splat_disc_radius(rules_, level_, s.radius) * (sines + 1e-3f);
+        run.low = glm::min(run.low, s.centre_ws - size);
+        run.high = glm::max(run.high, s.centre_ws + size);
     }
-    if (surfel_of_.empty()) return;
-    place_cells(low, high);
-    build(device, cell_of);
+    return run;
 }
 
 /// As many along each axis as keep coordinates small.
@@ -62,12 +87,12 @@ void DiscLevel::build(RTCDevice device, const std::function<std::uint32_t(const 
     if (!vertices || !normals)
         throw Error("deep screen space: no memory for " + std::to_string(surfel_of_.size()) +
                     " discs; raise surfel_radius");
-    for (std::size_t i = 0; i < surfel_of_.size(); ++i) {
+    tbb::parallel_for(std::size_t{0}, surfel_of_.size(), [&](std::size_t i) {
         const auto& s = surfels_[surfel_of_[i]];
         vertices[i] = glm::vec4(s.centre_ws + offset(cell_of(s)),
                                 splat_disc_radius(rules_, level_, s.radius) * room + rounding_);
         normals[i] = s.normal_ws;
-    }
+    });
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_LOW);
     rtcSetGeometryIntersectFilterFunction(geometry, filter);
     rtcCommitGeometry(geometry);

@@ -56,7 +56,8 @@ struct DiscRay {
 /// stand side by side, each in a cell of its own, in one ray-tracing scene. Thread-safe for queries.
 class DiscLevel {
   public:
-    /// Only of surfels that may reach what is seen. `cell_of` gives the sub-image of a surfel.
+    /// Only of surfels that may reach what is seen. `cell_of` gives the sub-image of a surfel, for any
+    /// thread.
     DiscLevel(RTCDevice device, std::span<const Surfel> surfels, const VisibleLevel& rules, int level,
               const WhatIsSeen& seen, const std::function<std::uint32_t(const Surfel&)>& cell_of);
 
@@ -69,6 +70,8 @@ class DiscLevel {
     struct Release {
         void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
     };
+    struct Run;
+    Run run(std::size_t first, std::size_t end, const WhatIsSeen& seen) const;
     void place_cells(glm::vec3 low, glm::vec3 high);
     glm::vec3 offset(std::uint32_t cell) const;
     float exit(const DiscRay& ray) const;

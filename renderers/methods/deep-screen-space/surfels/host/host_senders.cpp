@@ -119,15 +119,15 @@ glm::vec3 SenderSurfaces::albedo(const passes::Surface& s) const {
 glm::vec3 SenderSurfaces::below_interface(const passes::Surface& s, glm::vec3 to_light_ws) const {
     if (materials_ != Materials::gltf) return glm::vec3(1);
     const auto f0 = passes::layered_f0(ior(s), s.base_colour, s.metallic);
-    const auto h = glm::normalize(to_light_ws + s.shading_normal_ws);
-    return 1.0f - passes::schlick_fresnel(f0, std::clamp(glm::dot(s.shading_normal_ws, h), 0.0f, 1.0f));
+    const auto n = s.shading_normal_ws, h = passes::half_vector(n, to_light_ws, n);
+    return 1.0f - passes::schlick_fresnel(f0, std::clamp(glm::dot(n, h), 0.0f, 1.0f));
 }
 
 /// Of the part that is no glass: gltf_brdf or metalness_blend_brdf of lib/brdf.glsl.
 glm::vec3 SenderSurfaces::whole_brdf(const passes::Surface& s, glm::vec3 l, glm::vec3 v) const {
     const bool is_layered = materials_ == Materials::gltf;
     const auto n = s.shading_normal_ws;
-    const auto h = glm::normalize(l + v);
+    const auto h = passes::half_vector(n, l, v);
     const float alpha = std::max(s.roughness * s.roughness, passes::mirror_alpha);
     const auto f0 = is_layered ? passes::layered_f0(ior(s), s.base_colour, s.metallic) : s.base_colour;
     const auto fresnel = passes::schlick_fresnel(f0, std::clamp(glm::dot(v, h), 0.0f, 1.0f));
