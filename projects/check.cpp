@@ -10,7 +10,9 @@
 #include "projects/sweep.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/line_diff.h"
 #include "renderers/core/named_files.h"
+#include "renderers/core/resources_path.h"
 
 namespace ir::projects {
 namespace {
@@ -91,8 +93,20 @@ class Checker {
                                     " of " + method->id + ", this build has " +
                                     std::to_string(method->version));
         }
+        for (const auto& [file, hunks] : experiment.shaders) check_shader(where, file, hunks);
+        if (const auto why = why_shaders_wait(project_, experiment); !why.empty())
+            say(Severity::warning, where + why);
         if (is_stale(project_, experiment, registry_, known_ ? *known_ : ContentHashes{}))
             say(Severity::note, where + "its kept result is stale; render it again");
+    }
+
+    void check_shader(const std::string& where, const std::string& file, const std::string& hunks) {
+        try {
+            changed_shader(shader_directory(), file, hunks);
+            say(Severity::note, where + "shader changed: " + file + " (" + count_lines(hunks).text() + ")");
+        } catch (const Error& error) {
+            say(Severity::error, where + printable(error.what(), 400));
+        }
     }
 
     /// What is at `place`, a JSON pointer, cannot work.
@@ -251,7 +265,15 @@ std::string why_not_runnable(const Project& project, const Experiment& experimen
         return "its camera '" + experiment.camera + "' is not in the project";
     if (experiment.lights != scene_lights && !find_item(project.lights, experiment.lights))
         return "its lights '" + experiment.lights + "' are not in the project";
-    return "";
+    return why_shaders_wait(project, experiment);
+}
+
+std::string why_shaders_wait(const Project& project, const Experiment& experiment) {
+    if (experiment.shaders.empty() || project.shaders_allowed || are_changed_shaders_allowed()) return "";
+    return "it changes shaders (" +
+           printable(listed(words_of(experiment.shaders, &ShaderChanges::value_type::first)), 300) +
+           "), and comes from somebody else; look at the changes, and allow them in the window or by "
+           "--allow-shaders";
 }
 
 }  // namespace ir::projects

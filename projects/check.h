@@ -16,8 +16,12 @@ namespace ir::projects {
 std::vector<Message> check(const ReadProject& read, const std::filesystem::path& project_folder,
                            const Registry& registry, const ContentHashes* known = nullptr);
 
-/// Why the experiment cannot run in this build, or empty: unknown method, missing scene, camera or lights.
+/// Why the experiment cannot run in this build, or empty: unknown method, missing scene, camera or lights,
+/// changes of shaders that nobody has allowed.
 std::string why_not_runnable(const Project& project, const Experiment& experiment, const Registry& registry,
                              const std::filesystem::path& project_folder);
+
+/// The last of these alone.
+std::string why_shaders_wait(const Project& project, const Experiment& experiment);
 
 }  // namespace ir::projects

@@ -12,6 +12,7 @@
 #include "projects/json.h"
 #include "projects/light_spec.h"
 #include "renderers/core/camera_pose.h"
+#include "renderers/core/changed_shaders.h"
 #include "renderers/core/material_change.h"
 #include "renderers/core/method.h"
 #include "renderers/core/value.h"
@@ -146,6 +147,7 @@ struct Experiment {
     Settings values;
     Json extra_values = Json::object();     ///< as Preset::extra_values
     Json extra_transport = Json::object();  ///< members of "transport" that are no transport keys here
+    ShaderChanges shaders;                  ///< of the program, for this experiment alone
     glm::ivec2 size{512, 512};
     std::uint64_t seed = 1;
     int frames = 1;   ///< the result is the picture after exactly so many frames from empty history
@@ -225,6 +227,8 @@ struct Project {
     std::vector<Sweep> sweeps;
     std::vector<ErrorPlot> plots;
     std::vector<Analysis> analyses;
+    bool shaders_allowed =
+        true;  ///< else nobody has allowed what experiments change in shaders; none of these runs
     /// Ids of experiments, also removed ones, that results/index.json names; not in the document. A new
     /// experiment gets none of them: it would come with another one's result.
     std::set<std::string> kept_ids;

@@ -213,6 +213,7 @@ ReadProject read_project(const std::string& text, const std::string& file, const
     project.sweeps = read_list<Sweep>(reader, "sweeps", read_sweep);
     project.plots = read_list<ErrorPlot>(reader, "plots", read_with(plot_fields()));
     project.analyses = read_list<Analysis>(reader, "analyses", read_with(analysis_fields()));
+    project.shaders_allowed = reader.flag("shaders_allowed", true);
     project.extra = reader.rest();
     return result;
 }

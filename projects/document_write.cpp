@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "projects/document_fields.h"
 #include "projects/document_json.h"
 #include "projects/motion.h"
@@ -97,6 +99,17 @@ Json write_motion(const Motion& motion) {
     return with_extra(json, motion.extra);
 }
 
+/// Hunks as their lines, so that people can read them.
+Json write_shaders(const ShaderChanges& shaders) {
+    Json json = Json::object();
+    for (const auto& [file, hunks] : shaders) {
+        auto& lines = json[file] = Json::array();
+        std::istringstream text(hunks);
+        for (std::string line; std::getline(text, line);) lines.push_back(line);
+    }
+    return json;
+}
+
 /// The groups "transport" and "values".
 void put_values(Json& json, const Settings& values, const Json& extra_values, const Json& extra_transport) {
     Json transport = Json::object(), own = Json::object();
@@ -125,6 +138,7 @@ Json write_experiment(const Experiment& e) {
     json["method"] = e.method;
     json["method_version"] = e.method_version;
     put_values(json, e.values, e.extra_values, e.extra_transport);
+    if (!e.shaders.empty()) json["shaders"] = write_shaders(e.shaders);
     write_fields(json, e, experiment_fields());
     put_unless_empty(json, "reference", e.reference);
     put_unless_empty(json, "active_preset", e.active_preset);
@@ -204,6 +218,7 @@ Json to_json(const Project& project) {
     json["plots"] = list(project.plots, write_with(plot_fields()));
     if (!project.analyses.empty())  // older builds do not know them
         json["analyses"] = list(project.analyses, write_with(analysis_fields()));
+    if (!project.shaders_allowed) json["shaders_allowed"] = false;
     return with_extra(json, project.extra);
 }
 

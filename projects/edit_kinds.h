@@ -124,11 +124,11 @@ class Move final : public Edit {
     std::size_t from_, to_;
 };
 
-/// A text of the project itself.
-class SetText final : public Edit {
+/// A value of the project itself.
+template <class Value>
+class SetMember final : public Edit {
   public:
-    SetText(std::string label, std::string merge_key, std::string Project::*member, std::string before,
-            std::string after)
+    SetMember(std::string label, std::string merge_key, Value Project::*member, Value before, Value after)
         : Edit(std::move(label), std::move(merge_key)),
           member_(member),
           before_(std::move(before)),
@@ -136,7 +136,7 @@ class SetText final : public Edit {
     void apply(Project& project) override { project.*member_ = after_; }
     void revert(Project& project) override { project.*member_ = before_; }
     bool absorb(const Edit& later) override {
-        const auto* other = dynamic_cast<const SetText*>(&later);
+        const auto* other = dynamic_cast<const SetMember*>(&later);
         if (!other || other->member_ != member_) return false;
         after_ = other->after_;
         return true;
@@ -144,8 +144,8 @@ class SetText final : public Edit {
     bool changes_nothing() const override { return before_ == after_; }
 
   private:
-    std::string Project::*member_;
-    std::string before_, after_;
+    Value Project::*member_;
+    Value before_, after_;
 };
 
 class Group final : public Edit {

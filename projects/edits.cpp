@@ -190,11 +190,17 @@ EditPtr relocate(const Project& project, const std::map<std::string, std::string
 }
 
 EditPtr set_project_name(const Project& project, const std::string& name) {
-    return std::make_unique<SetText>("Rename project", "", &Project::name, project.name, name);
+    return std::make_unique<SetMember<std::string>>("Rename project", "", &Project::name, project.name, name);
 }
 
 EditPtr set_notes(const Project& project, const std::string& notes) {
-    return std::make_unique<SetText>("Change notes", "notes", &Project::notes, project.notes, notes);
+    return std::make_unique<SetMember<std::string>>("Change notes", "notes", &Project::notes, project.notes,
+                                                    notes);
+}
+
+EditPtr set_shaders_allowed(const Project& project, bool allowed) {
+    return std::make_unique<SetMember<bool>>(allowed ? "Allow changed shaders" : "Forbid changed shaders", "",
+                                             &Project::shaders_allowed, project.shaders_allowed, allowed);
 }
 
 EditPtr group(std::string label, std::vector<EditPtr> edits) {

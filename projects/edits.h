@@ -43,11 +43,13 @@ EditPtr set_values(const Project& project, const Registry& registry, const std::
 /// Back to the method's default.
 EditPtr reset_value(const Project& project, const Registry& registry, const std::string& experiment,
                     const std::string& key);
-/// Another method: its defaults, but for the transport that carry_transport() takes over, also of presets. A
+/// Another method: its defaults and shaders, but for the transport that carry_transport() takes over, also of
+/// presets. A
 /// name that the program gave follows, and names that were made of it.
 EditPtr set_method(const Project& project, const Registry& registry, const std::string& experiment,
                    const std::string& method);
-/// The transport that set_method() cannot take over of what the experiment computes now, one line each.
+/// The transport that set_method() cannot take over of what the experiment computes now, and its changed
+/// shaders, one line each.
 std::vector<std::string> lost_by_method(const Project& project, const Registry& registry,
                                         const std::string& experiment, const std::string& method);
 
@@ -59,6 +61,9 @@ EditPtr set_size(const Project& project, const std::string& experiment, glm::ive
 EditPtr set_seed(const Project& project, const std::string& experiment, std::uint64_t seed);
 EditPtr set_frames(const Project& project, const std::string& experiment, int frames);
 EditPtr set_time(const Project& project, const std::string& experiment, double seconds);
+/// Hunks that change a shader file for the experiment; empty: none.
+EditPtr set_shader(const Project& project, const std::string& experiment, const std::string& file,
+                   const std::string& hunks);
 EditPtr set_experiment_notes(const Project& project, const std::string& experiment, const std::string& notes);
 EditPtr set_reference(const Project& project, const std::string& experiment, const std::string& reference);
 EditPtr set_active_preset(const Project& project, const std::string& experiment, const std::string& preset);
@@ -95,6 +100,8 @@ Experiment new_experiment(const Project& project, const Registry& registry, cons
 
 EditPtr set_project_name(const Project& project, const std::string& name);
 EditPtr set_notes(const Project& project, const std::string& notes);
+/// Whether what experiments change in shaders may run.
+EditPtr set_shaders_allowed(const Project& project, bool allowed);
 
 /// Several edits as one step; each was made against the state that the ones before it leave.
 EditPtr group(std::string label, std::vector<EditPtr> edits);

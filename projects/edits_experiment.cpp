@@ -102,6 +102,7 @@ EditPtr set_method(const Project& project, const Registry& registry, const std::
     after.method_version = description.version;
     after.values = completed(description.parameters, carried(after.values));
     after.extra_values = Json::object();
+    after.shaders.clear();
     for (auto& [name, preset] : after.presets) {
         preset.values = carried(preset.values);
         preset.extra_values = Json::object();
@@ -115,9 +116,13 @@ EditPtr set_method(const Project& project, const Registry& registry, const std::
 std::vector<std::string> lost_by_method(const Project& project, const Registry& registry,
                                         const std::string& experiment, const std::string& method) {
     const auto& before = experiment_of(project, experiment);
-    return carry_transport(effective(before).values, parameters_of(registry, before),
-                           registry.at(method).parameters)
-        .lost;
+    auto lost = carry_transport(effective(before).values, parameters_of(registry, before),
+                                registry.at(method).parameters)
+                    .lost;
+    if (!before.shaders.empty() && before.method != method)
+        lost.push_back("changed shaders (" + std::to_string(before.shaders.size()) +
+                       ") are lost, as they are of the method before");
+    return lost;
 }
 
 EditPtr set_scene_of(const Project& project, const std::string& experiment, const std::string& scene) {
@@ -155,6 +160,18 @@ EditPtr set_frames(const Project& project, const std::string& experiment, int fr
 
 EditPtr set_time(const Project& project, const std::string& experiment, double seconds) {
     return changed(project, experiment, "Change time", "time", [&](auto& after) { after.time = seconds; });
+}
+
+EditPtr set_shader(const Project& project, const std::string& experiment, const std::string& file,
+                   const std::string& hunks) {
+    const auto label = (hunks.empty() ? "Take shader " : "Change shader ") + printable(file, 60) +
+                       (hunks.empty() ? " as it is" : "");
+    return changed(project, experiment, label, "", [&](auto& after) {
+        if (hunks.empty())
+            after.shaders.erase(file);
+        else
+            after.shaders[file] = hunks;
+    });
 }
 
 EditPtr set_experiment_notes(const Project& project, const std::string& experiment,

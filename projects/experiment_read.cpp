@@ -51,6 +51,26 @@ void read_groups(ObjectReader& reader, Values into, Json& extra_transport) {
     }
 }
 
+ShaderChanges read_shaders(ObjectReader& reader) {
+    ShaderChanges shaders;
+    const Json* json = reader.take("shaders");
+    if (!json) return shaders;
+    ObjectReader group(*json, reader.file(), reader.pointer_to_member("shaders"));
+    if (json->size() > most_changed_shaders)
+        reader.fail("shaders", "has more than " + std::to_string(most_changed_shaders) + " files");
+    for (auto it = json->begin(); it != json->end(); ++it) {
+        std::string hunks;
+        group.each(it.key(), [&](const Json& line, const std::string& pointer) {
+            if (!line.is_string()) throw InputError(reader.file(), pointer, "must be a text in quotes");
+            hunks += line.get<std::string>() + "\n";
+        });
+        if (const auto problem = problem_with_change(it.key(), hunks); !problem.empty())
+            group.fail(it.key(), printable(problem, 300));
+        shaders[it.key()] = std::move(hunks);
+    }
+    return shaders;
+}
+
 /// The version of the method that an experiment's values are of.
 struct VersionRead {
     int version;
@@ -132,6 +152,7 @@ Experiment read_experiment(ObjectReader& reader, const Registry& registry, int s
     read_groups(reader, {e.values, e.extra_values, method}, e.extra_transport);
     const bool is_older = !has_version && schema_in_file < schema_version;
     if (method) complete(e, *method, {is_older ? 1 : e.method_version, has_version}, messages);
+    e.shaders = read_shaders(reader);
     read_fields(reader, e, experiment_fields());
     e.reference = reader.text("reference");
     read_presets(reader, e, method);

@@ -158,6 +158,7 @@ Experiment ground_truth(Experiment run, const Registry& registry) {
     run.values = matching_values(registry.at(run.method), run.values, registry);
     run.time = last_time(run, registry);
     run.method = reference_method(registry).id;
+    run.shaders.clear();
     run.frames = progressive_frames;
     return run;
 }

@@ -11,6 +11,7 @@
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "projects/text.h"
+#include "renderers/core/changed_shaders.h"
 #include "renderers/core/error.h"
 #include "renderers/core/named_files.h"
 #include "renderers/core/write_file.h"
@@ -47,6 +48,22 @@ void require_whole(const fs::path& packed, const fs::path& folder) {
         throw InputError(packed.string(), printable(outside.front().string(), 400),
                          "is named by the project and lies outside of its folder; if you trust who packed "
                          "it, allow it by --allow-outside");
+}
+
+/// Nobody here has allowed yet what a project of somebody else changes in shaders.
+void withdraw_shaders(const fs::path& folder) {
+    if (are_changed_shaders_allowed()) return;
+    auto& files = real_file_system();
+    const auto file = folder / project_file_name;
+    auto json = parse_json(files.read(file, JsonLimits{}.bytes), file.string());
+    const auto changes_shaders = [](const Json& experiment) {
+        return experiment.is_object() && experiment.contains("shaders");
+    };
+    const auto experiments = json.find("experiments");
+    if (experiments == json.end() || std::none_of(experiments->begin(), experiments->end(), changes_shaders))
+        return;
+    json["shaders_allowed"] = false;
+    write_atomically(files, file, pretty_json(json));
 }
 
 class Packer {
@@ -196,6 +213,7 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
         if (!fs::is_regular_file(*begun / project_file_name, ignored))
             throw InputError(file.string(), "", "holds no project.json; ask for another copy");
         require_whole(file, *begun);
+        withdraw_shaders(*begun);
         files.rename(*begun, *root);
         files.sync_directory(root->parent_path());
     } catch (...) {

@@ -124,6 +124,12 @@ void put_method(Json& inputs, const Experiment& run, const Registry& registry) {
     inputs["values"] = std::move(values);
 }
 
+/// What the build's own shaders are not.
+void put_shaders(Json& inputs, const Experiment& run) {
+    for (const auto& [file, hunks] : run.shaders) inputs["shaders"][file] = change_text(hunks);
+    if (const auto folder = shader_folder_digest(); !folder.empty()) inputs["shader_folder"] = folder;
+}
+
 std::string shown(const Json& json) {
     return printable(json.is_string() ? json.get<std::string>() : canonical_json(json));
 }
@@ -166,6 +172,7 @@ Json picture_inputs(const Project& project, const Experiment& experiment, const 
     const Experiment run = effective(experiment);
     auto inputs = sight_inputs(project, run, {run.time, last_time(run, registry) > run.time});
     put_method(inputs, run, registry);
+    put_shaders(inputs, run);
     inputs["size"] = Json::array({run.size.x, run.size.y});
     inputs["seed"] = run.seed;
     inputs["frames"] = run.frames;

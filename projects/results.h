@@ -17,8 +17,8 @@ namespace ir::projects {
 
 /// Everything that the picture of an experiment depends on, as JSON: content of the scene, camera, lights and
 /// parts at its time, and how they move where its frames are of several moments; lights, environment, method
-/// and version, all effective values, size, seed, frames, time. Ids, names, notes and paths of files whose
-/// hash is known do not count.
+/// and version, all effective values, changes of shaders, size, seed, frames, time. Ids, names, notes and
+/// paths of files whose hash is known do not count.
 Json picture_inputs(const Project& project, const Experiment& experiment, const Registry& registry);
 /// What of these a picture of one moment sees, at `time` (seconds): scene, camera, lights, environment, size.
 Json moment_inputs(const Project& project, const Experiment& experiment, double time);

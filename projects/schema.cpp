@@ -146,6 +146,10 @@ Json experiment_schema(const Registry& registry) {
     properties["transport"] = type("object");
     properties["values"] = type("object");
     properties["presets"] = {{"type", "object"}, {"additionalProperties", reference("preset")}};
+    properties["shaders"] = {{"type", "object"},
+                             {"maxProperties", most_changed_shaders},
+                             {"additionalProperties", list_of(type("string"))},
+                             {"description", "By shader file: the lines of hunks, as diff -u writes them."}};
     add_fields(json, experiment_fields());
     json["required"].push_back("method");
     for (const auto* method : registry.methods())
@@ -246,7 +250,8 @@ Json project_schema(const Registry& registry) {
                     {"comparisons", items("comparison")},
                     {"sweeps", items("sweep")},
                     {"plots", items("plot")},
-                    {"analyses", items("analysis")}};
+                    {"analyses", items("analysis")},
+                    {"shaders_allowed", type("boolean")}};
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"title", "Interreflect project"},
                 {"description", "project.json, as this build writes it. Other keys are kept as they are."}};

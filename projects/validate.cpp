@@ -109,6 +109,12 @@ void validate(const Experiment& experiment) {
                   where + "the method's version must be at least 1");
     validate_fields(experiment, experiment_fields(), where);
     refuse_unless(is_finite(experiment.values), where + "values must be finite");
+    refuse_unless(experiment.shaders.size() <= most_changed_shaders,
+                  where + "it changes more than " + std::to_string(most_changed_shaders) + " shaders");
+    for (const auto& [file, hunks] : experiment.shaders) {
+        const auto problem = problem_with_change(file, hunks);
+        refuse_unless(problem.empty(), where + "shader '" + printable(file, 60) + "' " + problem);
+    }
     for (const auto& [name, preset] : experiment.presets) {
         validate_fields(preset, preset_fields(), where);
         refuse_unless(is_finite(preset.values), where + "values must be finite");

@@ -7,8 +7,10 @@
 #include "app/engine/from_project.h"
 #include "projects/document_fields.h"
 #include "projects/light_spec.h"
+#include "projects/validate.h"
 #include "renderers/core/describe.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::cli {
 namespace {
@@ -85,6 +87,16 @@ void set_variant(const std::string& variant, projects::Project& project, const s
         for (auto& part : scene->parts) part.variant = variant;
 }
 
+void change_shaders(projects::Experiment& experiment, const std::string& file) {
+    try {
+        auto changes = read_changes(real_file_system().read(file, most_changed_shaders * most_hunk_bytes));
+        for (auto& [shader, hunks] : changes) experiment.shaders[shader] = std::move(hunks);
+        validate(experiment);
+    } catch (const Error& error) {
+        throw UsageError("--shader-diff '" + file + "': " + error.what());
+    }
+}
+
 }  // namespace
 
 void add_experiment_flags(CLI::App& command, ExperimentFlags& flags) {
@@ -95,6 +107,8 @@ void add_experiment_flags(CLI::App& command, ExperimentFlags& flags) {
         return projects::field_of(projects::experiment_fields(), key).text;
     };
     command.add_option("--set", flags.sets, "Parameter key=value; repeat for more");
+    command.add_option("--shader-diff", flags.shader_diffs,
+                       "File of `git diff` or `diff -ru` that changes shaders; repeat for more");
     command.add_option("--camera", flags.camera,
                        "Id of one of the project's cameras, or name of one of the scene's");
     command.add_option("--eye", flags.eye, camera_text("eye").doc);
@@ -119,6 +133,7 @@ void apply(const ExperimentFlags& flags, projects::Project& project, projects::E
     if (!flags.seed.empty()) experiment.seed = parse_seed(flags.seed);
     if (flags.frames) experiment.frames = *flags.frames;
     if (flags.time) experiment.time = *flags.time;
+    for (const auto& file : flags.shader_diffs) change_shaders(experiment, file);
 }
 
 std::vector<Message> notes_of(const ExperimentFlags& flags, const std::string& method,

@@ -12,7 +12,7 @@ namespace ir::cli {
 
 /// What the command line says of an experiment. What is not given stays as it is.
 struct ExperimentFlags {
-    std::vector<std::string> sets;
+    std::vector<std::string> sets, shader_diffs;
     std::string camera, eye, target, up, size, seed, variant;
     std::optional<double> fov_y, time;
     std::optional<int> frames;

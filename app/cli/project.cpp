@@ -26,6 +26,7 @@
 #include "projects/store.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/line_diff.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::cli {
@@ -77,7 +78,9 @@ Json summary(const projects::LoadedProject& loaded) {
     for (const auto& scene : project.scenes)
         json["scenes"].push_back({{"id", scene.id}, {"name", scene.name}, {"sources", sources(scene)}});
     json["experiments"] = Json::array();
-    for (const auto& experiment : project.experiments)
+    for (const auto& experiment : project.experiments) {
+        auto shaders = Json::object();
+        for (const auto& [file, hunks] : experiment.shaders) shaders[file] = count_lines(hunks).text();
         json["experiments"].push_back(
             {{"id", experiment.id},
              {"name", experiment.name},
@@ -86,7 +89,9 @@ Json summary(const projects::LoadedProject& loaded) {
              {"preset", experiment.active_preset},
              {"runnable",
               projects::why_not_runnable(project, experiment, engine::registry(), loaded.folder).empty()},
-             {"result", word(projects::result_state(now, experiment, engine::registry()))}});
+             {"result", word(projects::result_state(now, experiment, engine::registry()))},
+             {"shaders", std::move(shaders)}});
+    }
     return json;
 }
 
@@ -253,10 +258,13 @@ int run_project(const ProjectFlags& flags) {
     } else {
         const auto name = json["name"].get<std::string>();
         std::cout << (name.empty() ? "(no name)" : name) << " (schema " << json["schema"] << ")\n";
-        for (const auto& experiment : json["experiments"])
+        for (const auto& experiment : json["experiments"]) {
             std::cout << "  " << experiment["id"].get<std::string>() << "  "
                       << experiment["method"].get<std::string>()
                       << "  result: " << experiment["result"].get<std::string>() << "\n";
+            for (const auto& [file, lines] : experiment["shaders"].items())
+                std::cout << "    shader changed: " << file << " (" << lines.get<std::string>() << ")\n";
+        }
         print(messages);
     }
     for (const auto& message : messages)

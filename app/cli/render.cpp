@@ -104,10 +104,7 @@ int render_scene(const RenderFlags& flags) {
         report.messages.push_back(
             {Severity::note, "render",
              "method '" + experiment.method + "' does not use the environment that --env gives"});
-    if (!flags.machine.shaders.empty() && machine.processor() == Processor::host)
-        report.messages.push_back({Severity::note, "render",
-                                   "passes that run on the host use no shaders of --shaders; --processor gl "
-                                   "puts all on the device"});
+    note_host_bodies(flags.machine, experiment, report);
     for (auto& warning : inspection_warnings(inspection, experiment))
         report.messages.push_back(std::move(warning));
     for (auto& note : notes_of(flags.experiment, experiment.method, experiment.settings))

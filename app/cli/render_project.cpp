@@ -71,6 +71,7 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     auto& report = run.report;
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
+    note_host_bodies(job.machine, resolved, report);
     for (auto& note : notes_of(job.changes, resolved.method, resolved.settings))
         report.messages.push_back(std::move(note));
     engine::require_matches("--dump", job.dumps, report);

@@ -73,6 +73,7 @@ Original read_original(const std::string& file) {
     original.project = projects::read_project(recipe->second, file, engine::registry()).project;
     if (original.project.experiments.size() != 1)
         throw InputError(file, engine::recipe_attribute, "must hold one experiment");
+    original.project.shaders_allowed = false;  // a picture may come from anybody
     return original;
 }
 

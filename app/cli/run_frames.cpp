@@ -5,6 +5,7 @@
 
 #include "app/engine/interruption.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::cli {
@@ -42,6 +43,17 @@ void note_lists(const std::vector<std::string>& patterns, const FrameReport& rep
         std::cerr << "note: --dump writes images; these explanations are lists, which the window shows as "
                      "tables and in space: "
                   << lists << "\n";
+}
+
+void note_host_bodies(const MachineFlags& flags, const engine::Experiment& experiment, FrameReport& report) {
+    std::vector<std::string> on_host;
+    for (const auto& pass : report.passes)
+        if (pass.has_two_bodies && pass.queue == "cpu" && !pass.culled) on_host.push_back(pass.name);
+    if (on_host.empty() || (flags.shaders.empty() && experiment.shaders.empty())) return;
+    report.messages.push_back({Severity::note, "render",
+                               "passes that run on the host use no shaders of " +
+                                   std::string(experiment.shaders.empty() ? "--shaders" : "the experiment") +
+                                   " (" + listed(on_host) + "); --processor gl puts all on the device"});
 }
 
 void require_folder_of(const std::string& file, const std::string& option) {

@@ -36,6 +36,9 @@ void print_messages(const std::vector<Message>& messages);
 /// A note of explanations that the patterns match and that are no images, which no file can hold.
 void note_lists(const std::vector<std::string>& patterns, const FrameReport& report);
 
+/// A note where shaders were changed and passes ran on the host, which use none.
+void note_host_bodies(const MachineFlags& flags, const engine::Experiment& experiment, FrameReport& report);
+
 /// Before work whose result goes to `file`: throws UsageError, naming `option`, where its folder is missing.
 void require_folder_of(const std::string& file, const std::string& option);
 

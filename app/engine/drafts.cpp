@@ -31,6 +31,7 @@ int divisor_of(Fineness fineness) {
 Experiment preview_of(Experiment experiment) {
     experiment.method = passes::preview().description.id;
     experiment.settings.clear();
+    experiment.shaders.clear();
     experiment.frames = 1;
     return experiment;
 }

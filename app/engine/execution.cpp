@@ -59,6 +59,10 @@ Execution::Execution(Machine& machine, Experiment experiment, std::shared_ptr<gr
                                             std::move(shared));
 }
 
+Execution::~Execution() {
+    machine_.programs().forget_faults(experiment_.shaders);
+}
+
 const MethodDescription& Execution::method() const {
     return method_->description;
 }
@@ -75,6 +79,8 @@ void Execution::load() {
     if (experiment_.shard.count > 1 && !method.join)
         throw UsageError("a picture of " + method.description.id +
                          " cannot be divided; only those of references can");
+    for (const auto& [file, hunks] : experiment_.shaders)
+        changed_shader(machine_.shader_folder(), file, hunks);  // throws where a change does not fit
     auto loaded = machine_.scenes().load(experiment_.composition());
     if (experiment_.replace_lights || !experiment_.lights.empty() || experiment_.environment) {
         auto changed = std::make_shared<scene::Scene>(*loaded);
@@ -108,7 +114,8 @@ void Execution::forget_frames() {
 bool Execution::update(Experiment experiment) {
     const auto& old = experiment_;
     const bool reload = experiment.composition() != old.composition() || experiment.method != old.method ||
-                        !same_lights(experiment, old) || experiment.environment != old.environment;
+                        experiment.shaders != old.shaders || !same_lights(experiment, old) ||
+                        experiment.environment != old.environment;
     bool changed =
         reload || experiment.width != old.width || experiment.height != old.height ||
         experiment.seed != old.seed || experiment.time != old.time || experiment.shard != old.shard ||
@@ -132,6 +139,7 @@ bool Execution::update(Experiment experiment) {
         experiment_ = std::move(backup);
         throw;
     }
+    if (backup.shaders != experiment_.shaders) machine_.programs().forget_faults(backup.shaders);
     if (changed)
         restart();
     else
@@ -203,6 +211,7 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64
     inputs.inspection = inspection_;
     inputs.sample_limit = sample_limit(max_samples);
     inputs.shard = experiment_.shard;
+    inputs.shader_changes = experiment_.shaders;
     auto report = graph_->run(*method_, settings_, inputs, options);
     report.lights = used_lights(*this);
     if (report.complete) {

@@ -58,6 +58,7 @@ class Machine {
     gl::Device& device() { return *device_; }
     gl::ProgramLibrary& programs() { return *programs_; }
     SceneCache& scenes() { return scenes_; }
+    std::filesystem::path shader_folder() const;
     const Options& options() const { return options_; }
     Processor processor() const;
     /// For frames from now on, as MachineOptions has it.
@@ -78,6 +79,7 @@ class Execution {
     /// Executions with the same `shared` contents make what stands still once.
     Execution(Machine& machine, Experiment experiment,
               std::shared_ptr<graph::SharedContents> shared = nullptr);
+    ~Execution();
 
     const Experiment& experiment() const { return experiment_; }
     const MethodDescription& method() const;

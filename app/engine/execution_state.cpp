@@ -68,6 +68,8 @@ std::string state_fingerprint(const Experiment& experiment, const std::string& s
     if (experiment.camera) add(exact, *experiment.camera);
     exact.add(experiment.width, experiment.height, experiment.seed, experiment.time);
     if (const auto motion = motion_text(experiment); !motion.empty()) exact.add_text(motion);
+    if (const auto shaders = digest_of(experiment.shaders) + shader_folder_digest(); !shaders.empty())
+        exact.add_text(shaders);
     if (const auto& shard = experiment.shard; shard.count > 1) exact.add(shard.index, shard.count);
     return exact.hash();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "projects/document.h"
+#include "renderers/core/changed_shaders.h"
 #include "renderers/core/shard.h"
 #include "renderers/core/value.h"
 #include "renderers/scene/compose.h"
@@ -29,6 +30,7 @@ struct Experiment {
     std::string scene;               ///< path or builtin:NAME; with `parts` only their name
     std::vector<scene::Part> parts;  ///< of a composed scene, instead of `scene`
     std::string method;              ///< id
+    ShaderChanges shaders;           ///< with which it is computed
     Settings settings;               ///< may be incomplete; completed from the method's description
     std::string camera_name;         ///< of the scene's; empty: `camera`, or the scene's first
     std::optional<scene::Camera> camera;

@@ -5,6 +5,7 @@
 
 #include "app/engine/camera_pose.h"
 #include "app/engine/execution.h"
+#include "projects/check.h"
 #include "projects/document.h"
 #include "projects/document_json.h"
 #include "projects/motion.h"
@@ -148,6 +149,8 @@ Experiment from_project(const projects::Project& project, const projects::Experi
     if (!scene)
         throw Error("experiment '" + chosen.id + "' uses scene '" + experiment.scene +
                     "', which the project does not have");
+    if (const auto why = projects::why_shaders_wait(project, experiment); !why.empty())
+        throw Error("experiment '" + chosen.id + "': " + why);
     Experiment result;
     for (const auto& part : scene->parts) {
         const auto number = static_cast<int>(result.parts.size());
@@ -156,6 +159,7 @@ Experiment from_project(const projects::Project& project, const projects::Experi
     }
     result.scene = scene::composition_name(result.parts);
     result.method = experiment.method;
+    result.shaders = experiment.shaders;
     const auto* method = registry().find(experiment.method);
     // Values of a method that this build lacks cannot be checked; whoever runs it hears of that.
     result.settings = method ? projects::runnable_settings(chosen, *method) : experiment.values;

@@ -46,8 +46,11 @@ Machine::Machine(const Options& options) : options_(options) {
                     info.renderer + "'");
     context_->make_current();
     device_ = gl::make_gl_device(*context_);
-    programs_ = std::make_unique<gl::ProgramLibrary>(
-        *context_, options.shaders.empty() ? shader_directory() : options.shaders);
+    programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_folder());
+}
+
+std::filesystem::path Machine::shader_folder() const {
+    return options_.shaders.empty() ? shader_directory() : options_.shaders;
 }
 
 Processor Machine::processor() const {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "renderers/core/changed_shaders.h"
 #include "renderers/core/error.h"
 #include "renderers/core/named_files.h"
 #include "renderers/core/resources_path.h"
@@ -16,6 +17,16 @@ constexpr double gigabyte = 1e9;
 const std::string& doc_of(const char* key) {
     static const auto all = machine_settings().descriptions();
     return find(all, key)->doc;
+}
+
+std::filesystem::path shader_folder(const std::string& name) {
+    if (name.empty()) return {};
+    std::error_code ignored;
+    for (const auto* part : shader_folders)
+        if (!std::filesystem::is_directory(std::filesystem::path(name) / part, ignored))
+            throw UsageError("--shaders '" + name + "' has no folder " + part +
+                             "/; give a copy of all shaders, as in " + shader_directory().string());
+    return std::filesystem::absolute(name);
 }
 
 }  // namespace
@@ -70,8 +81,10 @@ void add_machine_flags(CLI::App& command, MachineFlags& flags) {
                        doc_of("processor") +
                            " auto, gl or host (default: auto, the host where the device is "
                            "software)");
-    command.add_option("--shaders", flags.shaders,
-                       "Folder of shaders in place of the program's own, such as a copy to work on");
+    command
+        .add_option("--shaders", flags.shaders,
+                    "Folder of shaders in place of the program's own, such as a copy to work on")
+        ->each([](const std::string& name) { use_shaders_of(shader_folder(name)); });
     command.add_flag("--gl-debug", flags.debug, "Report the driver's debug messages");
     add_outside_flag(command);
 }
@@ -80,21 +93,10 @@ void add_outside_flag(CLI::App& command) {
     command.add_flag_function(
         "--allow-outside", [](std::int64_t) { allow_outside_files(); },
         "Let scenes and packed projects name files outside of their folders");
+    command.add_flag_function(
+        "--allow-shaders", [](std::int64_t) { allow_changed_shaders(); },
+        "Let packed projects and pictures of others change shaders");
 }
-
-namespace {
-
-std::filesystem::path shader_folder(const std::string& name) {
-    if (name.empty()) return {};
-    std::error_code ignored;
-    for (const char* part : {"lib", "passes", "methods"})
-        if (!std::filesystem::is_directory(std::filesystem::path(name) / part, ignored))
-            throw UsageError("--shaders '" + name + "' has no folder " + part +
-                             "/; give a copy of all shaders, as in " + shader_directory().string());
-    return std::filesystem::absolute(name);
-}
-
-}  // namespace
 
 MachineOptions machine_options(const MachineFlags& flags) {
     return {flags.backend,

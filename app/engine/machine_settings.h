@@ -32,7 +32,8 @@ struct MachineFlags {
     bool debug = false;
 };
 void add_machine_flags(CLI::App& command, MachineFlags& flags);
-/// The option by which a person lets documents name any file; add_machine_flags() adds it, too.
+/// The options by which a person lets documents of others name any file and change shaders;
+/// add_machine_flags() adds them, too.
 void add_outside_flag(CLI::App& command);
 /// Throws UsageError.
 MachineOptions machine_options(const MachineFlags& flags);

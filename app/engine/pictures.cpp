@@ -5,6 +5,7 @@
 
 #include "app/engine/lighting_digest.h"
 #include "app/engine/version.h"
+#include "renderers/core/changed_shaders.h"
 #include "renderers/core/error.h"
 #include "renderers/core/light_use.h"
 #include "renderers/core/words.h"
@@ -141,6 +142,10 @@ ImageAttributes attributes(const Execution& execution) {
         result[attribute_prefix + "variance"] = variance;
     for (const auto& [key, value] : execution.settings())
         result[attribute_prefix + "set." + key] = to_string(value);
+    for (const auto& [file, hunks] : experiment.shaders)
+        result[attribute_prefix + "shader." + file] = change_text(hunks);
+    if (const auto folder = shader_folder_digest(); !folder.empty())
+        result[attribute_prefix + "shader_folder"] = folder;
     result[attribute_prefix + "scene"] = scene::composition_name(experiment.composition());
     result[attribute_prefix + "scene_hash"] = execution.scene().content_hash;
     result[attribute_prefix + "lighting"] =

@@ -220,6 +220,7 @@ void RenderThread::State::render_reload() {
     auto messages = machine->programs().reload_changed(&changed);
     if (!messages.empty()) tell(callbacks.on_messages, std::move(messages));
     if (!changed) return;
+    look_at_shaders_again();
     session->forget_results();
     queue.run_all_again();
 }

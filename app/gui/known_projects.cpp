@@ -68,6 +68,10 @@ std::filesystem::path unsaved_projects_folder() {
     return data_folder("unsaved");
 }
 
+std::filesystem::path shader_copies_folder() {
+    return data_folder("shaders");
+}
+
 QString thumbnail_file(const QString& project) {
     return project + QStringLiteral("/thumbnails/view.png");
 }

@@ -31,6 +31,8 @@ class RecentProjects {
 /// In the user's data: where projects that were never saved are autosaved. Empty where there is no such
 /// place.
 std::filesystem::path unsaved_projects_folder();
+/// Of shaders that are edited for experiments; empty where there is no such place.
+std::filesystem::path shader_copies_folder();
 
 /// The projects that come with the program. They are worked on in copies in the user's data, so that nothing
 /// is written where the program is installed.

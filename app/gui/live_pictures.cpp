@@ -442,7 +442,7 @@ std::string signature(const engine::Experiment& e) {
     if (e.environment) out << "environment\n";
     out << engine::lighting_digest(e.lights, e.environment.value_or(scene::Environment{})) << '\n';
     out << e.width << 'x' << e.height << ' ' << e.seed << ' ' << e.frames << ' ' << e.time;
-    out << '\n' << engine::motion_text(e);
+    out << '\n' << engine::motion_text(e) << digest_of(e.shaders);
     return out.str();
 }
 

@@ -92,6 +92,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
                     notices_, actions_),
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
       pipeline_(session_, live_, views(), inspector_, lists_, notices_, actions_),
+      shader_copies_(*this, session_, live_, *shaders_, notices_, actions_),
       preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
       project_banners_(*this, session_, live_, *banners_),
       lights_(session_, live_, renderer_, scenes_, workspace_, inspector_, actions_),
@@ -243,7 +244,7 @@ void MainWindow::make_menus() {
     picture_menu_->setToolTipsVisible(true);
     add_menu(
         tr("&Render"),
-        "cancel rerun shaders | play step-forward step-back | past-older past-newer past-now | match keep")
+        "cancel rerun shaders edit-shader | play step-forward step-back | past-older past-newer past-now | match keep")
         ->setToolTipsVisible(true);
     auto* window = add_menu(tr("&Window"),
                             "views-1 views-2 views-2-stacked views-3 views-4 | "
@@ -278,6 +279,7 @@ void MainWindow::join_session() {
     connect(&session_.files(), &ProjectFiles::memory_wanted, &joins_, [this] { save_memory(); });
     connect(&files_, &FileController::ending, &joins_, [this] { document_->commit(); });
     connect(&project_banners_, &ProjectBanners::save_as_wanted, &files_, &FileController::save_as);
+    connect(&project_banners_, &ProjectBanners::shaders_wanted, &joins_, [this] { docks_.raise("shaders"); });
 }
 
 void MainWindow::join_pictures() {

@@ -28,7 +28,7 @@
 #include "app/gui/result_controller.h"
 #include "app/gui/scene_dock.h"
 #include "app/gui/set_up_controller.h"
-#include "app/gui/shader_dock.h"
+#include "app/gui/shader_controller.h"
 #include "app/gui/space_marker.h"
 #include "app/gui/sweeps_dock.h"
 #include "app/gui/timeline_dock.h"
@@ -170,6 +170,7 @@ class MainWindow : public QMainWindow {
     SpaceMarker space_marker_;
     ViewController view_actions_;
     PipelineDock pipeline_;
+    ShaderController shader_copies_;
     PreferencesController preference_actions_;
     ProjectBanners project_banners_;
     LightController lights_;

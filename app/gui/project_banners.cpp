@@ -2,8 +2,10 @@
 
 #include <QFileDialog>
 #include <QMessageBox>
+#include <algorithm>
 
 #include "app/gui/dialog_folder.h"
+#include "projects/check.h"
 #include "projects/scene_files.h"
 
 namespace ir::gui {
@@ -22,13 +24,14 @@ ProjectBanners::ProjectBanners(QWidget& window, Session& session, LivePictures& 
                                widgets::BannerStack& banners)
     : window_(window), session_(session), live_(live), banners_(banners) {
     connect(&session_, &Session::document_changed, this, &ProjectBanners::update_scene);
+    connect(&session_, &Session::document_changed, this, &ProjectBanners::update_shaders);
     connect(&session_.files(), &ProjectFiles::files_changed, this, &ProjectBanners::update_scene);
     connect(&session_, &Session::experiment_selected, this, &ProjectBanners::update_picture);
     connect(&live_, &LivePictures::state_changed, this, &ProjectBanners::update_picture);
 }
 
 void ProjectBanners::update() {
-    for (const char* name : {"read-only", "recovery", "scene", "check", "sample"})
+    for (const char* name : {"read-only", "recovery", "scene", "check", "sample", "shaders-of-others"})
         banners_.hide_banner(QLatin1String(name));
     if (!session_.has_project()) return;
     const auto& project = session_.open_project();
@@ -45,6 +48,7 @@ void ProjectBanners::update() {
                               {tr("Discard"), [this] { session_.files().discard_recovery(), update(); }}},
                              false);
     update_scene();
+    update_shaders();
 }
 
 void ProjectBanners::take_over() {
@@ -52,6 +56,32 @@ void ProjectBanners::take_over() {
                                               tr("Open for writing although another process holds the "
                                                  "project? Its unsaved changes may be lost."));
     if (answer == QMessageBox::Yes) session_.files().break_lock(), update();
+}
+
+/// What others have changed in shaders runs where a person allows it.
+void ProjectBanners::update_shaders() {
+    const auto name = QStringLiteral("shaders-of-others");
+    const auto waits = [this](const projects::Experiment& experiment) {
+        return !projects::why_shaders_wait(session_.document(), experiment).empty();
+    };
+    if (!session_.has_project() || std::ranges::none_of(session_.document().experiments, waits))
+        return banners_.hide_banner(name);
+    const auto show = [this, waits] {
+        const auto& experiments = session_.document().experiments;
+        const auto first = std::ranges::find_if(experiments, waits);
+        if (first != experiments.end()) session_.select_experiment(first->id);
+        emit shaders_wanted();
+    };
+    const auto allow = [this] {
+        session_.edit([](const projects::Project& project) {
+            return projects::edits::set_shaders_allowed(project, true);
+        });
+        session_.end_gesture();
+    };
+    banners_.show_banner(name, Kind::warning,
+                         tr("This project comes from somebody else and changes shaders, which run on your "
+                            "graphics card. Experiments that do wait until you allow it."),
+                         {{tr("Show"), show}, {tr("Allow"), allow}}, false);
 }
 
 /// The first scene of the document that is missing or has changed; missing ones first.

@@ -20,11 +20,13 @@ class ProjectBanners : public QObject {
 
   signals:
     void save_as_wanted();
+    void shaders_wanted();  ///< to be seen
 
   private:
     void take_over();
     void update_scene();
     void update_picture();
+    void update_shaders();
     void locate_scene(const std::string& scene, std::size_t part);
     void accept_scene(const std::string& scene);
 

@@ -67,6 +67,7 @@ std::string text_of(const Told& told, const std::string& key) {
 
 /// "Directions", for "set.directions" of a method that is known; else the key.
 std::string label_of(const std::string& key, const std::vector<Told>& all) {
+    if (key.starts_with("shader.")) return "Shader changed: " + key.substr(7);
     if (!key.starts_with("set.")) return key;
     for (const auto& told : all) {
         const auto* method = engine::registry().find(text_of(told, "method"));

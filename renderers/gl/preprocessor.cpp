@@ -37,7 +37,8 @@ bool ends_in_comment(const std::string& line, bool inside) {
 
 class Preprocessor {
   public:
-    Preprocessor(const fs::path& folder, FileStamps& seen) : folder_(folder), seen_(seen) {}
+    Preprocessor(const fs::path& folder, const ShaderChanges& changes, FileStamps& seen)
+        : folder_(folder), changes_(changes), seen_(seen) {}
 
     void read_entry(const std::string& entry) {
         const fs::path path = (folder_ / entry).lexically_normal();
@@ -58,7 +59,7 @@ class Preprocessor {
 
     void read(const fs::path& path, std::size_t file) {
         open_.push_back(path);
-        std::ifstream in(path);
+        std::istringstream in(text_of(path, files_[file]));
         bool in_comment = false;
         int number = 0;
         for (std::string text; std::getline(in, text);) {
@@ -67,9 +68,17 @@ class Preprocessor {
             if (in_comment || !is_directive(line, path)) body_.push_back(line);
             in_comment = ends_in_comment(text, in_comment);
         }
-        if (!in.is_open() || in.bad())
-            throw Error(files_[file] + ": cannot be read; check the file's permissions");
         open_.pop_back();
+    }
+
+    std::string text_of(const fs::path& path, const std::string& name) const {
+        if (const auto change = changes_.find(display_name(path)); change != changes_.end())
+            return changed_shader(folder_, change->first, change->second);
+        std::ostringstream text;
+        std::ifstream in(path);
+        if (in.is_open() && in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+        if (!in.is_open() || in.bad()) throw Error(name + ": cannot be read; check the file's permissions");
+        return text.str();
     }
 
     /// Handles #include, #extension and #version; false for any other line.
@@ -126,6 +135,7 @@ class Preprocessor {
     }
 
     const fs::path& folder_;
+    const ShaderChanges& changes_;
     FileStamps& seen_;
     std::vector<fs::path> open_;  ///< from the entry to the file being read
     std::set<fs::path> done_;
@@ -172,8 +182,8 @@ void StageSource::add(const std::string& line, Place place) {
 
 StageSource preprocess(const fs::path& folder, const std::string& entry,
                        const std::map<std::string, std::string>& defines, const std::string& preamble,
-                       FileStamps& seen) {
-    Preprocessor preprocessor(folder, seen);
+                       const ShaderChanges& changes, FileStamps& seen) {
+    Preprocessor preprocessor(folder, changes, seen);
     preprocessor.read_entry(entry);
     StageSource stage;
     stage.files = preprocessor.files();

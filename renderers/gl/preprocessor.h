@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/changed_shaders.h"
+
 namespace ir::gl {
 
 /// State of a file on disk; empty when it does not exist.
@@ -45,9 +47,10 @@ struct StageSource {
 /// files' #extension lines (they must precede all code), the defines, the preamble. An included file is
 /// inserted once per stage, where it is first named, #if around it or not; it is looked for beside the
 /// including file, then in `folder`. Throws Error with "file:line: …" for missing and circular includes and
-/// for a #version line. Every file that was read or looked for is entered in `seen`.
+/// for a #version line, and where a change does not fit. Every file that was read or looked for is entered
+/// in `seen`.
 StageSource preprocess(const std::filesystem::path& folder, const std::string& entry,
                        const std::map<std::string, std::string>& defines, const std::string& preamble,
-                       FileStamps& seen);
+                       const ShaderChanges& changes, FileStamps& seen);
 
 }  // namespace ir::gl

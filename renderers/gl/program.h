@@ -105,7 +105,8 @@ class ProgramLibrary {
     ~ProgramLibrary();
 
     /// Throws ShaderError when the program never compiled; asks the compiler again only after a file changed.
-    /// The reference stays valid, also through reloads, as long as forgotten() says the same.
+    /// The reference stays valid, also through reloads, as long as forgotten() says the same. A program none
+    /// of whose files is changed is the one without changes.
     const Program& get(const ProgramSource& source);
 
     /// More programs than these are forgotten, the longest unused first, but none that one of the last frames
@@ -124,6 +125,8 @@ class ProgramLibrary {
     std::vector<Message> reload_changed(bool* changed = nullptr);
     /// Of all programs whose newest sources do not compile, each once.
     std::vector<ShaderFault> faults() const;
+    /// Nobody asks any more for what these changes make wrong.
+    void forget_faults(const ShaderChanges& changes);
 
     /// Called before a compilation that may take long, with the files' names.
     std::function<void(const std::string&)> on_compile;

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "renderers/core/words.h"
@@ -26,8 +27,7 @@ GLenum stage_of(const std::string& file) {
     return found->second;
 }
 
-std::string line_of(const fs::path& file, int number) {
-    std::ifstream in(file);
+std::string line_of(std::istream&& in, int number) {
     std::string line;
     for (int i = 0; i < number; ++i)
         if (!std::getline(in, line)) return {};
@@ -35,7 +35,7 @@ std::string line_of(const fs::path& file, int number) {
 }
 
 /// Of an error that begins with "FILE:LINE: " or "FILES: ".
-ShaderFault as_fault(const std::string& error, const fs::path& folder) {
+ShaderFault as_fault(const std::string& error, const fs::path& folder, const ShaderChanges& changes) {
     ShaderFault fault;
     auto colon = error.find(':');
     if (colon == std::string::npos) return {{}, 0, error};
@@ -47,15 +47,23 @@ ShaderFault as_fault(const std::string& error, const fs::path& folder) {
     fault.problem = text == std::string::npos ? error : error.substr(text);
     std::error_code ignored;
     const auto path = folder / fault.file;
+    const auto change = changes.find(fault.file);
+    fault.is_changed = change != changes.end();
     if (!fs::is_regular_file(path, ignored)) return fault;
-    fault.path = path.string();
-    fault.text = line_of(path, fault.line);
+    if (!fault.is_changed) {
+        fault.path = path.string();
+        fault.text = line_of(std::ifstream(path), fault.line);
+    } else if (fault.line > 0) {
+        fault.text =
+            line_of(std::istringstream(changed_shader(folder, fault.file, change->second)), fault.line);
+    }
     return fault;
 }
 
-std::vector<ShaderFault> as_faults(const std::vector<std::string>& errors, const fs::path& folder) {
+std::vector<ShaderFault> as_faults(const std::vector<std::string>& errors, const fs::path& folder,
+                                   const ShaderChanges& changes) {
     std::vector<ShaderFault> faults;
-    for (const auto& error : errors) faults.push_back(as_fault(error, folder));
+    for (const auto& error : errors) faults.push_back(as_fault(error, folder, changes));
     return faults;
 }
 
@@ -94,7 +102,7 @@ std::string log_of(const Handle& object) {
 }
 
 [[noreturn]] void fail(const Handle& object, const std::string& label, const StageSource& stage,
-                       const fs::path& folder) {
+                       const fs::path& folder, const ShaderChanges& changes) {
     auto errors = shader_errors(log_of(object), [&](std::size_t line) { return stage.place_of(line); });
     if (errors.empty()) errors.push_back("the driver refuses it without a reason");
     // what has no place of its own gets at least the program's name
@@ -104,18 +112,18 @@ std::string log_of(const Handle& object) {
         });
         if (!placed) error = label + ": " + error;
     }
-    throw ShaderError(as_faults(errors, folder));
+    throw ShaderError(as_faults(errors, folder, changes));
 }
 
 void compile_stage(const Api& api, const Handle& program, const std::string& file, const StageSource& stage,
-                   const fs::path& folder) {
+                   const fs::path& folder, const ShaderChanges& changes) {
     const Handle shader(api, api.CreateShader(stage_of(file)), true);
     const char* text = stage.text.c_str();
     api.ShaderSource(shader.name, 1, &text, nullptr);
     api.CompileShader(shader.name);
     GLint compiled = 0;
     api.GetShaderiv(shader.name, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) fail(shader, file, stage, folder);
+    if (!compiled) fail(shader, file, stage, folder, changes);
     api.AttachShader(program.name, shader.name);
 }
 
@@ -129,7 +137,7 @@ void link(const Api& api, const Handle& program, const ProgramSource& source, co
     api.LinkProgram(program.name);
     GLint linked = 0;
     api.GetProgramiv(program.name, GL_LINK_STATUS, &linked);
-    if (!linked) fail(program, listed(source.files), {}, folder);
+    if (!linked) fail(program, listed(source.files), {}, folder, source.changes);
 }
 
 constexpr const char* debug_file = "lib/debug.glsl";
@@ -151,6 +159,18 @@ void add_identifiers(const std::string& text, std::unordered_set<std::string>& i
         if (end > begin) identifiers.insert(text.substr(begin, end - begin));
         begin = std::max(end, begin + 1);
     }
+}
+
+/// Whether a changed file is among those that a program is made of.
+bool reads_changed(const ProgramSource& source, const fs::path& folder, FileStamps& seen) {
+    try {
+        for (const auto& file : source.files)
+            for (const auto& read : preprocess(folder, file, source.defines, {}, source.changes, seen).files)
+                if (source.changes.count(read) != 0) return true;
+    } catch (const Error&) {
+        return true;  // who compiles it says what is wrong
+    }
+    return false;
 }
 
 /// `now`: what was looked at already.
@@ -180,6 +200,8 @@ struct ProgramLibrary::Entry {
     Program program;                   ///< the last good version; name 0 when there is none
     FileStamps files;                  ///< as of the last attempt
     std::optional<ShaderError> error;  ///< of the last attempt
+    /// No file that it reads is changed: the program of the same source without changes stands for it.
+    bool is_unchanged = false;
 };
 
 ProgramLibrary::ProgramLibrary(Context& context, fs::path shader_folder)
@@ -194,7 +216,16 @@ ProgramLibrary::~ProgramLibrary() {
 const Program& ProgramLibrary::get(const ProgramSource& source) {
     auto& entry = entries_[source];
     const bool is_new = !entry;
-    if (is_new) entry.reset(new Entry);
+    if (is_new) {
+        entry.reset(new Entry);
+        entry->is_unchanged = !source.changes.empty() && !reads_changed(source, folder_, entry->files);
+    }
+    if (entry->is_unchanged) {
+        touch(entry->program);
+        auto unchanged = source;
+        unchanged.changes.clear();
+        return get(unchanged);
+    }
     if (entry->program.name() == 0) {
         if (!is_new && entry->error && !changed_on_disk(entry->files)) throw *entry->error;
         compile(source, *entry);
@@ -226,6 +257,14 @@ std::vector<Message> ProgramLibrary::reload_changed(bool* changed) {
     FileStamps now;
     for (auto& [source, entry] : entries_) {
         if (!changed_on_disk(entry->files, now)) continue;
+        if (entry->is_unchanged) {
+            entry->files.clear();
+            entry->is_unchanged = !reads_changed(source, folder_, entry->files);
+            if (entry->is_unchanged) continue;
+            ++forgotten_;
+            if (changed) *changed = true;
+            continue;
+        }
         try {
             compile(source, *entry);
             if (changed) *changed = true;
@@ -246,6 +285,15 @@ std::vector<ShaderFault> ProgramLibrary::faults() const {
     return faults;
 }
 
+void ProgramLibrary::forget_faults(const ShaderChanges& changes) {
+    if (changes.empty()) return;
+    std::erase_if(entries_, [&](const auto& each) {
+        return each.first.changes == changes && each.second->error && each.second->program.name() == 0;
+    });
+    for (auto& [source, entry] : entries_)
+        if (source.changes == changes) entry->error.reset();
+}
+
 void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
     if (source.files.empty()) throw Error("a program needs at least one shader file");
     const std::string label = listed(source.files);
@@ -259,13 +307,14 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
             auto defines = source.defines;
             const auto invocation = invocation_in(file);
             if (source.debugs && !invocation.empty()) defines["DEBUG_INVOCATION"] = invocation;
-            const auto stage = preprocess(folder_, file, defines, source.preamble, entry.files);
+            const auto stage =
+                preprocess(folder_, file, defines, source.preamble, source.changes, entry.files);
             const auto& files = stage.files;
             if (!invocation.empty() && std::find(files.begin(), files.end(), debug_file) != files.end()) {
                 program.can_debug_ = true;
                 if (source.debugs) program.debugged_ = std::make_shared<const StageSource>(stage);
             }
-            compile_stage(api, handle, file, stage, folder_);
+            compile_stage(api, handle, file, stage, folder_, source.changes);
             add_identifiers(stage.text, program.identifiers_);
             program.declarations_.add(stage.text);
         }
@@ -291,7 +340,7 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
         entry.error = error;
         throw;
     } catch (const Error& error) {
-        entry.error = ShaderError(as_faults({error.what()}, folder_));
+        entry.error = ShaderError(as_faults({error.what()}, folder_, source.changes));
         throw *entry.error;
     }
 }

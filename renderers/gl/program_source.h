@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/changed_shaders.h"
+
 namespace ir::gl {
 
 /// What a program is made of. Files are relative to the shader folder and end in .vert .tesc .tese .geom
@@ -14,6 +16,7 @@ struct ProgramSource {
     std::map<std::string, std::string> defines = {};
     std::string preamble = {};  ///< GLSL put after #version and defines, e.g. a generated parameter block
     std::vector<std::string> feedback = {};  ///< transform-feedback varyings, interleaved
+    ShaderChanges changes = {};              ///< of files that it may be made of
     bool debugs = false;  ///< what it says of the picked pixel by lib/debug.glsl is written
     auto operator<=>(const ProgramSource&) const = default;
 };

@@ -192,11 +192,17 @@ CountedBuffer GraphBuilder::explanation(const std::string& key, BufferDesc desc,
     return result;
 }
 
+void GraphBuilder::tell_apart(std::string& fingerprint) const {
+    if (!fingerprint.empty() && !inputs_.shader_changes.empty())
+        fingerprint += " shaders " + digest_of(inputs_.shader_changes);
+}
+
 ImageRef GraphBuilder::image(ImageDesc desc) {
     claim(desc.text);
     // A pyramid of a small image may have one level, so only the sort of resource counts.
     if (const auto* output = find_output(desc.text.key); output && !is_image(output->kind))
         refuse_kind(*output, "an image");
+    tell_apart(desc.fingerprint);
     images_.push_back(std::move(desc));
     return {static_cast<int>(images_.size()) - 1};
 }
@@ -207,12 +213,14 @@ BufferRef GraphBuilder::buffer(BufferDesc desc) {
         output && (output->kind != desc.kind || is_image(output->kind)))
         refuse_kind(*output, "a buffer of kind " + to_string(desc.kind));
     if (desc.fields.empty()) throw std::logic_error("buffer '" + desc.text.key + "' has no fields");
+    tell_apart(desc.fingerprint);
     buffers_.push_back(std::move(desc));
     return {static_cast<int>(buffers_.size()) - 1};
 }
 
 ObjectRef GraphBuilder::object(ObjectDesc desc) {
     claim(desc.text);
+    tell_apart(desc.fingerprint);
     objects_.push_back(std::move(desc));
     return {static_cast<int>(objects_.size()) - 1};
 }

@@ -212,6 +212,8 @@ class GraphBuilder {
     const OutputDescription& output_of(const std::string& key) const;
     [[noreturn]] void refuse_kind(const OutputDescription& output, const std::string& held_by) const;
     const MethodDescription& method_;
+    /// What changed shaders make is of them alone.
+    void tell_apart(std::string& fingerprint) const;
     const FrameInputs& inputs_;
     int batches_;
     int batch_limit_ = 1;

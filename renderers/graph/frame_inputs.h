@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "renderers/core/changed_shaders.h"
 #include "renderers/core/inspection.h"
 #include "renderers/core/processor.h"
 #include "renderers/core/shard.h"
@@ -30,6 +31,7 @@ struct FrameInputs {
     std::uint64_t sample_limit = std::numeric_limits<std::uint64_t>::max();
     /// Of the picture, where the method can be divided (Method::join): other pixels get no samples.
     Shard shard = {};
+    ShaderChanges shader_changes = {};  ///< in place of the shaders as they are in their folder
     Inspection inspection;
     /// The pixel of the view that a person picked; (-1, -1): none.
     glm::ivec2 picked_pixel() const {

@@ -138,6 +138,10 @@ void FrameMemory::prepare_parameters() {
         frame_.cache.parameter_glsl = std::move(glsl);
         frame_.cache.programs_with_parameters.clear();
     }
+    if (frame_.cache.shader_changes != frame_.inputs->shader_changes) {
+        frame_.cache.shader_changes = frame_.inputs->shader_changes;
+        frame_.cache.programs_with_parameters.clear();
+    }
     auto block = gl::parameter_block(frame_.method->description.parameters, *frame_.settings);
     if (block.empty()) block.push_back(0);
     const auto bytes = std::max<std::uint64_t>(16, block.size() * 4);

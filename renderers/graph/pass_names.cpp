@@ -166,6 +166,7 @@ const gl::Program& PassContext::method_program(const gl::ProgramSource& source) 
     }
     gl::ProgramSource complete = source;
     complete.preamble += s.cache.parameter_glsl;
+    complete.changes = s.cache.shader_changes;
     const auto& program = s.cache.programs->get(complete);
     gl::check_parameter_block(api(), program.name(), s.method->description.parameters);
     made = &program;
@@ -179,7 +180,11 @@ const gl::Program& PassContext::program(const gl::ProgramSource& source) const {
         cache.compared_records.clear();
         cache.forgotten_programs = forgotten;
     }
-    return sees_parameters(source) ? method_program(source) : cache.programs->get(source);
+    if (sees_parameters(source)) return method_program(source);
+    if (cache.shader_changes.empty()) return cache.programs->get(source);
+    auto changed = source;
+    changed.changes = cache.shader_changes;
+    return cache.programs->get(changed);
 }
 
 const gl::Program& PassContext::use(const gl::ProgramSource& source) const {

@@ -4,6 +4,7 @@
 
 #include "projects/analyses.h"
 #include "projects/document_fields.h"
+#include "renderers/core/line_diff.h"
 #include "widgets/document/motion_target.h"
 #include "widgets/document/short_forms.h"
 #include "widgets/style/number_text.h"
@@ -165,8 +166,12 @@ void add_experiments(Node& root, const Project& project, const Registry& registr
                          : node_text("method '%1', which this build does not have").arg(q(experiment.method)),
                      name_in(project.scenes, experiment.scene), size,
                      counted(std::size_t(run.frames), "1 frame", "%1 frames"));
-        add_child(group, made(ItemKind::experiment, q(experiment.id), q(experiment.name), detail,
-                              method ? "experiment" : "warning", about));
+        QString changed;
+        for (const auto& [file, hunks] : experiment.shaders)
+            changed += node_text(". Shader changed: %1 (%2)").arg(q(file), q(count_lines(hunks).text()));
+        add_child(group, made(ItemKind::experiment, q(experiment.id), q(experiment.name),
+                              changed.isEmpty() ? detail : node_text("%1 · changed shaders").arg(detail),
+                              method ? "experiment" : "warning", about + changed));
     }
 }
 

@@ -1,7 +1,9 @@
 #include "widgets/panels/shader_panel.h"
 
 #include <QFontDatabase>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -13,16 +15,61 @@ namespace {
 
 QString html_of(const ShaderFault& fault, std::size_t number, const ThemeColours& colours) {
     auto html = QStringLiteral("<p style='margin:0 0 6px 0'>");
-    if (!fault.file.empty() && fault.path.empty())
+    if (!fault.file.empty() && fault.path.empty() && !fault.is_changed)
         html += QStringLiteral("<b>%1</b> ").arg(escaped(fault.place()));
     else if (!fault.file.empty())
         html += QStringLiteral("<a href='#%1'>%2</a> ").arg(number).arg(escaped(fault.place()));
+    if (fault.is_changed) html += ShaderPanel::tr("(changed copy) ");
     html += escaped(fault.problem);
     if (!fault.text.empty())
         html += QStringLiteral("<br><span style='font-family:\"%1\"; color:%2'>&nbsp;&nbsp;%3</span>")
                     .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family(), colours.dim.name(),
                          escaped(fault.text));
     return html + QStringLiteral("</p>");
+}
+
+/// Where a link leads, before the file that it is of.
+constexpr const char* edit_link = "edit/";
+constexpr const char* remove_link = "remove/";
+
+QString html_of(const ShaderPanel::Changes::File& file, const ThemeColours& colours) {
+    constexpr int most_lines = 400;
+    const auto link = [&](const char* what, const QString& text) {
+        return QStringLiteral(" &nbsp; <a href='#%1%2'>%3</a>").arg(QLatin1String(what), file.name, text);
+    };
+    auto html = QStringLiteral("<p style='margin:4px 0 2px 0'><b>%1</b> %2").arg(file.name, file.lines) +
+                link(edit_link, ShaderPanel::tr("Edit copy")) +
+                link(remove_link, ShaderPanel::tr("Remove change")) +
+                QStringLiteral("</p><pre style='margin:0 0 6px 0; font-family:\"%1\"'>")
+                    .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
+    auto lines = file.hunks.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const auto left_out = lines.size() - most_lines;
+    if (left_out > 0) lines.resize(most_lines);
+    for (const auto& line : lines) {
+        const auto sign = line.front();
+        const auto colour = sign == QLatin1Char('+')   ? colours.accent
+                            : sign == QLatin1Char('-') ? colours.error
+                                                       : colours.dim;
+        html += QStringLiteral("<span style='color:%1'>%2</span>\n").arg(colour.name(), line.toHtmlEscaped());
+    }
+    if (left_out > 0) html += ShaderPanel::tr("… and %1 lines more").arg(left_out);
+    return html + QStringLiteral("</pre>");
+}
+
+QString html_of(const ShaderPanel::Changes& changes, const ThemeColours& colours) {
+    if (changes.files.empty()) return {};
+    auto html = QStringLiteral("<p style='margin:6px 0 2px 0'>%1</p>")
+                    .arg(ShaderPanel::tr("Changed for <b>%1</b> alone:")
+                             .arg(escaped(changes.experiment.toStdString())));
+    if (!changes.on_host.isEmpty())
+        html += QStringLiteral("<p style='margin:2px 0; color:%1'>%2</p>")
+                    .arg(colours.warning.name(),
+                         ShaderPanel::tr(
+                             "These passes run on the host, which uses no shaders: %1. Choose the OpenGL "
+                             "device in the preferences to see what changes there.")
+                             .arg(changes.on_host.toHtmlEscaped()));
+    for (const auto& file : changes.files) html += html_of(file, colours);
+    return html;
 }
 
 }  // namespace
@@ -44,26 +91,46 @@ ShaderPanel::ShaderPanel(const QString& folder, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(title_);
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(0, 2, 4, 2);
+    auto* copy = new QPushButton(tr("Edit copy …"));
+    copy->setObjectName(QStringLiteral("edit-copy"));
+    copy->setToolTip(tr("Change a shader for this experiment alone"));
+    head->addWidget(title_, 1);
+    head->addWidget(copy);
+    layout->addLayout(head);
     layout->addWidget(list_, 1);
-    connect(list_, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
-        const auto number = link.fragment().toUInt();
-        if (number < faults_.size()) emit place_chosen(faults_[number]);
-    });
-    follow_theme(this, [this] { show_faults(); });
+    connect(copy, &QPushButton::clicked, this, &ShaderPanel::copy_wanted);
+    connect(list_, &QTextBrowser::anchorClicked, this,
+            [this](const QUrl& link) { follow_link(link.fragment()); });
+    follow_theme(this, [this] { show_all(); });
+}
+
+void ShaderPanel::follow_link(const QString& link) {
+    if (link.startsWith(QLatin1String(edit_link))) return emit edit_wanted(link.mid(int(qstrlen(edit_link))));
+    if (link.startsWith(QLatin1String(remove_link)))
+        return emit removal_wanted(link.mid(int(qstrlen(remove_link))));
+    const auto number = link.toUInt();
+    if (number < faults_.size()) emit place_chosen(faults_[number]);
+}
+
+void ShaderPanel::set_changes(Changes changes) {
+    if (changes == changes_) return;
+    changes_ = std::move(changes);
+    show_all();
 }
 
 void ShaderPanel::set_faults(std::vector<ShaderFault> faults) {
     if (faults == faults_) return;
     faults_ = std::move(faults);
-    show_faults();
+    show_all();
 }
 
 QString ShaderPanel::title() const {
     return title_->text();
 }
 
-void ShaderPanel::show_faults() {
+void ShaderPanel::show_all() {
     const auto number = int(faults_.size());
     title_->setText(number == 0   ? tr("All shaders that are used compile.")
                     : number == 1 ? tr("<b>One error.</b> The pictures stay those of the last shaders that "
@@ -73,7 +140,7 @@ void ShaderPanel::show_faults() {
                                         .arg(number));
     QString html;
     for (std::size_t i = 0; i < faults_.size(); ++i) html += html_of(faults_[i], i, theme_colours());
-    list_->setHtml(html);
+    list_->setHtml(html + html_of(changes_, theme_colours()));
 }
 
 }  // namespace ir::widgets

@@ -161,8 +161,13 @@ void expect_both(const Outcomes& outcomes) {
 // 10,000 mutations in all: of the project file and of what stands beside it.
 
 TEST(ProjectFuzz, SixThousandMutationsOpenOrAreRefusedWithOneLine) {
-    expect_both(mutate({file_text("schema-6.json"), file_text("schema-4.json"), file_text("schema-3.json"),
-                        file_text("schema-2.json"), file_text("schema-1.json")},
+    auto changed = parse_json(file_text("schema-6.json"), "seed");
+    changed["shaders_allowed"] = false;
+    changed["experiments"][0]["shaders"] = {
+        {"lib/random.glsl", {"@@ -1,2 +1,2 @@", " a", "-b", "+c"}},
+        {"methods/fog/march.comp", {"@@ -0,0 +1,1 @@", "+a", "\\ No newline at end of file"}}};
+    expect_both(mutate({pretty_json(changed), file_text("schema-6.json"), file_text("schema-4.json"),
+                        file_text("schema-3.json"), file_text("schema-2.json"), file_text("schema-1.json")},
                        6000, 20240501, fuzz::opens_project));
 }
 

@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     gl::FileStamps seen;
     const auto shaders = fuzz::folder() / "shaders";
     try {
-        const auto stage = gl::preprocess(shaders, "main.comp", {{"N", "4"}}, "", seen);
+        const auto stage = gl::preprocess(shaders, "main.comp", {{"N", "4"}}, "", {}, seen);
         fuzz::require(stage.place_of(1) != "", "a line that came from nowhere");
     } catch (const Error& error) {
         fuzz::require(*error.what() != 0, "a refusal without a reason");

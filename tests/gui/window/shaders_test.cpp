@@ -1,11 +1,17 @@
 // Errors in shaders: a panel that comes with them and goes when they are mended.
+#include <QAbstractButton>
 #include <QClipboard>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTextBrowser>
+#include <cstdio>
 #include <fstream>
 
+#include "projects/store.h"
+#include "renderers/core/line_diff.h"
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/panels/finder_dialog.h"
 
 namespace ir::gui {
 namespace {
@@ -60,6 +66,131 @@ TEST_F(ShadersWindowTest, APanelThatAPersonOpenedStays) {
     tell({fault});
     tell({});
     EXPECT_FALSE(frame().isHidden());
+}
+
+TEST_F(ShadersWindowTest, APanelThatAPersonOpensAgainDuringErrorsStays) {
+    tell({fault});
+    frame().close();
+    trigger("dock-shaders");
+    EXPECT_FALSE(frame().isHidden());
+    tell({});
+    EXPECT_FALSE(frame().isHidden());
+}
+
+/// A copy of a shader, edited by a program that adds a line.
+class EditedCopyTest : public ShadersWindowTest {
+  protected:
+    void SetUp() override {
+        ShadersWindowTest::SetUp();
+        const auto script = folder.filePath("editor");
+        std::ofstream(script.toStdString()) << "#!/bin/sh\necho '// mine' >> \"$1\"\necho \"$1\" > '"
+                                            << folder.filePath("edited").toStdString() << "'\n";
+        QFile::setPermissions(script, QFile::ReadOwner | QFile::ExeOwner);
+        qputenv(ShaderDock::editor_variable, ('"' + script + "\" {file}").toUtf8());
+    }
+    const ShaderChanges& shaders() { return window.session().experiment()->shaders; }
+    bool has_change() {
+        return QTest::qWaitFor([this] { return shaders().count(file) == 1; });
+    }
+    /// The copy that the editor was given.
+    QString copy() { return read(folder.filePath("edited")).trimmed(); }
+    static QString read(const QString& name) {
+        QFile file(name);
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    }
+    /// As a person does: a key, words, Enter.
+    void edit_copy() {
+        QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier | Qt::AltModifier);
+        widgets::FinderDialog* dialog = nullptr;
+        ASSERT_TRUE(QTest::qWaitFor([&] {
+            dialog = window.findChild<widgets::FinderDialog*>();
+            return dialog && dialog->isVisible();
+        }));
+        auto* line = dialog->findChild<QLineEdit*>();
+        QTest::keyClicks(line, "random.glsl");
+        QTest::keyClick(line, Qt::Key_Return);
+    }
+    const std::string file = "lib/random.glsl";
+    QTemporaryDir folder;
+};
+
+TEST_F(EditedCopyTest, WhatIsSavedIsTheExperimentsAloneAndCanBeUndone) {
+    add_second_experiment(0.5);
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    EXPECT_TRUE(window.session().document().experiments[1].shaders.empty());
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(renderer.requests.back().experiment.shaders, shaders()) << "its picture is asked for again";
+    EXPECT_FALSE(frame().isHidden());
+    EXPECT_TRUE(text().contains("lib/random.glsl +1 −0")) << text().toStdString();
+    EXPECT_TRUE(text().contains("+// mine"));
+    EXPECT_TRUE(read(copy()).endsWith("// mine\n"));
+
+    trigger("undo");
+    EXPECT_TRUE(shaders().empty());
+    EXPECT_FALSE(read(copy()).contains("// mine")) << "editors follow";
+    EXPECT_FALSE(text().contains("lib/random.glsl"));
+    trigger("redo");
+    EXPECT_TRUE(read(copy()).endsWith("// mine\n"));
+    trigger("experiment-duplicate");
+    EXPECT_EQ(shaders().size(), 1u) << "a copy of the experiment takes it along";
+
+    auto& list = dock().panel().list();
+    list.setFocus();
+    QTest::keyClick(&list, Qt::Key_Tab);
+    while (list.textCursor().selectedText() != "Remove change") QTest::keyClick(&list, Qt::Key_Tab);
+    QTest::keyClick(&list, Qt::Key_Return);
+    EXPECT_TRUE(shaders().empty());
+    EXPECT_EQ(window.session().document().experiments[0].shaders.size(), 1u);
+}
+
+TEST_F(EditedCopyTest, AFileThatAnEditorReplacesIsFollowed) {
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    for (const char* line : {"// second\n", "// third\n"}) {
+        const auto aside = copy() + ".new";
+        std::ofstream(aside.toStdString()) << read(copy()).toStdString() << line;
+        ASSERT_EQ(std::rename(aside.toUtf8(), copy().toUtf8()), 0);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return shaders().at(file).find(line) != std::string::npos; }))
+            << line;
+    }
+    EXPECT_EQ(count_lines(shaders().at(file)).added, 3);
+}
+
+TEST_F(EditedCopyTest, ErrorsLeadToTheCopy) {
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    qunsetenv(ShaderDock::editor_variable);
+    auto error = fault;
+    error.file = file;
+    error.path.clear();
+    error.is_changed = true;
+    tell({error});
+    EXPECT_TRUE(text().contains("lib/random.glsl:12 (changed copy)")) << text().toStdString();
+    follow_link();
+    EXPECT_EQ(QApplication::clipboard()->text(), copy() + ":12");
+}
+
+TEST_F(EditedCopyTest, ShadersOfOthersWaitUntilTheyAreAllowed) {
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    auto project = window.session().document();
+    project.shaders_allowed = false;
+    const auto place = std::filesystem::path(folder.path().toStdString()) / "a.interreflect";
+    projects::save_project(project, place, "");
+    window.session().files().close();
+    ASSERT_TRUE(window.open_path(QString::fromStdString(place.string())));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(state(), LivePictures::State::blocked);
+    EXPECT_TRUE(window.banners().text("shaders-of-others").contains("changes shaders"));
+    for (auto* button : window.banners().findChildren<QAbstractButton*>())
+        if (button->text() == "Show") button->click();
+    EXPECT_TRUE(text().contains("+// mine")) << "they are seen before";
+    for (auto* button : window.banners().findChildren<QAbstractButton*>())
+        if (button->text() == "Allow") QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(state(), LivePictures::State::done);
+    EXPECT_EQ(window.banners().text("shaders-of-others"), "");
 }
 
 TEST_F(ShadersWindowTest, ALinkCopiesThePlaceOrOpensTheEditor) {

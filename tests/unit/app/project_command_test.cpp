@@ -9,6 +9,8 @@
 #include "projects/autosave.h"
 #include "projects/lock.h"
 #include "projects/results.h"
+#include "renderers/core/resources_path.h"
+#include "renderers/image/exr.h"
 #include "tests/own_folder.h"
 #include "tests/unit/app/outcome.h"
 #include "tests/unit/scene/gltf_builder.h"
@@ -177,6 +179,103 @@ TEST_F(ProjectCommand, FilesOutsideAreToldAndUnpackedWhereThatIsAllowed) {
         EXPECT_TRUE(fs::is_empty(there)) << command;
     }
     EXPECT_EQ(run("project " + packed + " --allow-outside --unpack " + there).status, 0);
+}
+
+constexpr const char* changed_normals = "methods/view-normals/view_normals.frag";
+
+TEST_F(ProjectCommand, AnExperimentRendersWithItsChangedShaders) {
+    auto& experiment = json["experiments"][0];
+    for (const char* key : {"transport", "values"}) experiment.erase(key);
+    experiment["method"] = "view-normals";
+    experiment.erase("method_version");
+    store();
+    const auto render = [&](const std::string& options) {
+        return run("render " + project.string() + " --quiet --out " + (root_ / "out").string() + " " +
+                   options);
+    };
+    const auto picture = [&] {
+        ImageAttributes attributes;
+        const auto layers = read_exr(root_ / "out" / (id() + ".exr"), &attributes);
+        return std::pair(layers.front().image.pixels, attributes);
+    };
+    ASSERT_EQ(render("").status, 0);
+    const auto [plain, none] = picture();
+    const std::string hunk = "@@ -14,1 +14,1 @@";
+    const std::string old = "    normal.xyz = normalize(mat3(view_from_world) * normal_ws);";
+    write(root_ / "a.diff", "--- a/shaders/" + std::string(changed_normals) + "\n+++ b/shaders/" +
+                                changed_normals + "\n" + hunk + "\n-" + old +
+                                "\n+    normal.xyz = vec3(0.25);\n");
+    ASSERT_EQ(render("--shader-diff " + (root_ / "a.diff").string()).status, 0);
+    const auto by_option = picture();
+    EXPECT_NE(by_option.first, plain);
+    experiment["shaders"][changed_normals] = {hunk, "-" + old, "+    normal.xyz = vec3(0.25);"};
+    store();
+    ASSERT_EQ(render("--keep").status, 0);
+    const auto by_project = picture();
+    EXPECT_EQ(by_project.first, by_option.first);
+    const auto told = by_project.second.at("interreflect.shader." + std::string(changed_normals));
+    EXPECT_EQ(told.find("+1 −1, "), 0u) << told;
+    const auto statistics = Json::parse(read(root_ / "out" / (id() + ".json")));
+    EXPECT_EQ(statistics["picture"]["shaders"][changed_normals], told);
+    EXPECT_NE(command("").out.find("shader changed: " + std::string(changed_normals) + " (+1 −1)"),
+              std::string::npos);
+    const auto again = "rerun " + (root_ / "out" / (id() + ".exr")).string() + " --quiet ";
+    EXPECT_EQ(run(again).status, 1) << "a picture may come from anybody";
+    EXPECT_NE(run(again).err.find("--allow-shaders"), std::string::npos) << run(again).err;
+    EXPECT_EQ(run(again + "--allow-shaders --out " + (root_ / "again.exr").string()).status, 0);
+    EXPECT_EQ(read_exr(root_ / "again.exr").front().image.pixels, by_project.first);
+
+    experiment["shaders"][changed_normals] = {hunk, "-gone", "+new"};
+    store();
+    const auto refused = render("");
+    EXPECT_EQ(refused.status, 1) << refused.err;
+    EXPECT_NE(refused.err.find("experiment '" + id() + "': " + changed_normals +
+                               ": its change does not fit the shader (any more): hunk 1"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_NE(check(3).find("its change does not fit"), std::string::npos);
+}
+
+TEST_F(ProjectCommand, ChangedShadersOfOthersRunWhereThatIsAllowed) {
+    json["experiments"][0]["shaders"][changed_normals] = {"@@ -1,1 +1,0 @@", "-odd"};
+    store();
+    const auto packed = (root_ / "packed.tar").string(), there = (root_ / "there").string();
+    fs::create_directories(there);
+    ASSERT_EQ(command("--pack " + packed).status, 0);
+    ASSERT_EQ(run("project " + packed + " --unpack " + there).status, 0);
+    const auto render = "render " + there + "/p.interreflect --quiet --out " + there + "/out";
+    const auto refused = run(render);
+    EXPECT_EQ(refused.status, 1) << refused.err;
+    EXPECT_NE(refused.err.find("it changes shaders (" + std::string(changed_normals) + "), and comes from"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_NE(run(render + " --allow-shaders").err.find("does not fit"), std::string::npos);
+    fs::remove_all(there + "/p.interreflect");
+    ASSERT_EQ(run("project " + packed + " --allow-shaders --unpack " + there).status, 0);
+    EXPECT_NE(run(render).err.find("does not fit"), std::string::npos) << "allowed once";
+}
+
+TEST_F(ProjectCommand, ResultsKnowTheFolderOfTheirShaders) {
+    const auto key = [&](const std::string& options) {
+        EXPECT_EQ(
+            run("render " + project.string() + " --keep --quiet --out " + (root_ / "out").string() + options)
+                .status,
+            0);
+        const auto index = projects::ResultIndex::load(project);
+        return index.last_kept()[id()];
+    };
+    const auto folder = root_ / "shaders";
+    fs::copy(shader_directory(), folder, fs::copy_options::recursive);
+    const auto own = key("");
+    EXPECT_EQ(key(" --shaders " + folder.string()), own) << "a copy that changes nothing";
+    std::ofstream(folder / "lib/random.glsl", std::ios::app) << "// changed\n";
+    const auto edited = key(" --shaders " + folder.string());
+    EXPECT_NE(edited, own);
+    ImageAttributes attributes;
+    read_exr(root_ / "out" / (id() + ".exr"), &attributes);
+    EXPECT_TRUE(attributes.count("interreflect.shader_folder"));
+    EXPECT_EQ(key(" --shaders " + folder.string()), edited);
+    EXPECT_EQ(key(""), own);
 }
 
 TEST_F(ProjectCommand, ChecksResultsAndUnsavedChanges) {

@@ -44,7 +44,7 @@ TEST(Dev, AnUnknownCommandIsAWrongUse) {
 
 TEST(Dev, AMethodWithABadNameIsRefusedInOneLine) {
     for (const char* id : {"'My method'", "view-normals", "../away", "a--b", "union", "graph",
-                           "ok --title 'a\"b'", "ok --title 'a\tb'"}) {
+                           "ok --title 'a\"b'", "ok --title 'a\tb'", "ok --into /tmp"}) {
         const auto complaint = dev(std::string("method ") + id + " 2>&1 >/dev/null");
         EXPECT_EQ(complaint.status, 2) << id;
         EXPECT_EQ(std::count(complaint.out.begin(), complaint.out.end(), '\n'), 1) << complaint.out;

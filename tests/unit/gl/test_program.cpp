@@ -1,5 +1,6 @@
 #include "context_fixture.h"
 #include "renderers/core/error.h"
+#include "renderers/core/line_diff.h"
 #include "renderers/gl/device.h"
 #include "renderers/gl/program.h"
 
@@ -85,6 +86,41 @@ TEST_P(ProgramTest, OfManyThoseThatNobodyUsedForLongAreForgotten) {
     EXPECT_EQ(&library->get(numbered(0)), &first);
     EXPECT_EQ(run(first), 0);
     for (int i = 0; i < all; ++i) EXPECT_EQ(run(library->get(numbered(i))), float(i));
+}
+
+TEST_P(ProgramTest, ChangesMakeAnotherProgramWhereTheirFileIsRead) {
+    folder.write("methods/a.comp", writes_answer);
+    folder.write("methods/b.comp",
+                 "layout(local_size_x = 1) in;\nlayout(std430) buffer Result { float result[]; };\n"
+                 "void main() { result[0] = 5.0; }\n");
+    folder.write("lib/answer.glsl", "float answer() { return 1.0; }\n");
+    const ShaderChanges changes{{"lib/answer.glsl", line_diff("float answer() { return 1.0; }\n",
+                                                              "float answer() {\n    return 2.0;\n}\n")}};
+    const ProgramSource plain{{"methods/a.comp"}};
+    auto changed = plain;
+    changed.changes = changes;
+    EXPECT_EQ(run(library->get(plain)), 1);
+    EXPECT_EQ(run(library->get(changed)), 2);
+    EXPECT_EQ(run(library->get(plain)), 1);
+
+    const ProgramSource other{{"methods/b.comp"}};
+    auto unchanged = other;
+    unchanged.changes = changes;
+    EXPECT_EQ(&library->get(unchanged), &library->get(other)) << "reads nothing that is changed";
+    const auto forgotten = library->forgotten();
+    folder.write("methods/b.comp", std::string("// now with an include\n") + writes_answer);
+    bool reloaded = false;
+    EXPECT_TRUE(library->reload_changed(&reloaded).empty());
+    EXPECT_TRUE(reloaded);
+    EXPECT_GT(library->forgotten(), forgotten) << "who keeps programs asks again";
+    EXPECT_EQ(run(library->get(unchanged)), 2);
+    EXPECT_EQ(run(library->get(other)), 1);
+
+    changed.changes["lib/answer.glsl"] = "@@ -1,1 +1,1 @@\n-gone\n+new\n";
+    EXPECT_NE(
+        error_of(changed).find("lib/answer.glsl: its change does not fit the shader (any more): hunk 1"),
+        std::string::npos)
+        << error_of(changed);
 }
 
 TEST_P(ProgramTest, PrefersTheIncludingFilesFolder) {

@@ -53,6 +53,19 @@ TEST_F(GraphTest, PassesWhoseContentsAreThereAreSkipped) {
     EXPECT_EQ(cached.objects, 1);
 }
 
+TEST_F(GraphTest, WhatOtherShadersMadeIsMadeAgain) {
+    Cached cached;
+    run(cached.declare());
+    inputs.shader_changes = {{"lib/a.glsl", "@@ -1,1 +1,1 @@\n-a\n+b\n"}};
+    run(cached.declare());
+    EXPECT_EQ(cached.bases, 2);
+    run(cached.declare());
+    EXPECT_EQ(cached.bases, 2) << "theirs is kept, too";
+    inputs.shader_changes.clear();
+    run(cached.declare());
+    EXPECT_EQ(cached.bases, 3);
+}
+
 TEST_F(GraphTest, AnotherFingerprintRunsThePassAgain) {
     Cached cached;
     run(cached.declare());

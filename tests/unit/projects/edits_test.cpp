@@ -122,6 +122,9 @@ void add_item_makers(std::map<std::string, Maker>& m) {
     m["set_notes"] = [](const Project& p, Random& r) {
         return edits::set_notes(p, "notes " + std::to_string(pick(r, 99)));
     };
+    m["set_shaders_allowed"] = [](const Project& p, Random&) {
+        return edits::set_shaders_allowed(p, !p.shaders_allowed);
+    };
 }
 
 void add_experiment_makers(std::map<std::string, Maker>& m) {
@@ -156,6 +159,10 @@ void add_experiment_makers(std::map<std::string, Maker>& m) {
         return edits::set_frames(p, id(p, r), 1 + pick(r, 9));
     };
     m["set_time"] = [=](const Project& p, Random& r) { return edits::set_time(p, id(p, r), real(r)); };
+    m["set_shader"] = [=](const Project& p, Random& r) {
+        const auto file = "lib/" + std::to_string(pick(r, 3)) + ".glsl";
+        return edits::set_shader(p, id(p, r), file, pick(r, 3) == 0 ? "" : "@@ -1,1 +1,1 @@\n-a\n+b\n");
+    };
     m["set_experiment_notes"] = [=](const Project& p, Random& r) {
         return edits::set_experiment_notes(p, id(p, r), std::to_string(pick(r, 99)));
     };

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/gui/actions.h"
+#include "app/gui/live_pictures.h"
+#include "app/gui/notices.h"
+#include "app/gui/shader_copies.h"
+#include "app/gui/shader_dock.h"
+
+namespace ir::gui {
+
+/// Edits copies of shaders for the experiment that is worked on, and shows what it changes in them.
+class ShaderController : public QObject {
+    Q_OBJECT
+  public:
+    ShaderController(QWidget& window, Session& session, LivePictures& live, ShaderDock& dock,
+                     Notices& notices, Actions& actions);
+
+  private:
+    void choose();
+    void edit(const std::string& experiment, const std::string& file, int line);
+    void edit_fault(const ShaderFault& fault);
+    void take_as_it_is(const QString& file);
+    void update();
+    QString passes_on_host() const;
+
+    QWidget& window_;
+    Session& session_;
+    LivePictures& live_;
+    ShaderDock& dock_;
+    Notices& notices_;
+    ShaderCopies copies_;
+    QAction* action_;
+};
+
+}  // namespace ir::gui

@@ -1,0 +1,153 @@
+#include "renderers/core/changed_shaders.h"
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include "renderers/core/error.h"
+#include "renderers/core/hash.h"
+#include "renderers/core/line_diff.h"
+#include "renderers/core/resources_path.h"
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> changes_allowed = false;
+std::mutex folder_mutex;
+fs::path used_folder;
+std::string folder_digest;
+
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    std::ifstream in(file, std::ios::binary);
+    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+    return text.str();
+}
+
+/// Whether it is "lib/random.glsl" and the like, and leads nowhere else.
+bool is_shader_name(const std::string& file) {
+    const fs::path path(file);
+    if (file.size() > 200 || path.lexically_normal().generic_string() != file || !has_shader_ending(path))
+        return false;
+    const bool is_plain = std::all_of(file.begin(), file.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_' || c == '.' || c == '/';
+    });
+    return is_plain && std::any_of(shader_folders.begin(), shader_folders.end(), [&](const char* folder) {
+               return file.starts_with(std::string(folder) + "/");
+           });
+}
+
+}  // namespace
+
+bool has_shader_ending(const fs::path& file) {
+    static const std::set<std::string> endings{".glsl", ".vert", ".tesc", ".tese", ".geom", ".frag", ".comp"};
+    return endings.count(file.extension().string()) != 0;
+}
+
+std::set<std::string> shaders_in(const fs::path& folder) {
+    std::set<std::string> names;
+    std::error_code error;
+    for (const auto* part : shader_folders) {
+        fs::recursive_directory_iterator entry(folder / part, error), end;
+        for (; !error && entry != end; entry.increment(error))
+            if (has_shader_ending(entry->path()))
+                names.insert(entry->path().lexically_relative(folder).generic_string());
+    }
+    return names;
+}
+
+std::string problem_with_change(const std::string& file, const std::string& hunks) {
+    if (!is_shader_name(file))
+        return "is no file of the shader folder; name one as lib/…, passes/… or methods/…";
+    if (hunks.empty()) return "changes nothing; leave it out";
+    if (hunks.size() > most_hunk_bytes)
+        return "is longer than " + std::to_string(most_hunk_bytes) + " bytes; change less of the file";
+    try {
+        count_lines(hunks);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+ShaderChanges read_changes(const std::string& text) {
+    ShaderChanges changes;
+    for (auto& [name, hunks] : hunks_by_file(text)) {
+        std::string file;
+        fs::path path(name);
+        for (auto part = path.begin(); part != path.end(); ++part) {
+            const bool begins = std::count(shader_folders.begin(), shader_folders.end(), part->string()) > 0;
+            if (file.empty() && !begins) continue;
+            file += (file.empty() ? "" : "/") + part->string();
+        }
+        if (const auto problem = problem_with_change(file, hunks); !problem.empty())
+            throw Error(name + ": " + problem);
+        changes[file] = std::move(hunks);
+    }
+    if (changes.empty()) throw Error("no shader is changed; give what `git diff` or `diff -ru` writes");
+    return changes;
+}
+
+std::string changed_shader(const fs::path& folder, const std::string& file, const std::string& hunks) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(folder / file, ignored))
+        throw Error(file + ": its change is of a shader that is not there (any more); remove the change");
+    try {
+        return apply_line_diff(text_of(folder / file), hunks);
+    } catch (const Error& error) {
+        throw Error(file + ": its change does not fit the shader (any more): " + error.what() +
+                    "; edit the copy again, or remove the change");
+    }
+}
+
+std::string change_text(const std::string& hunks) {
+    return count_lines(hunks).text() + ", " + hash_bytes(hunks);
+}
+
+std::string digest_of(const ShaderChanges& changes) {
+    if (changes.empty()) return {};
+    std::string all;
+    for (const auto& [file, hunks] : changes) all += file + '\n' + hash_bytes(hunks) + '\n';
+    return hash_bytes(all);
+}
+
+void use_shaders_of(const fs::path& folder) {
+    std::string all;
+    const auto own = shader_directory();
+    auto names = shaders_in(own);
+    names.merge(shaders_in(folder));
+    for (const auto& name : names) {
+        const auto text = text_of(folder / name);
+        if (text != text_of(own / name)) all += name + '\n' + hash_bytes(text) + '\n';
+    }
+    const std::lock_guard lock(folder_mutex);
+    used_folder = folder;
+    folder_digest = all.empty() ? "" : hash_bytes(all);
+}
+
+void look_at_shaders_again() {
+    const auto folder = [] {
+        const std::lock_guard lock(folder_mutex);
+        return used_folder;
+    }();
+    if (!folder.empty()) use_shaders_of(folder);
+}
+
+std::string shader_folder_digest() {
+    const std::lock_guard lock(folder_mutex);
+    return folder_digest;
+}
+
+void allow_changed_shaders() {
+    changes_allowed = true;
+}
+bool are_changed_shaders_allowed() {
+    return changes_allowed;
+}
+
+}  // namespace ir
