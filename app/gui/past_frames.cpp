@@ -10,8 +10,21 @@ std::uint64_t bytes_of(const Image& image) {
     return image.pixels.size() * sizeof(float);
 }
 
+/// Lists and texts of a report are as large as a small picture.
+std::uint64_t bytes_of(const FrameReport& report) {
+    std::uint64_t bytes =
+        report.passes.size() * sizeof(PassReport) + report.resources.size() * sizeof(ResourceReport);
+    for (const auto& pass : report.passes)
+        for (const auto* keys : {&pass.reads, &pass.writes, &pass.reads_previous})
+            for (const auto& key : *keys) bytes += sizeof key + key.size();
+    for (const auto& resource : report.resources)
+        bytes += resource.key.size() + resource.label.size() + resource.doc.size() +
+                 resource.fields.size() * sizeof(Field);
+    return bytes;
+}
+
 std::uint64_t bytes_of(const engine::LiveResult& result) {
-    std::uint64_t bytes = bytes_of(result.valid);
+    std::uint64_t bytes = bytes_of(result.valid) + bytes_of(result.report);
     for (const auto& [part, image] : result.images) bytes += bytes_of(image);
     for (const auto& [key, image] : result.thumbnails) bytes += bytes_of(image);
     for (const auto& [key, buffer] : result.buffers) bytes += buffer.bytes.size();

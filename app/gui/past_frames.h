@@ -34,7 +34,7 @@ class PastFrames : public QObject {
     /// Frames that another method has painted are forgotten.
     void keep_only(const std::string& experiment, const std::string& method);
     void clear();
-    /// Bytes of pictures and buffers. The oldest frames go first. While an older frame is shown none goes:
+    /// Bytes of pictures, buffers and reports. The oldest frames go first. While an older frame is shown none goes:
     /// what then does not fit is not kept.
     void set_limit(std::uint64_t bytes);
     std::uint64_t limit() const { return limit_; }

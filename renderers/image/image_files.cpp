@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
@@ -9,6 +10,7 @@
 #include "renderers/core/write_file.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/codecs/codecs.h"
+#include "renderers/image/codecs/jpeg.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/image/exr.h"
 
@@ -35,18 +37,43 @@ Image chosen_layer(const std::filesystem::path& file, const std::string& name) {
     throw InputError(file.string(), "", "has no layer '" + name + "'; known are " + known);
 }
 
-void decode_srgb(Image& image, int alpha_channel) {
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        if (static_cast<int>(i % image.channels) != alpha_channel)
-            image.pixels[i] = linear_from_srgb(image.pixels[i]);
+/// Of `levels` + 1 values each is computed once, as few are all that a large picture has.
+void decode_srgb(Image& image, int alpha_channel, int levels) {
+    std::vector<float> known(static_cast<std::size_t>(levels) + 1, std::numeric_limits<float>::quiet_NaN());
+    const auto linear = [&](float encoded) {
+        if (levels == 0) return linear_from_srgb(encoded);
+        float& value = known[static_cast<std::size_t>(encoded * float(levels) + 0.5f)];
+        if (std::isnan(value)) value = linear_from_srgb(encoded);
+        return value;
+    };
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += channels)
+        for (std::size_t c = 0; c < channels; ++c)
+            if (static_cast<int>(c) != alpha_channel)
+                image.pixels[pixel + c] = linear(image.pixels[pixel + c]);
+}
+
+void refuse_scans_without_end(const std::filesystem::path& file) {
+    std::vector<std::uint8_t> bytes(2);
+    std::ifstream stream(file, std::ios::binary);
+    const auto read = [&](std::size_t from) {
+        stream.read(reinterpret_cast<char*>(bytes.data() + from), std::streamsize(bytes.size() - from));
+    };
+    read(0);
+    if (!stream || bytes[0] != 0xff || bytes[1] != 0xd8) return;
+    bytes.resize(std::filesystem::file_size(file));
+    read(2);
+    const auto outline = jpeg_outline(bytes);
+    if (outline && !outline->fault().empty()) throw InputError(file.string(), "", outline->fault());
 }
 
 Image decoded(const std::filesystem::path& file) {
     const auto max_bytes = max_expanded(std::filesystem::file_size(file));
-    auto [image, is_srgb, alpha_channel, error] = image_codecs().read(file.string(), max_pixels, max_bytes);
-    if (!error.empty()) throw InputError(file.string(), "", error);
-    if (is_srgb) decode_srgb(image, alpha_channel);
-    return std::move(image);
+    refuse_scans_without_end(file);
+    auto decoded = image_codecs().read(file.string(), max_pixels, max_bytes);
+    if (!decoded.error.empty()) throw InputError(file.string(), "", decoded.error);
+    if (decoded.is_srgb) decode_srgb(decoded.image, decoded.alpha_channel, decoded.levels);
+    return std::move(decoded.image);
 }
 
 /// Values that no picture can show (NaN) become 0.

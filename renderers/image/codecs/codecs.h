@@ -12,6 +12,7 @@ namespace ir {
 struct DecodedImage {
     Image image;  ///< values as the file has them, integers as fractions of their maximum
     bool is_srgb = false;
+    int levels = 0;  ///< that integers of the file have at most, less one; 0 where they are many
     int alpha_channel = -1;
     std::string error;  ///< empty where all went well
 };
@@ -30,7 +31,7 @@ struct DecodedTexels {
 /// What the module image_codecs does, with OpenImageIO and libwebp.
 struct ImageCodecs {
     /// A file in HDR, PNG, JPEG, TIFF or WebP, told by its first bytes. Refuses more than `max_pixels` and
-    /// what takes more than `max_bytes`.
+    /// what takes more than `max_bytes` while it is read.
     DecodedImage (*read)(const std::string& file, std::int64_t max_pixels, std::uint64_t max_bytes);
     /// A WebP file in memory, at most `max_pixels` large. Thread-safe.
     DecodedTexels (*webp)(std::span<const std::uint8_t> bytes, std::int64_t max_pixels);

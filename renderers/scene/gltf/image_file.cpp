@@ -9,6 +9,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
 #include "renderers/image/codecs/codecs.h"
+#include "renderers/image/codecs/jpeg.h"
 
 namespace ir::scene::gltf {
 namespace {
@@ -26,26 +27,8 @@ std::optional<ImageSize> png_size(const Bytes& bytes) {
     constexpr std::size_t header_bytes = 33;
     if (bytes.size() < header_bytes || std::memcmp(bytes.data(), signature.data(), signature.size()) != 0)
         return {};
-    return ImageSize{big_endian(bytes, 16, 4), big_endian(bytes, 20, 4)};
-}
-
-/// Walks the markers to the frame header [ITU-T T.81, B.2.2].
-std::optional<ImageSize> jpeg_size(const Bytes& bytes) {
-    if (bytes.size() < 4 || bytes[0] != 0xff || bytes[1] != 0xd8) return {};
-    std::size_t offset = 2;
-    while (offset + 9 <= bytes.size()) {
-        if (bytes[offset] != 0xff) return {};
-        const int marker = bytes[offset + 1];
-        if (marker == 0xff) {  // a fill byte
-            ++offset;
-            continue;
-        }
-        const bool is_frame =
-            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-        if (is_frame) return ImageSize{big_endian(bytes, offset + 7, 2), big_endian(bytes, offset + 5, 2)};
-        offset += 2 + static_cast<std::size_t>(big_endian(bytes, offset + 2, 2));
-    }
-    return {};
+    const bool is_wide = bytes[24] > 8;
+    return ImageSize{big_endian(bytes, 16, 4), big_endian(bytes, 20, 4), is_wide ? 12u : 4u};
 }
 
 int little_endian(const Bytes& bytes, std::size_t offset, int count) {
@@ -106,7 +89,10 @@ std::vector<std::uint8_t> decode_webp(const std::string& file, const std::string
 
 ImageSize probe_image(const std::string& file, const std::string& place, const Bytes& bytes) {
     auto size = png_size(bytes);
-    if (!size) size = jpeg_size(bytes);
+    if (const auto jpeg = jpeg_outline(bytes)) {
+        if (!jpeg->fault().empty()) throw InputError(file, place, "the image " + jpeg->fault());
+        size = ImageSize{jpeg->width, jpeg->height, jpeg->is_progressive ? 10u : 4u};
+    }
     if (!size) size = webp_size(bytes);
     if (!size) throw InputError(file, place, "neither a PNG, a JPEG nor a WebP image; convert it to one");
     if (size->width < 1 || size->height < 1)

@@ -10,6 +10,7 @@ namespace ir::scene::gltf {
 
 struct ImageSize {
     int width = 0, height = 0;
+    std::size_t working_bytes = 4;  ///< held for each texel beside its four while it is decoded
     std::size_t texels() const { return static_cast<std::size_t>(width) * height; }
 };
 

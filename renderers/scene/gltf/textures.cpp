@@ -83,18 +83,22 @@ std::vector<std::vector<std::uint8_t>> TextureTable::decode_images(std::vector<s
 
 std::vector<Texture> TextureTable::decode() const {
     std::set<std::size_t> wanted;
-    std::size_t texels = 0;
+    std::size_t texels = 0, bytes = 0;
     std::vector<ImageSize> sizes(document_.images.size());
     for (const auto& request : requests_) {
         const auto& image = document_.images[request.image];
         if (image.problem) std::rethrow_exception(image.problem);
-        if (wanted.insert(request.image).second)
-            sizes[request.image] = probe_image(document_.file, place_of(request.image), image.bytes);
-        texels += sizes[request.image].texels();
+        auto& size = sizes[request.image];
+        if (wanted.insert(request.image).second) {
+            size = probe_image(document_.file, place_of(request.image), image.bytes);
+            bytes += size.texels() * size.working_bytes;
+        }
+        texels += size.texels();
+        bytes += size.texels() * texel_bytes;
         if (texels > max_total_texels)
             throw InputError(document_.file, place_of(request.image),
                              "all textures together have more than 2^28 texels; scale them down");
-        if (texels * texel_bytes > max_expanded(document_.total_bytes))
+        if (bytes > max_expanded(document_.total_bytes))
             throw InputError(
                 document_.file, place_of(request.image),
                 "all textures together have far more texels than the files have bytes; scale them "

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <regex>
 
+#include "tests/own_folder.h"
 #include "tests/small_sample.h"
 
 namespace ir {
@@ -33,7 +34,7 @@ class Screenshot : public testing::TestWithParam<Platform> {
     Screenshot() {
         std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
         std::replace(name.begin(), name.end(), '/', '-');
-        root_ = fs::temp_directory_path() / ("interreflect-screenshot-" + name);
+        root_ = own_folder("screenshot-" + name);
         fs::remove_all(root_);
         fs::create_directories(root_);
     }

@@ -149,6 +149,23 @@ TEST_F(FramesTest, OldFramesGoFirstButNoneWhileOneIsShown) {
     EXPECT_EQ(past().limit(), PastFrames::standard_limit);
 }
 
+/// Of small pictures they are most of what a frame takes.
+TEST_F(FramesTest, ReportsCountInTheLimit) {
+    engine::LiveResult result;
+    result.report.passes.resize(20);
+    ResourceReport resource;
+    resource.doc = std::string(100, 'x');
+    result.report.resources.assign(50, resource);
+    past().clear();
+    past().set_limit(100'000);
+    for (std::uint64_t run = 1; run <= 50; ++run) {
+        result.run = run;
+        past().add({std::make_shared<engine::LiveResult>(result), {}, "", ""});
+    }
+    EXPECT_GE(past().frames().size(), 1u);
+    EXPECT_LE(past().frames().size() * 50 * (sizeof(ResourceReport) + 100), 100'000u);
+}
+
 TEST_F(FramesTest, AnotherMethodForgetsAndAFrameBecomesAnExperiment) {
     edit_level(0.5);
     press(Qt::Key_Comma);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include "app/engine/pictures.h"
 #include "tests/image/methods/bare_surfels.h"
 #include "tests/image/methods/every_method.h"
+#include "tests/own_folder.h"
 
 namespace ir::test {
 namespace {
@@ -23,7 +25,7 @@ bool is_metal(Floor floor) {
 
 /// Floor (y = 0, 0 ≤ x ≤ 2) of rough metal, which reflects no light diffusely, or of a diffuse colour, and a
 /// white wall (x = 0, 0 ≤ y ≤ 2), |z| ≤ 1 both; between them may be a pane (x = 0.5).
-std::string floor_and_wall(Floor floor) {
+std::string floor_and_wall(Floor floor, const std::filesystem::path& folder) {
     const bool has_pane = floor == Floor::diffuse_behind_glass;
     const std::string name = floor == Floor::metal          ? "metal-and-wall"
                              : floor == Floor::smooth_metal ? "smooth-metal-and-wall"
@@ -34,11 +36,10 @@ std::string floor_and_wall(Floor floor) {
     const std::vector<float> corners{0, 0, 1,  2, 0, 1, 2,    0, -1, 0,    0, -1, 0,    0, 1,  0,    0, -1,
                                      0, 2, -1, 0, 2, 1, 0.5f, 0, 1,  0.5f, 0, -1, 0.5f, 2, -1, 0.5f, 2, 1};
     const std::vector<std::uint16_t> indices{0, 1, 2, 0, 2, 3};
-    const std::string folder = testing::TempDir();
-    std::ofstream data(folder + name + ".bin", std::ios::binary);
+    std::ofstream data(folder / (name + ".bin"), std::ios::binary);
     data.write(reinterpret_cast<const char*>(corners.data()), std::streamsize(4 * corners.size()));
     data.write(reinterpret_cast<const char*>(indices.data()), std::streamsize(2 * indices.size()));
-    std::ofstream(folder + name + ".gltf") << R"({"asset": {"version": "2.0"},
+    std::ofstream(folder / (name + ".gltf")) << R"({"asset": {"version": "2.0"},
 "buffers": [{"uri": ")" << name << R"(.bin", "byteLength": 156}],
 "bufferViews": [{"buffer": 0, "byteLength": 144}, {"buffer": 0, "byteOffset": 144, "byteLength": 12}],
 "accessors": [
@@ -50,7 +51,7 @@ std::string floor_and_wall(Floor floor) {
    "max": [0.5, 2, 1]}],
 "materials": [
   {"pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.6, 0.3, 1], "metallicFactor": )"
-                                           << metallic << R"(, "roughnessFactor": )" << roughness << R"(}},
+                                             << metallic << R"(, "roughnessFactor": )" << roughness << R"(}},
   {"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.8, 0.8, 1], "metallicFactor": 0, "roughnessFactor": 1}},
   {"pbrMetallicRoughness": {"baseColorFactor": [0.7, 0.7, 0.7, 1], "metallicFactor": 0, "roughnessFactor": 0},
    "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}],
@@ -60,15 +61,17 @@ std::string floor_and_wall(Floor floor) {
   {"primitives": [{"attributes": {"POSITION": 1}, "indices": 2, "material": 1}]},
   {"primitives": [{"attributes": {"POSITION": 3}, "indices": 2, "material": 2}]}],
 "nodes": [{"mesh": 0}, {"mesh": 1}, {"mesh": 2}], "scenes": [{"nodes": [0, 1)"
-                                           << (has_pane ? ", 2" : "") << R"(]}], "scene": 0})";
-    return folder + name + ".gltf";
+                                             << (has_pane ? ", 2" : "") << R"(]}], "scene": 0})";
+    return (folder / (name + ".gltf")).string();
 }
 
 /// The wall, seen straight on.
 Image wall(Floor floor, const std::string& method, Settings settings, std::uint64_t seed = 1,
            Source source = Source::spot) {
     engine::Experiment e;
-    e.scene = floor_and_wall(floor);
+    const auto folder = own_folder("floor-and-wall");
+    std::filesystem::create_directories(folder);
+    e.scene = floor_and_wall(floor, folder);
     e.method = method;
     e.settings = std::move(settings);
     e.settings["paths"] = std::string("indirect");
@@ -99,6 +102,7 @@ Image wall(Floor floor, const std::string& method, Settings settings, std::uint6
     e.seed = seed;
     engine::Execution execution(machine(), e);
     execution.run_frame({});
+    std::filesystem::remove_all(folder);
     return main_result(execution);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "renderers/core/resources_path.h"
+#include "tests/own_folder.h"
 
 namespace ir::engine {
 
@@ -16,8 +17,7 @@ class EditedShaders {
   public:
     EditedShaders() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(testing::TempDir()) /
-                  (std::string("interreflect-") + test->test_suite_name() + "-" + test->name());
+        folder_ = own_folder(std::string(test->test_suite_name()) + "-" + test->name());
         std::filesystem::remove_all(folder_);
         std::filesystem::copy(shader_directory(), folder_, std::filesystem::copy_options::recursive);
     }

@@ -7,6 +7,7 @@
 #include "projects/results.h"
 #include "projects/samples.h"
 #include "projects/store.h"
+#include "tests/own_folder.h"
 #include "tests/unit/engine/render_thread_fixture.h"
 
 namespace ir::engine {
@@ -20,7 +21,7 @@ class LiveKeepTest : public RenderThreadTest {
         const auto* reference = registry().reference();
         if (!reference) GTEST_SKIP() << "this build has no method that accumulates";
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder = fs::temp_directory_path() / ("interreflect-keep-" + std::string(test->name()));
+        folder = own_folder("keep-" + std::string(test->name()));
         fs::remove_all(folder);
         project.scenes = {{"box", "Box", {{"builtin:cornell@1", "", {}}}}};
         auto experiment =

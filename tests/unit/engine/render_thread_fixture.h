@@ -24,7 +24,6 @@ class RenderThreadTest : public testing::Test {
     struct Failure {
         std::string tag, error;
         bool cancelled = false;
-        Clock::time_point at;
     };
     struct Export {
         std::string tag, file, error;
@@ -57,7 +56,7 @@ class RenderThreadTest : public testing::Test {
         };
         c.on_kept = [this](KeepResult kept) { note(&Answers::keeps, std::move(kept)); };
         c.on_failure = [this](std::string tag, std::string error, bool cancelled) {
-            note(&Answers::failures, {tag, error, cancelled, Clock::now()});
+            note(&Answers::failures, {tag, error, cancelled});
         };
         c.on_scene = [this](SceneSummary scene) { note(&Answers::scenes, std::move(scene)); };
         c.on_progress = [this](std::string tag, std::string pass, double) {

@@ -13,6 +13,7 @@
 #include "app/engine/stored_state.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
+#include "tests/own_folder.h"
 #include "tests/unit/engine/egl_machine.h"
 #include "tests/unit/scarce_disk.h"
 
@@ -25,7 +26,7 @@ class StateTest : public testing::Test {
   protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder = fs::temp_directory_path() / ("interreflect-state-" + std::string(test->name()));
+        folder = own_folder("state-" + std::string(test->name()));
         fs::remove_all(folder);
         fs::create_directories(folder);
     }

@@ -135,14 +135,14 @@ TEST_F(StudyThreadTest, TheNewestOfATagReplacesWhatRunsAndWhatWaits) {
             EXPECT_TRUE(answers(kind, serial).empty()) << kind;
 }
 
-TEST_F(StudyThreadTest, CancelEndsWithinATenthOfASecond) {
+TEST_F(StudyThreadTest, CancelEndsAfterOneStepMore) {
     const auto running = request("a", 100'000), waiting = request("b", 1);
     wait_for("point", running);
-    const auto requested = Clock::now();
     thread->cancel("b");
     thread->cancel("a");
+    const auto done = answers("point", running).size();
     EXPECT_EQ(wait_for("cancelled", running)->text, "cancelled");
-    EXPECT_LT(wait_for("cancelled", running)->at - requested, 100ms);
+    EXPECT_LE(answers("point", running).size(), done + 1);
     wait_for("cancelled", waiting);
     EXPECT_TRUE(answers("point", waiting).empty());
     wait_for("finished", request("a", 1));
@@ -170,9 +170,8 @@ TEST_F(StudyThreadTest, EndsAtOnceWhateverRuns) {
     const auto running = request("a", 100'000);
     request("b", 100'000);
     wait_for("point", running);
-    const auto requested = Clock::now();
     thread.reset();
-    EXPECT_LT(Clock::now() - requested, 1s);
+    EXPECT_LT(answers("point", running).size(), 100'000u);
 }
 
 TEST_F(StudyThreadTest, ManyRequestsFromSeveralThreadsEachEndOnce) {

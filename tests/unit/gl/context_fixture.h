@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "renderers/gl/context.h"
+#include "tests/own_folder.h"
 
 namespace ir::gl {
 
@@ -41,10 +43,9 @@ class ShaderFolder {
   public:
     ShaderFolder() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string("interreflect-") + test->test_suite_name() + "-" + test->name();
-        for (char& c : name)
-            if (c == '/') c = '-';
-        path_ = std::filesystem::path(testing::TempDir()) / name;
+        std::string name = std::string(test->test_suite_name()) + "-" + test->name();
+        std::replace(name.begin(), name.end(), '/', '-');
+        path_ = own_folder(name);
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "tests/own_folder.h"
 #include "tests/unit/projects/sample.h"
 
 namespace ir::projects {
@@ -14,9 +15,8 @@ namespace fs = std::filesystem;
 class DeleteResults : public ::testing::Test {
   protected:
     void SetUp() override {
-        folder = fs::path(::testing::TempDir()) /
-                 (std::string("delete-results-") +
-                  ::testing::UnitTest::GetInstance()->current_test_info()->name());
+        folder = own_folder(std::string("delete-results-") +
+                            ::testing::UnitTest::GetInstance()->current_test_info()->name());
         fs::remove_all(folder);
         ResultIndex index;
         for (const auto& [key, shared] : {std::pair{key_a, false}, {key_b, true}, {key_c, true}}) {

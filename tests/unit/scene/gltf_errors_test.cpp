@@ -7,6 +7,7 @@
 #include "renderers/core/error.h"
 #include "renderers/image/exr.h"
 #include "renderers/scene/world.h"
+#include "tests/jpeg_of_scans.h"
 #include "tests/unit/scene/gltf_builder.h"
 
 // What is wrong with a file is said in one line that names the file and the place in it.
@@ -206,6 +207,16 @@ TEST(GltfErrors, GiantImageIsRefusedByItsHeader) {
     builder.append("textures", {{"source", 0}});
     builder.append("materials", {{"normalTexture", {{"index", 0}}}});
     expect_refusal(builder.embedded_text(), "images[0]", "65536x65536");
+}
+
+TEST(GltfErrors, ScansWithoutEndAreRefused) {
+    auto builder = triangle();
+    const auto jpeg = test::jpeg_of_scans(101);
+    builder.append("images",
+                   {{"uri", "data:image/jpeg;base64," + GltfBuilder::base64({jpeg.begin(), jpeg.end()})}});
+    builder.append("textures", {{"source", 0}});
+    builder.append("materials", {{"normalTexture", {{"index", 0}}}});
+    expect_refusal(builder.embedded_text(), "images[0]", "the image has 101 scans, more than 100");
 }
 
 TEST(GltfErrors, TruncatedGlb) {
