@@ -310,6 +310,7 @@ void MainWindow::join_panels() {
     connect(&workspace_, &Workspace::menu_wanted, &joins_,
             [this](QPoint position) { picture_menu_->popup(position); });
     connect(&lights_, &LightController::said, &notices_, &Notices::say);
+    connect(&inspector_, &PixelInspector::said, &notices_, &Notices::say);
     connect(&lights_, &LightController::added, &joins_, [this](const widgets::ItemRef& light) {
         docks_.raise("project");
         document_->select(light);
