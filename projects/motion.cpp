@@ -55,9 +55,16 @@ const CameraAim& aim_of(const Key& key) {
     return key;
 }
 
-/// The change per second at a key: of the parabola through it and its neighbours. The ends of a path have
-/// that of the parabola through the last three, or of the line through the last two. A loop whose ends are
-/// equal goes on through them.
+/// At most three times the slower of the speeds before and after a key: what moves along a line then never
+/// turns back between two keys, whatever their times [Fritsch80].
+glm::dvec3 bounded(const glm::dvec3& slope, const glm::dvec3& before, const glm::dvec3& after) {
+    const double most = 3 * std::min(glm::length(before), glm::length(after)), speed = glm::length(slope);
+    return speed > most ? slope * (most / speed) : slope;
+}
+
+/// The change per second at a key: of the parabola through it and its neighbours, bounded. The ends of a path
+/// have that of the parabola through the last three, or of the line through the last two. A loop whose ends
+/// are equal goes on through them.
 glm::dvec3 slope(const Motion& motion, std::size_t index, Aim part) {
     const auto& keys = motion.keys;
     const std::size_t last = keys.size() - 1;
@@ -67,13 +74,15 @@ glm::dvec3 slope(const Motion& motion, std::size_t index, Aim part) {
     const auto length = [&](std::size_t i) { return keys[i + 1].time - keys[i].time; };
     const auto mean = [&](std::size_t before, std::size_t after) {
         const double a = length(before), b = length(after);
-        return (b * between(before) + a * between(after)) / (a + b);
+        return bounded((b * between(before) + a * between(after)) / (a + b), between(before), between(after));
     };
     if (index > 0 && index < last) return mean(index - 1, index);
     if (motion.loop && aim_of(keys.front()) == aim_of(keys.back())) return mean(last - 1, 0);
     if (last == 1) return between(0);
     const std::size_t end = index == 0 ? 0 : last - 1, next = index == 0 ? 0 : last - 2;
-    return 2.0 * between(end) - mean(next, next + 1);
+    const auto last_slope = 2.0 * between(end) - mean(next, next + 1);
+    const bool turns_back = glm::dot(last_slope, between(end)) < 0;
+    return turns_back ? glm::dvec3(0) : bounded(last_slope, between(end), between(end));
 }
 
 /// Cubic, with those values and slopes at both keys (Hermite); s from 0 to 1.

@@ -321,7 +321,7 @@ void AnalysesDock::fill_foot(widgets::AnalysisFields& fields, const Answer& answ
     if (is_stale) parts << tr("stale: the project says something else now; run it again");
     if (const auto* kind = projects::find_analysis_kind(analysis()->kind)) parts << text_of(kind->label);
     if (answer.kept)
-        parts << tr("%1, %2").arg(text_of(answer.kept->date), text_of(answer.kept->result.device));
+        parts << tr("%1, %2").arg(date_text(answer.kept->date), text_of(answer.kept->result.device));
     if (open.folder().empty())
         parts << tr("not kept: save the project first (Ctrl+S)");
     else if (open.is_read_only())

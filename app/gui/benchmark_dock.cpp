@@ -32,11 +32,6 @@ QString settings_text(const Settings& settings) {
     return lines.isEmpty() ? BenchmarkDock::tr("The method's defaults") : lines.join(QLatin1Char('\n'));
 }
 
-QString date_text(const std::string& date) {
-    const auto when = QDateTime::fromString(text_of(date), Qt::ISODate);
-    return when.isValid() ? when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")) : text_of(date);
-}
-
 }  // namespace
 
 BenchmarkDock::BenchmarkDock(Session& session, const Preferences& preferences, engine::BenchmarkRunner runner,

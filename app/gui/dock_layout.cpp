@@ -7,6 +7,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStyle>
+#include <QTabBar>
 #include <QTabWidget>
 #include <algorithm>
 #include <utility>
@@ -72,12 +73,10 @@ void focus_into(QWidget* content) {
     content->setFocus(Qt::ShortcutFocusReason);
 }
 
-/// toggleViewAction() knows of hidden panels alone, not of those that a tab covers.
-void toggle(QDockWidget* dock) {
-    if (is_in_front(dock)) return dock->hide();
-    dock->show();
-    dock->raise();
-    focus_into(dock->widget());
+/// Curves, tables and drawings: as high as a view, where they are opened.
+bool wants_room(const QString& name) {
+    static const QStringList all{"plots", "sweeps", "analyses", "benchmarks", "profile", "pipeline"};
+    return all.contains(name);
 }
 
 }  // namespace
@@ -97,9 +96,35 @@ void DockLayout::add(const QString& name, const QString& title, QWidget* content
     dock->setWidget(content);
     window_.addDockWidget(Qt::RightDockWidgetArea, dock);
     auto* show = actions_.add(toggle_prefix + name, tr("Show %1").arg(title), nullptr, {key},
-                              [this, dock] { toggle(dock), look(); });
+                              [this, dock] { toggle(dock); });
     show->setCheckable(true);
     connect(dock, &QDockWidget::visibilityChanged, this, &DockLayout::look);
+}
+
+/// toggleViewAction() knows of hidden panels alone, not of those that a tab covers.
+void DockLayout::toggle(QDockWidget* dock) {
+    if (is_in_front(dock)) {
+        dock->hide();
+    } else {
+        open(dock);
+        focus_into(dock->widget());
+    }
+    look();
+}
+
+/// One that was closed and shares the bottom with lower ones gets half of the window.
+void DockLayout::open(QDockWidget* dock) const {
+    const auto is_below = [this](QDockWidget* each) {
+        return !each->isFloating() && window_.dockWidgetArea(each) == Qt::BottomDockWidgetArea;
+    };
+    int high = 0;
+    for (auto* each : docks())
+        if (is_in_front(each) && is_below(each)) high = std::max(high, each->height());
+    const bool was_closed = dock->isHidden();
+    dock->show();
+    dock->raise();
+    if (was_closed && wants_room(dock->objectName()) && is_below(dock) && high < window_.height() / 3)
+        window_.resizeDocks({dock}, {window_.height() / 2}, Qt::Vertical);
 }
 
 QDockWidget* DockLayout::dock(const QString& name) const {
@@ -119,8 +144,7 @@ bool DockLayout::is_seen(const QString& name) const {
 }
 
 void DockLayout::raise(const QString& name) const {
-    dock(name)->show();
-    dock(name)->raise();
+    open(dock(name));
 }
 
 void DockLayout::hide(const QString& name) const {
@@ -135,6 +159,11 @@ void DockLayout::look() {
     const auto check = [this] {
         emit seen_changed();
         for (const auto* dock : docks()) toggle_of(dock)->setChecked(is_in_front(dock));
+        // Words that can be read and arrows, rather than eleven times one letter.
+        for (auto* tabs : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+            tabs->setElideMode(Qt::ElideNone);
+            tabs->setUsesScrollButtons(true);
+        }
     };
     QMetaObject::invokeMethod(this, check, Qt::QueuedConnection);
 }
@@ -217,8 +246,7 @@ void DockLayout::apply(const QString& name) {
         arrange();
         views_.arrange(layout.views);
         for (auto* each : docks()) each->setVisible(layout.docks.contains(each->objectName()));
-        if (QStringList{"plots", "sweeps", "analyses", "benchmarks", "profile", "pipeline"}.contains(name))
-            window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);
+        if (wants_room(name)) window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);
         return show(has_project_);
     }
     throw UsageError("unknown layout '" + name.toStdString() + "'; known are " +

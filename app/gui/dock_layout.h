@@ -76,6 +76,8 @@ class DockLayout : public QObject {
     QAction* toggle_of(const QDockWidget* dock) const;
     void look();  ///< soon: visibility changes in the middle of rearrangements
     void arrange();
+    void open(QDockWidget* dock) const;
+    void toggle(QDockWidget* dock);
     QByteArray arrangement() const;  ///< as it is with a project
     void set_cramped(bool cramped);
 

@@ -17,11 +17,10 @@ EditController::EditController(Session& session, DocumentDock& document, Actions
                  [this] { document_.add_experiment(); });
     actions_.add("experiment-duplicate", tr("&Duplicate experiment"), "copy",
                  {K(Qt::CTRL | Qt::SHIFT | Qt::Key_D)}, [this] { duplicate_experiment(); });
-    actions_.add("experiment-rename", tr("Re&name experiment …"), nullptr, {K(Qt::SHIFT | Qt::Key_F2)},
-                 [this] {
-                     document_.select({widgets::ItemKind::experiment, text_of(session_.experiment()->id)});
-                     emit edit_wanted();
-                 });
+    actions_.add("experiment-rename", tr("Re&name experiment"), nullptr, {K(Qt::SHIFT | Qt::Key_F2)}, [this] {
+        document_.select({widgets::ItemKind::experiment, text_of(session_.experiment()->id)});
+        emit edit_wanted();
+    });
     actions_.add("experiment-remove", tr("Re&move experiment"), "clear", {K(Qt::CTRL | Qt::Key_Delete)},
                  [this] { remove_experiment(); });
     actions_.add("scene-add", tr("Add s&cene …"), nullptr, {K(Qt::CTRL | Qt::ALT | Qt::Key_S)},

@@ -24,6 +24,7 @@
 #include "renderers/core/reason.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/metrics.h"
+#include "widgets/panels/empty_tree_view.h"
 #include "widgets/style/theme.h"
 
 namespace ir::gui {
@@ -55,8 +56,23 @@ QRect rectangle_of(const QListWidgetItem& item) {
     return item.data(inset_role).toRect();
 }
 
-QListWidget* list(const char* name, const QString& tip, int lines) {
-    auto* made = new QListWidget;
+/// Says why it is empty.
+class List : public QListWidget {
+  public:
+    explicit List(const QString& empty_text) : empty_text_(empty_text) {}
+
+  protected:
+    void paintEvent(QPaintEvent* event) override {
+        QListWidget::paintEvent(event);
+        widgets::paint_empty_text(*this, empty_text_);
+    }
+
+  private:
+    QString empty_text_;
+};
+
+QListWidget* list(const char* name, const QString& tip, int lines, const QString& empty_text = {}) {
+    auto* made = new List(empty_text);
     made->setObjectName(QLatin1String(name));
     made->setToolTip(tip);
     made->setAccessibleName(tip);
@@ -134,7 +150,8 @@ QWidget* FigureDialog::make_insets() {
     add_->setObjectName(QStringLiteral("add-inset"));
     remove_ = new QPushButton(tr("&Remove"));
     remove_->setObjectName(QStringLiteral("remove-inset"));
-    insets_ = list("insets", tr("Rectangles that stand zoomed below each picture"), 4);
+    insets_ = list("insets", tr("Rectangles that stand zoomed below each picture"), 4,
+                   tr("Draw a rectangle in a view (B), then add it."));
     connect(add_, &QPushButton::clicked, this, [this] {
         add_inset({rectangle_.x(), rectangle_.y(), rectangle_.width(), rectangle_.height()});
         draw();

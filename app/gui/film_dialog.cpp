@@ -1,20 +1,21 @@
 #include "app/gui/film_dialog.h"
 
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
 
+#include "widgets/parameters/number_field.h"
+
 namespace ir::gui {
 namespace {
 
-QDoubleSpinBox* make_number(double min, double max, double value, const QString& unit, const char* name) {
-    auto* number = new QDoubleSpinBox;
+widgets::NumberField* make_number(double min, double max, double value, const QString& unit,
+                                  const char* name) {
+    auto* number = new widgets::NumberField;
     number->setObjectName(QLatin1String(name));
     number->setRange(min, max);
-    number->setDecimals(4);
     number->setSuffix(unit);
     number->setValue(value);
     return number;

@@ -1,18 +1,31 @@
 #include "app/gui/frame_lists.h"
 
+#include <QAction>
 #include <QTabWidget>
 #include <QTreeView>
 
+#include "app/gui/beside.h"
 #include "widgets/models/report_rows.h"
 
 namespace ir::gui {
 
 using widgets::RowsPanel;
 
-FrameLists::FrameLists(Session& session, LivePictures& live, ViewModel& views)
+namespace {
+
+/// And no heading of some.
+bool is_buffer(const QString& key) {
+    return !key.isEmpty() && !key.startsWith(QStringLiteral("pass:")) &&
+           !key.startsWith(QStringLiteral("group:"));
+}
+
+}  // namespace
+
+FrameLists::FrameLists(Session& session, LivePictures& live, Workspace& workspace)
     : session_(session),
       live_(live),
-      views_(views),
+      workspace_(workspace),
+      views_(workspace.views()),
       buffers_(
           new RowsPanel(widgets::buffer_headings(), tr("Buffers appear when a frame has been rendered."))),
       timings_(new RowsPanel(widgets::timing_headings(), tr("Times appear when a frame has been rendered."))),
@@ -21,6 +34,8 @@ FrameLists::FrameLists(Session& session, LivePictures& live, ViewModel& views)
     buffers_->set_name_width(190);
     buffers_->set_searchable(tr("Search buffers"));
     buffers_->setMinimumWidth(240);
+    buffers_->view()->setDragEnabled(true);
+    add_buffer_actions();
     timings_->view()->setRootIsDecorated(false);
     timings_->set_name_width(80);
     counters_->view()->setRootIsDecorated(false);
@@ -30,7 +45,7 @@ FrameLists::FrameLists(Session& session, LivePictures& live, ViewModel& views)
     numbers->addTab(counters_, tr("Counters"));
     timings_and_counters_ = numbers;
     connect(buffers_, &RowsPanel::row_clicked, this, [this](const QString& key) {
-        if (!key.startsWith(QStringLiteral("pass:"))) views_.show_output(key.toStdString());
+        if (is_buffer(key)) views_.show_output(key.toStdString());
     });
     connect(&session_, &Session::project_replaced, this, &FrameLists::clear);
     connect(&session_, &Session::experiment_selected, this, [this] {
@@ -41,6 +56,43 @@ FrameLists::FrameLists(Session& session, LivePictures& live, ViewModel& views)
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
         if (session_.experiment() && session_.experiment()->id == id) update();
     });
+}
+
+void FrameLists::add_buffer_actions() {
+    auto* view = buffers_->view();
+    const auto key = [view] { return view->currentIndex().data(widgets::RowsModel::key_role).toString(); };
+    QList<QAction*> actions;
+    const auto add = [&](const char* name, const QString& text, auto run) {
+        auto* action = new QAction(text, view);
+        action->setObjectName(QLatin1String(name));
+        connect(action, &QAction::triggered, this, [key, run] { run(key().toStdString()); });
+        actions << action;
+    };
+    add("buffer-show", tr("Show"), [this](const std::string& chosen) { views_.show_output(chosen); });
+    add("buffer-beside", tr("Show in another view"), [this](const std::string& chosen) {
+        show_beside(views_, workspace_.area(), session_.experiment()->id, chosen);
+    });
+    add("buffer-compare", tr("Compare with what is shown"),
+        [this](const std::string& chosen) { compare_with(chosen); });
+    add("buffer-export", tr("Export (EXR) …"), [this](const std::string& chosen) {
+        views_.show_output(chosen);
+        emit export_wanted();
+    });
+    view->insertActions(view->actions().front(), actions);
+    const auto update = [key, actions] {
+        for (auto* action : actions) action->setEnabled(is_buffer(key()));
+    };
+    connect(view->selectionModel(), &QItemSelectionModel::currentChanged, this, update);
+    connect(view->model(), &QAbstractItemModel::modelReset, this, update);
+    update();
+}
+
+void FrameLists::compare_with(const std::string& key) {
+    auto state = views_.active_state();
+    state.b = {session_.experiment()->id, key};
+    if (!widgets::compares(state.mode) || widgets::takes_many(state.mode))
+        state.mode = widgets::ViewMode::side_by_side;
+    views_.set_active_state(std::move(state));
 }
 
 void FrameLists::clear() {

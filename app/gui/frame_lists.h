@@ -5,17 +5,17 @@
 #include <map>
 #include <string>
 
-#include "app/gui/view_model.h"
+#include "app/gui/workspace.h"
 #include "widgets/panels/rows_panel.h"
 
 namespace ir::gui {
 
 /// What the newest frame of the chosen experiment consists of: its buffers, and times and counters of its
-/// passes. A click on a buffer shows it.
+/// passes. A click on a buffer shows it, its menu does more, and it can be dragged into a view.
 class FrameLists : public QObject {
     Q_OBJECT
   public:
-    FrameLists(Session& session, LivePictures& live, ViewModel& views);
+    FrameLists(Session& session, LivePictures& live, Workspace& workspace);
     widgets::RowsPanel& buffers() { return *buffers_; }
     QWidget& timings() { return *timings_and_counters_; }
     /// Small pictures of the frame's images, by their keys, as far as somebody wants them.
@@ -23,13 +23,18 @@ class FrameLists : public QObject {
 
   signals:
     void changed();
+    /// Of the buffer that the active view shows.
+    void export_wanted();
 
   private:
+    void add_buffer_actions();
+    void compare_with(const std::string& key);
     void clear();
     void update();
 
     Session& session_;
     LivePictures& live_;
+    Workspace& workspace_;
     ViewModel& views_;
     widgets::RowsPanel *buffers_, *timings_, *counters_;
     QWidget* timings_and_counters_;

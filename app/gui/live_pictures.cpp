@@ -74,6 +74,11 @@ LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& im
     });
     connect(&session_, &Session::document_changed, this, [this] {
         ++revision_;
+        // Nobody finds a removed experiment again, and another method's pictures are no past of this one's.
+        past_.forget([this](const PastFrame& frame) {
+            const auto* experiment = session_.experiment(frame.result->tag);
+            return !experiment || experiment->method != frame.experiment.method;
+        });
         update();
     });
     // A scene may turn out to move, and is then to be at the moment.
@@ -99,6 +104,8 @@ double Moment::time() const {
 
 void LivePictures::set_moment(std::optional<Moment> moment) {
     if (moment == moment_) return;
+    const bool is_clock = moment && moment->plays && moment_ && moment_->plays;
+    if (!is_clock) past_.show_now();
     moment_ = moment;
     session_.camera().set_shown_time(moment ? std::optional(moment->time()) : std::nullopt);
     update();
@@ -180,7 +187,6 @@ void LivePictures::update(const std::string& id, Entry& entry) {
         entry.draft.reset();
         entry.signature.clear();
         entry.first_serial = 0;
-        past_.keep_only(id, chosen->method);
     }
     entry.experiment.reset();
     if (!no_device_.empty()) return set_state(id, entry, State::failed, no_device_);
@@ -261,7 +267,8 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     if (chosen) request.state_file = kept_.state_file(at_moment(*chosen, ignored));
     entry.serial = renderer_.request(std::move(request));
     if (entry.first_serial == 0) entry.first_serial = entry.serial;
-    if (std::exchange(entry.picture, picture) != picture) note_change(id, entry);
+    if (const auto before = std::exchange(entry.picture, picture); before != picture)
+        note_change(id, entry, before.empty());
     entry.sent[entry.serial] = {std::move(picture), at_moment(*session_.experiment(id), ignored)};
     entry.fraction = 0;
     entry.doing.clear();
@@ -269,18 +276,22 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     set_state(id, entry, State::rendering);
 }
 
-/// Another picture is asked for: whoever changed something wants to see what becomes of it.
-void LivePictures::note_change(const std::string& id, Entry& entry) {
-    QMetaObject::invokeMethod(&past_, &PastFrames::show_now, Qt::QueuedConnection);
+/// Another picture is asked for. Whoever changed something wants to see what becomes of it; what was not
+/// looked at before, time that passes and files that change are no reason to leave the past.
+void LivePictures::note_change(const std::string& id, Entry& entry, bool is_first) {
     const auto& undo = session_.open_project().undo_stack();
     const auto steps_before = std::exchange(entry.steps, undo.position());
     const bool is_edited = std::exchange(entry.revision, revision_) != revision_;
     const bool is_undone = undo.position() < steps_before;
+    entry.change_serial = entry.serial;
+    if (is_first) return;
     if (session_.camera().moved_pose(id))
         entry.change = "Move camera";
     else if (is_edited)
         entry.change = is_undone ? "Undo: " + undo.redo_label() : undo.undo_label();
-    entry.change_serial = entry.serial;
+    else
+        return;
+    QMetaObject::invokeMethod(&past_, &PastFrames::show_now, Qt::QueuedConnection);
 }
 
 void LivePictures::remember(Entry& entry, const projects::Experiment& asked) {

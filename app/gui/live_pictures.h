@@ -141,7 +141,7 @@ class LivePictures : public QObject {
     std::optional<engine::Experiment> resolved(const projects::Experiment& chosen);
     projects::Experiment at_moment(const projects::Experiment& chosen, int& frames_again) const;
     void send(const std::string& id, Entry& entry, const engine::Experiment& experiment);
-    void note_change(const std::string& id, Entry& entry);
+    void note_change(const std::string& id, Entry& entry, bool is_first);
     void remember(Entry& entry, const projects::Experiment& asked);
     void set_state(const std::string& id, Entry& entry, State state, const std::string& text = {});
     void on_result(std::shared_ptr<const engine::LiveResult> result);

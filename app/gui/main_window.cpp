@@ -73,7 +73,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       parameters_(new ParameterDock(session_, scenes_, notices_)),
       scene_(new SceneDock(session_, scenes_)),
       shaders_(new ShaderDock(renderer_, options.machine)),
-      lists_(session_, live_, views()),
+      lists_(session_, live_, workspace_),
       actions_(*this),
       docks_(*this, workspace_.area(), actions_),
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
@@ -312,10 +312,12 @@ void MainWindow::join_panels() {
     connect(&workspace_, &Workspace::menu_wanted, &joins_,
             [this](QPoint position) { picture_menu_->popup(position); });
     connect(&lights_, &LightController::said, &notices_, &Notices::say);
+    connect(&inspector_, &PixelInspector::said, &notices_, &Notices::say);
     connect(&lights_, &LightController::added, &joins_, [this](const widgets::ItemRef& light) {
         docks_.raise("project");
         document_->select(light);
     });
+    connect(&lists_, &FrameLists::export_wanted, action("export-buffer"), &QAction::trigger);
     connect(&pipeline_, &PipelineDock::wanted, &joins_, [this] { docks_.raise("pipeline"); });
     connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise("profile"); });
     connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });

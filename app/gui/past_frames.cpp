@@ -64,13 +64,13 @@ void PastFrames::make_room() {
     }
 }
 
-void PastFrames::keep_only(const std::string& experiment, const std::string& method) {
-    const auto is_other = [&](const PastFrame& each) {
-        return each.result->tag == experiment && each.experiment.method != method;
+void PastFrames::forget(const std::function<bool(const PastFrame&)>& is_gone) {
+    const auto goes = [&](const PastFrame& each) {
+        const bool gone = is_gone(each);
+        if (gone) bytes_ -= bytes_of(*each.result);
+        return gone;
     };
-    for (const auto& each : frames_)
-        if (is_other(each)) bytes_ -= bytes_of(*each.result);
-    if (std::erase_if(frames_, is_other) == 0) return;
+    if (std::erase_if(frames_, goes) == 0) return;
     leave_if_lost();
     emit kept_changed();
 }

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,8 +32,7 @@ class PastFrames : public QObject {
     /// The same frame with other pictures, read back because views show something else, takes the place of
     /// the one before.
     void add(PastFrame frame);
-    /// Frames that another method has painted are forgotten.
-    void keep_only(const std::string& experiment, const std::string& method);
+    void forget(const std::function<bool(const PastFrame&)>& is_gone);
     void clear();
     /// Bytes of pictures, buffers and reports. The oldest frames go first. While an older frame is shown none goes:
     /// what then does not fit is not kept.

@@ -198,6 +198,7 @@ void PixelInspector::move_pin(int number, QPoint pixel) {
 
 void PixelInspector::explain(QPoint pixel) {
     if (pixel.x() < 0 || experiment().empty()) return;
+    if (const auto why_not = live_.past().why_not_now(); !why_not.isEmpty()) return emit said(why_not);
     auto now = views_.inspection(experiment());
     now.x = pixel.x();
     now.y = pixel.y();
@@ -258,17 +259,20 @@ void PixelInspector::update_explain() {
     const auto* method = chosen ? session_.registry().find(chosen->method) : nullptr;
     const auto result = live_.result(id);
     const auto pixel = explained();
+    const auto why_not_now = live_.past().why_not_now();  // buffers of the newest frame explain
     if (method) {
         for (const auto& output : explaining()) {
             const auto* resource = result ? find_resource(result->report, output.key) : nullptr;
             // Without elements, what is not finished may be of an older frame.
             const bool may_lack = resource && resource->elements == 0 && resource->width == 0 &&
                                   !views_.pictures().why_unfinished(id).isEmpty();
-            const bool available = resource && resource->available && !may_lack;
+            const bool available = resource && resource->available && !may_lack && why_not_now.isEmpty();
             const bool counted = available && resource->width == 0;
             outputs.push_back({output.key, text_of(output.label), text_of(to_string(output.kind)),
                                text_of(output.doc), counted ? qint64(resource->elements) : -1, available,
-                               pixel ? views_.pictures().why_empty(id, output.key) : QString()});
+                               !pixel                  ? QString()
+                               : why_not_now.isEmpty() ? views_.pictures().why_empty(id, output.key)
+                                                       : why_not_now});
         }
         for (const auto& each : views_.selectors(id))
             selectors.push_back({each.key, text_of(each.label), text_of(each.doc), each.count, each.item});

@@ -48,6 +48,7 @@ class PixelInspector : public QObject {
   signals:
     void pins_changed();
     void fly_wanted(int pin);  ///< number from 0 on
+    void said(const QString& text);
 
   private:
     void update();

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QSettings>
+#include <algorithm>
 
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
@@ -14,6 +15,7 @@ namespace {
 struct Values {
     enum class Shade { system, dark, light };
     Shade theme = Shade::dark;
+    int font_size = 0;
     engine::MachineSettings machine;
     bool drafts = true;
 };
@@ -27,6 +29,13 @@ const ParameterTable<Values>& table() {
                                .choices = {{"system", "System", "As the desktop was when the program began."},
                                            {"dark", "Dark", "Light letters on dark grey."},
                                            {"light", "Light", "Dark letters on light grey."}}});
+        t.add(&Values::font_size,
+              {.key = "font_size",
+               .label = "Font size (0: the desktop's)",
+               .doc =
+                   "Of the window's letters; 0: that of the desktop. Letters over pictures stay as they are.",
+               .unit = "pt",
+               .hard = {0, 32}});
         t.include(&Values::machine, engine::machine_settings());
         return t.add(&Values::drafts, {.key = "drafts",
                                        .label = "Coarse pictures first",
@@ -114,6 +123,12 @@ widgets::Theme Preferences::theme() const {
     }
 }
 
+int Preferences::font_size() const {
+    constexpr int smallest = 6;  // that can be read, and changed back
+    const int chosen = table().typed(settings_).font_size;
+    return chosen > 0 ? std::max(chosen, smallest) : 0;
+}
+
 bool Preferences::drafts() const {
     return table().typed(settings_).drafts;
 }
@@ -134,6 +149,7 @@ PreferencesController::PreferencesController(QWidget& window, Preferences& prefe
 
 void PreferencesController::apply() {
     widgets::apply_theme(*qApp, preferences_.theme());
+    widgets::apply_font_size(*qApp, preferences_.font_size());
     const auto machine = preferences_.machine_settings();
     renderer_.set_machine(machine);
     live_.set_memory_budget(machine.memory_budget());

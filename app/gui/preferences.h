@@ -34,7 +34,8 @@ class Preferences : public QObject {
     engine::MachineSettings machine_settings() const;
     engine::MachineOptions machine() const;
     widgets::Theme theme() const;
-    bool drafts() const;  ///< coarser pictures are shown before the full ones
+    int font_size() const;  ///< points; 0: the desktop's
+    bool drafts() const;    ///< coarser pictures are shown before the full ones
 
   signals:
     void changed(const std::string& key);

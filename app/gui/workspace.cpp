@@ -55,6 +55,15 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
     });
     connect(&pane.header(), &widgets::ViewHeader::link_chosen, this,
             [this](bool linked) { views_.set_linked(linked); });
+    connect(&pane, &ViewPane::buffer_dropped, this, [this, view](const QString& key) {
+        const auto* chosen = session_.experiment();  // whose buffers are listed
+        const auto outputs =
+            chosen ? views_.pictures().outputs(chosen->id) : std::vector<widgets::OutputOption>();
+        if (!views_.pictures().find(outputs, key.toStdString())) return;
+        area_->set_active(view);
+        views_.show_owner(chosen->id);
+        views_.show_output(key.toStdString());
+    });
     connect(&pane, &ViewPane::space_made, this,
             [this, view](widgets::SpacePane& space) { spaces_.add(view, space); });
     connect(&pane, &ViewPane::table_made, this,

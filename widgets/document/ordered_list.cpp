@@ -19,7 +19,7 @@ OrderedList::OrderedList(const char* name, const QString& what, int min, QWidget
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     list_->setAlternatingRowColors(true);
-    list_->setStyleSheet(QStringLiteral("QListView::item { padding: 2px 1px; }"));
+    list_->setSpacing(1);
     list_->setTextElideMode(Qt::ElideRight);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setAccessibleName(name);

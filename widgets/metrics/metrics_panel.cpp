@@ -67,7 +67,7 @@ QWidget* MetricsPanel::make_pair(QWidget* parent) {
     grid->setVerticalSpacing(3);
     const auto letter = [&](const QString& text) {
         auto* label = new QLabel(text, head);
-        label->setStyleSheet(QStringLiteral("font-weight: bold;"));
+        make_bold(label);
         return label;
     };
     a_ = make_name(head, "picture-a");

@@ -35,6 +35,21 @@ QString state_text(const ResourceReport& resource) {
     return text_of(to_string(resource.semantic));
 }
 
+const char* sign_of(OutputKind kind) {
+    switch (kind) {
+        case OutputKind::point_set:
+        case OutputKind::line_set:
+        case OutputKind::glyphs:
+            return "scene";
+        case OutputKind::sphere_values:
+            return "orbit";
+        case OutputKind::table:
+            return "table";
+        default:
+            return "image";
+    }
+}
+
 Row resource_row(const ResourceReport& resource, const std::map<std::string, QImage>& thumbnails,
                  const std::string& shown) {
     const QString label = text_of(resource.label.empty() ? resource.key : resource.label);
@@ -49,7 +64,8 @@ Row resource_row(const ResourceReport& resource, const std::map<std::string, QIm
         tooltip += report_text("<br><i>Not computed, because nobody looks at it. Click to compute it.</i>");
     const auto thumbnail = thumbnails.find(resource.key);
     Row row{resource.key, {}, {}, !resource.available, resource.key == shown};
-    row.cells = {{label, tooltip, thumbnail == thumbnails.end() ? QImage() : thumbnail->second},
+    row.cells = {{label, tooltip, thumbnail == thumbnails.end() ? QImage() : thumbnail->second,
+                  sign_of(resource.kind)},
                  number_cell(size_text(resource)),
                  number_cell(bytes_text(resource.bytes)),
                  {resource.available ? state_text(resource) : report_text("not computed"), tooltip},
@@ -57,10 +73,9 @@ Row resource_row(const ResourceReport& resource, const std::map<std::string, QIm
     return row;
 }
 
-Row pass_row(const std::string& pass, std::uint64_t bytes) {
-    Row row{"pass:" + pass, {}};
-    row.cells = {
-        {pass.empty() ? report_text("other") : text_of(pass)}, {}, number_cell(bytes_text(bytes)), {}, {}};
+Row group_row(const std::string& key, const QString& name, std::vector<Row> children, std::uint64_t bytes) {
+    Row row{key, {{name}, {}, number_cell(bytes_text(bytes)), {}, {}}};
+    row.children = std::move(children);
     return row;
 }
 
@@ -71,7 +86,7 @@ std::uint64_t bytes_written_by(const FrameReport& report, const PassReport& pass
     return sum;
 }
 
-Row group_row(const char* key, const QString& label, const std::vector<std::string>& names,
+Row names_row(const char* key, const QString& label, const std::vector<std::string>& names,
               const std::string& prefix, const std::string& used = {}) {
     Row group{std::string("group:") + key, {{label}, number_cell(QString::number(names.size()))}};
     group.folded = names.size() > 12;
@@ -131,32 +146,44 @@ QStringList buffer_headings() {
 
 std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::string, QImage>& thumbnails,
                              const std::string& shown) {
-    std::vector<std::string> order;  // passes as they run, then what no pass writes
-    for (const auto& pass : report.passes) order.push_back(pass.name);
-    for (const auto& resource : report.resources)
-        if (std::find(order.begin(), order.end(), resource.pass) == order.end())
-            order.push_back(resource.pass);
-    std::vector<Row> rows;
-    for (const auto& pass : order) {
-        if (std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.key == "pass:" + pass; }))
-            continue;
+    const auto group = [&](const std::string& key, const QString& name, const auto& belongs) {
         std::vector<Row> children;
         std::uint64_t bytes = 0;
         for (const auto& resource : report.resources) {
-            if (resource.pass != pass) continue;
+            if (!belongs(resource)) continue;
             children.push_back(resource_row(resource, thumbnails, shown));
             bytes += resource.bytes;
         }
-        if (children.empty()) continue;
-        rows.push_back(pass_row(pass, bytes));
-        // Passes that write lists only, and the scene's textures, would push the pictures out of sight.
-        rows.back().folded = std::none_of(children.begin(), children.end(), [&](const Row& child) {
-            return !child.key.starts_with("scene.") &&
+        return group_row(key, name, std::move(children), bytes);
+    };
+    const auto is_result = [](const ResourceReport& resource) {
+        return resource.is_output && !resource.explains;
+    };
+    const auto is_of_scene = [](const Row& row) { return row.key.starts_with("scene."); };
+    std::vector<std::string> order;  // passes as they run, then what no pass writes
+    const auto note = [&](const std::string& pass) {
+        if (std::find(order.begin(), order.end(), pass) == order.end()) order.push_back(pass);
+    };
+    for (const auto& pass : report.passes) note(pass.name);
+    for (const auto& resource : report.resources) note(resource.pass);
+    std::vector<Row> rows, of_scene;
+    const auto add = [](std::vector<Row>& groups, Row row) {
+        if (!row.children.empty()) groups.push_back(std::move(row));
+    };
+    add(rows, group("group:results", report_text("Results"), is_result));
+    for (const auto& pass : order) {
+        auto row = group("pass:" + pass, pass.empty() ? report_text("other") : text_of(pass),
+                         [&](const auto& each) { return each.pass == pass && !is_result(each); });
+        // Passes that write lists only would push the pictures out of sight.
+        row.folded = std::none_of(row.children.begin(), row.children.end(), [&](const Row& child) {
+            return !is_of_scene(child) &&
                    std::any_of(report.resources.begin(), report.resources.end(),
                                [&](const auto& r) { return r.key == child.key && r.width > 0; });
         });
-        rows.back().children = std::move(children);
+        const bool shows_scene = std::all_of(row.children.begin(), row.children.end(), is_of_scene);
+        add(shows_scene ? of_scene : rows, std::move(row));
     }
+    for (auto& row : of_scene) rows.push_back(std::move(row));
     return rows;
 }
 
@@ -227,12 +254,12 @@ std::vector<Row> scene_rows(const SceneListing& scene) {
     add_nodes(scene, -1, nodes.children);
     std::vector<Row> rows;
     rows.push_back(std::move(root));
-    rows.push_back(group_row("cameras", report_text("Cameras"), scene.cameras, "camera:", scene.used_camera));
-    rows.push_back(group_row("lights", report_text("Lights"), scene.lights, "light:"));
-    rows.push_back(group_row("materials", report_text("Materials"), scene.materials, "material:"));
+    rows.push_back(names_row("cameras", report_text("Cameras"), scene.cameras, "camera:", scene.used_camera));
+    rows.push_back(names_row("lights", report_text("Lights"), scene.lights, "light:"));
+    rows.push_back(names_row("materials", report_text("Materials"), scene.materials, "material:"));
     rows.push_back(std::move(nodes));
     if (!scene.warnings.empty())
-        rows.push_back(group_row("warnings", report_text("Warnings"), scene.warnings, "warning:"));
+        rows.push_back(names_row("warnings", report_text("Warnings"), scene.warnings, "warning:"));
     for (auto& row : rows)
         if (row.key == "group:cameras")
             for (auto& camera : row.children)

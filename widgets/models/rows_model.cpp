@@ -1,14 +1,29 @@
 #include "widgets/models/rows_model.h"
 
+#include <QApplication>
+#include <QBuffer>
 #include <QColor>
 #include <QFont>
 #include <QIcon>
+#include <QMimeData>
 #include <QPixmap>
 
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
+
+constexpr int sign_size = 16;  // logical pixels
+
+/// As a tooltip shows it.
+QString picture_text(const QImage& picture) {
+    if (picture.isNull()) return {};
+    QByteArray file;
+    QBuffer buffer(&file);
+    picture.save(&buffer, "PNG");
+    return QStringLiteral("<img src='data:image/png;base64,%1'><br>").arg(QLatin1String(file.toBase64()));
+}
 
 bool same_shape(const std::vector<Row>& a, const std::vector<Row>& b) {
     if (a.size() != b.size()) return false;
@@ -84,6 +99,18 @@ int RowsModel::columnCount(const QModelIndex&) const {
     return int(headings_.size());
 }
 
+Qt::ItemFlags RowsModel::flags(const QModelIndex& index) const {
+    const auto flags = QAbstractItemModel::flags(index);
+    return index.isValid() ? flags | Qt::ItemIsDragEnabled : flags;
+}
+
+QMimeData* RowsModel::mimeData(const QModelIndexList& indexes) const {
+    auto* data = new QMimeData;
+    if (!indexes.isEmpty())
+        data->setData(QLatin1String(mime_type), indexes.front().data(key_role).toString().toUtf8());
+    return data;
+}
+
 QVariant RowsModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const Row& row = *place_of(index).row;
@@ -95,9 +122,12 @@ QVariant RowsModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return cell.text;
         case Qt::ToolTipRole:
-            return cell.tooltip.isEmpty() ? QVariant() : cell.tooltip;
+            return cell.tooltip.isEmpty() ? QVariant() : picture_text(cell.picture) + cell.tooltip;
         case Qt::DecorationRole:
-            return cell.picture.isNull() ? QVariant() : QIcon(QPixmap::fromImage(cell.picture));
+            if (!cell.picture.isNull()) return QIcon(QPixmap::fromImage(cell.picture));
+            return cell.sign ? QVariant(icon(cell.sign).pixmap(QSize(sign_size, sign_size),
+                                                               qApp->devicePixelRatio()))
+                             : QVariant();
         case Qt::TextAlignmentRole:
             return int((cell.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         case Qt::ForegroundRole:

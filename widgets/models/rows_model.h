@@ -15,7 +15,8 @@ struct Cell {
     QString text;
     QString tooltip = {};
     QImage picture = {};
-    bool number = false;  ///< right-aligned
+    const char* sign = nullptr;  ///< where there is no picture; as in widgets::icon()
+    bool number = false;         ///< right-aligned
     bool operator==(const Cell&) const = default;
 };
 
@@ -48,6 +49,11 @@ class RowsModel : public QAbstractItemModel {
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    // A row that is dragged brings its key.
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QStringList mimeTypes() const override { return {QLatin1String(mime_type)}; }
+    QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    static constexpr const char* mime_type = "application/x-interreflect-row";
 
   private:
     struct Place {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
@@ -85,7 +86,7 @@ void Card::set_name_pen(QPainter& painter) const {
 
 void Card::set_note_pen(QPainter& painter) const {
     painter.setFont(font());
-    painter.setPen(palette().color(QPalette::PlaceholderText).lighter(isEnabled() ? 125 : 100));
+    painter.setPen(isEnabled() ? theme_colours().dim : palette().color(QPalette::PlaceholderText));
 }
 
 void Card::keyPressEvent(QKeyEvent* event) {

@@ -9,6 +9,7 @@
 #include "renderers/image/colour_map.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 
@@ -35,7 +36,7 @@ DisplayBar::DisplayBar(QWidget* parent) : QWidget(parent) {
         return label;
     };
     name_ = add_label({});
-    name_->setStyleSheet(QStringLiteral("font-weight: bold;"));
+    make_bold(name_);
     name_->setMinimumWidth(1);
     row->addStretch(1);
     channel_ = new QComboBox(this);

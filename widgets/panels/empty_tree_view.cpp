@@ -4,6 +4,14 @@
 
 namespace ir::widgets {
 
+void paint_empty_text(QAbstractItemView& view, const QString& text) {
+    if (view.model() && view.model()->rowCount() > 0) return;
+    QPainter painter(view.viewport());
+    painter.setPen(view.palette().color(QPalette::PlaceholderText));
+    painter.drawText(view.viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                     text);
+}
+
 EmptyTreeView::EmptyTreeView(const QString& empty_text, QWidget* parent)
     : QTreeView(parent), empty_text_(empty_text) {}
 
@@ -15,11 +23,7 @@ void EmptyTreeView::set_empty_text(const QString& text) {
 
 void EmptyTreeView::paintEvent(QPaintEvent* event) {
     QTreeView::paintEvent(event);
-    if (model() && model()->rowCount() > 0) return;
-    QPainter painter(viewport());
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
-                     empty_text_);
+    paint_empty_text(*this, empty_text_);
 }
 
 }  // namespace ir::widgets

@@ -4,6 +4,9 @@
 
 namespace ir::widgets {
 
+/// In the middle of a view without rows, at the end of its paintEvent().
+void paint_empty_text(QAbstractItemView& view, const QString& text);
+
 /// Says why it is empty.
 class EmptyTreeView : public QTreeView {
     Q_OBJECT

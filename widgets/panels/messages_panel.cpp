@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/panels/empty_tree_view.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
@@ -28,13 +29,29 @@ const char* severity_icon(Severity severity) {
     }
 }
 
+/// Says why it is empty.
+class MessagesTable : public QTableView {
+  public:
+    MessagesTable(const MessagesModel& messages, QWidget* parent) : QTableView(parent), messages_(messages) {}
+
+  protected:
+    void paintEvent(QPaintEvent* event) override {
+        QTableView::paintEvent(event);
+        paint_empty_text(*this, messages_.rowCount() == 0 ? MessagesPanel::tr("Nothing was said yet.")
+                                                          : MessagesPanel::tr("The filter hides them all."));
+    }
+
+  private:
+    const MessagesModel& messages_;
+};
+
 }  // namespace
 
 MessagesPanel::MessagesPanel(QWidget* parent)
     : QWidget(parent),
       model_(new MessagesModel(this)),
       filter_(new MessagesFilter(this)),
-      view_(new QTableView(this)) {
+      view_(new MessagesTable(*model_, this)) {
     filter_->setSourceModel(model_);
     view_->setModel(filter_);
     view_->setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -2,6 +2,7 @@
 
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace ir::widgets {
@@ -17,6 +18,7 @@ PreferencesDialog::PreferencesDialog(const std::vector<ParameterDescription>& pr
     auto* note = new QLabel(tr("A choice takes effect at once."));
     note->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter is for what is typed
     auto* layout = new QVBoxLayout(this);
     for (auto* part :
          {static_cast<QWidget*>(panel_), static_cast<QWidget*>(given_), static_cast<QWidget*>(note)})

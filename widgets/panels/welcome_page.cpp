@@ -82,7 +82,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     auto* left = new QVBoxLayout(begin);
     left->setContentsMargins(20, 16, 8, 16);
     auto* title = new QLabel(tr("Interreflect"));
-    title->setStyleSheet(QStringLiteral("font-size: 26px; font-weight: bold;"));
+    make_bold(title, 2.2);
     auto* text =
         new QLabel(tr("Open a scene, run methods of global illumination on it, look inside every "
                       "buffer, and keep the whole as a project."));

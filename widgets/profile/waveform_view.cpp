@@ -12,9 +12,19 @@
 namespace ir::widgets {
 namespace {
 
-constexpr double space_between = 8, name_height = 18, foot_height = 6;
+constexpr double space_between = 8, foot_height = 6;
 constexpr int axis_parts = 4;
 constexpr QRgb scope_black = 0xff141414;
+QFont small_font(const QFont& font) {
+    auto small = font;
+    small.setPointSizeF(small.pointSizeF() * 0.85);
+    return small;
+}
+
+double line_height(const QFont& font) {
+    return QFontMetricsF(small_font(font)).height() + 4;
+}
+
 /// Of a value that occurs once, so that it is seen.
 constexpr double least_brightness = 0.2;
 
@@ -70,8 +80,9 @@ void WaveformView::set_waveforms(std::vector<Waveform> waveforms, bool logarithm
 QRectF WaveformView::place_of(std::size_t waveform) const {
     const double count = double(std::max<std::size_t>(1, shown()));
     const double wide = std::max(1.0, (width() - axis_width_ - space_between * count) / count);
-    return {axis_width_ + double(waveform) * (wide + space_between), name_height, wide,
-            std::max(1.0, height() - name_height - foot_height)};
+    const double names = line_height(font());
+    return {axis_width_ + double(waveform) * (wide + space_between), names, wide,
+            std::max(1.0, height() - names - foot_height)};
 }
 
 double WaveformView::axis_value(int part) const {
@@ -81,20 +92,20 @@ double WaveformView::axis_value(int part) const {
 
 void WaveformView::paint_axis(QPainter& painter) const {
     const QRectF area = place_of(0);
-    const int step = area.height() > 110 ? 1 : 2;
+    const double line = line_height(font());
+    const int step = area.height() > 7 * line ? 1 : 2;
     painter.setPen(palette().color(QPalette::Text));
     for (int i = 0; i <= axis_parts; i += step) {
         const double y = area.bottom() - area.height() * i / axis_parts;
-        const QRectF box(0, std::clamp(y - 8, 0.0, height() - 16.0), axis_width_ - 6, 16);
+        const QRectF box(0, std::clamp(y - line / 2, 0.0, std::max(0.0, height() - line)), axis_width_ - 6,
+                         line);
         painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, short_number(axis_value(i)));
     }
 }
 
 void WaveformView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    auto small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.85);
-    painter.setFont(small);
+    painter.setFont(small_font(font()));
     if (waveforms_.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("No pixel has a value here."));
@@ -108,7 +119,7 @@ void WaveformView::paintEvent(QPaintEvent*) {
         if (i + 1 == shown() && waveforms_.size() > shown())
             name = tr("%1 (%2 more are not shown)").arg(name).arg(waveforms_.size() - shown());
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(QRectF(area.left(), 0, area.width(), name_height), Qt::AlignVCenter,
+        painter.drawText(QRectF(area.left(), 0, area.width(), area.top()), Qt::AlignVCenter,
                          painter.fontMetrics().elidedText(name, Qt::ElideMiddle, int(area.width())));
         painter.drawImage(area, images_[i]);
     }

@@ -12,7 +12,7 @@ inline constexpr double gap = 10, padding = 8;
 QFont small_font(const QPainter& painter, int pixels = 12, bool bold = false);
 void paint_box(QPainter& painter, const QRectF& box);
 /// In the top right corner: for each layer its label, what its colours mean, how many of its elements are
-/// drawn, and why not as asked.
-void paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area);
+/// drawn, and why not as asked. In small views lines at the top; returns how high these are.
+double paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area);
 
 }  // namespace ir::widgets::overlay

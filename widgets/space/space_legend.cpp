@@ -157,14 +157,15 @@ double paint_line(QPainter& painter, const LayerInfo& info, const QRectF& row) {
 
 }  // namespace
 
-void paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area) {
+double paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area) {
     if (area.width() < legend_width || area.height() < legend_height) {
-        double y = area.top();
+        double high = 0;
         for (const LayerInfo& info : state.layers) {
-            if (y > area.top() + area.height() / 4) return;
-            y += paint_line(painter, info, {area.left(), y, area.width(), line_height + 4});
+            if (high > area.height() / 4) break;
+            high +=
+                paint_line(painter, info, {area.left(), area.top() + high, area.width(), line_height + 4});
         }
-        return;
+        return high;
     }
     const double width = std::min(max_width, area.width() - 2 * gap);
     double top = area.top() + gap;
@@ -172,11 +173,12 @@ void paint_legends(QPainter& painter, const OverlayState& state, const QRectF& a
         QRectF box(area.right() - gap - width, top, width, 0);
         Legend legend(painter, info, box);
         box.setHeight(legend.height());
-        if (box.bottom() > area.bottom() - 60) return;  // the scale stands there
+        if (box.bottom() > area.bottom() - 60) break;  // the scale stands there
         paint_box(painter, box);
         legend.paint();
         top = box.bottom() + 6;
     }
+    return 0;
 }
 
 }  // namespace ir::widgets::overlay

@@ -138,20 +138,21 @@ class Overlay final : public QWidget {
 
 void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRectF& area) {
     painter.setRenderHint(QPainter::Antialiasing);
+    double lines = 0;
     if (state.has_picture) {
         paint_tripod(painter, state.camera, area.bottomLeft() + QPointF(46, -46));
         if (has_metres(state)) {
             paint_marks(painter, state.marks, state.camera, area);
             paint_scale(painter, state.camera, area);
         }
-        paint_legends(painter, state, area);
+        lines = paint_legends(painter, state, area);
     }
     const QString badge = !state.note.isEmpty() ? state.note
                           : state.stale         ? QStringLiteral("rendering …")
                           : state.busy          ? QStringLiteral("drawing …")
                                                 : QString();
     if (!badge.isEmpty() && state.has_picture)
-        paint_lines(painter, {badge}, area.topLeft() + QPointF(gap, gap), area.width() - 2 * gap);
+        paint_lines(painter, {badge}, area.topLeft() + QPointF(gap, gap + lines), area.width() - 2 * gap);
     paint_hover(painter, state, area);
 }
 

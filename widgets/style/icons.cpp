@@ -81,6 +81,9 @@ constexpr Drawing drawings[] = {
      "9'/>"},
     {"up", "<path d='M8 13V3 M4 7l4-4 4 4'/>"},
     {"down", "<path d='M8 3v10 M4 9l4 4 4-4'/>"},
+    {"back", "<path d='M13 8H3 M7 4L3 8l4 4'/>"},
+    {"forward", "<path d='M3 8h10 M9 4l4 4-4 4'/>"},
+    {"float", "<path d='M6 2.5h7.5V10H6z M6 6H2.5v7.5H10V10'/>"},
     {"rename", "<path d='M2 14l.8-3.5L10.5 2.8l2.7 2.7L5.5 13.2z M9 4.3l2.7 2.7'/>"},
     {"paste", "<path d='M3 3h10v11.5H3z M6 1.5h4v3H6z M5.5 8h5 M5.5 11h5'/>"},
     {"swap", "<path d='M2 5.5h11 M10 2.5l3 3-3 3 M14 10.5H3 M6 7.5l-3 3 3 3'/>"},
@@ -141,7 +144,8 @@ class DrawnIcon final : public QIconEngine {
     QIconEngine* clone() const override { return new DrawnIcon(name_); }
     void paint(QPainter* painter, const QRect& box, QIcon::Mode mode, QIcon::State) override {
         const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-        const QString colour = QGuiApplication::palette().color(group, QPalette::WindowText).name();
+        const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::WindowText;
+        const QString colour = QGuiApplication::palette().color(group, role).name();
         const QString svg = QStringLiteral(
                                 "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'><g fill='none' "
                                 "stroke='%1' stroke-width='1.3' stroke-linecap='round' "

@@ -10,6 +10,8 @@
 #include <QToolTip>
 #include <QTreeView>
 
+#include "widgets/style/icons.h"
+
 namespace ir::widgets {
 namespace {
 
@@ -76,6 +78,7 @@ const Look& look_of(Theme theme) {
                             {70, 88, 108},
                             {38, 38, 38},
                             {86, 112, 140},
+                            {86, 112, 140},
                             {42, 42, 42},
                             {90, 90, 90},
                             {144, 144, 144},
@@ -106,6 +109,7 @@ const Look& look_of(Theme theme) {
                              {188, 208, 230},
                              {204, 204, 204},
                              {70, 112, 158},
+                             {176, 202, 230},
                              {198, 198, 198},
                              {170, 170, 170},
                              {104, 104, 104},
@@ -145,7 +149,8 @@ void draw_pressed(const QStyleOption& option, QPainter& painter) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(theme_colours().accent);
+    painter.setBrush(option.state & QStyle::State_Enabled ? QBrush(theme_colours().pressed)
+                                                          : option.palette.button());
     painter.drawRoundedRect(option.rect, 3, 3);
     painter.restore();
 }
@@ -195,6 +200,13 @@ void apply_theme(QApplication& application, Theme theme) {
     announcer().setObjectName(theme == Theme::dark ? QStringLiteral("dark") : QStringLiteral("light"));
 }
 
+void apply_font_size(QApplication& application, int points) {
+    static const auto desktop = application.font();
+    auto font = desktop;
+    if (points > 0) font.setPointSize(points);
+    if (font != application.font()) application.setFont(font);
+}
+
 void follow_theme(QWidget* widget, std::function<void()> paint) {
     paint();
     QObject::connect(&announcer(), &QObject::objectNameChanged, widget, std::move(paint));
@@ -203,6 +215,13 @@ void follow_theme(QWidget* widget, std::function<void()> paint) {
 void set_themed_sheet(QWidget* widget, std::function<QString(const ThemeColours&)> sheet) {
     follow_theme(widget,
                  [widget, sheet = std::move(sheet)] { widget->setStyleSheet(sheet(theme_colours())); });
+}
+
+void make_bold(QWidget* widget, double scale) {
+    auto font = widget->font();
+    font.setBold(true);
+    if (scale != 1) font.setPointSizeF(font.pointSizeF() * scale);
+    widget->setFont(font);
 }
 
 ThemeStyle::ThemeStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -276,6 +295,39 @@ int ThemeStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
                           QStyleHintReturn* data) const {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
+}
+
+/// Qt's own are coloured pictures, which blur at twice the scale.
+QIcon ThemeStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
+                               const QWidget* widget) const {
+    switch (which) {
+        case SP_MessageBoxQuestion:
+            return icon("explain");
+        case SP_MessageBoxInformation:
+            return icon("note");
+        case SP_MessageBoxWarning:
+            return icon("warning");
+        case SP_MessageBoxCritical:
+            return icon("error");
+        case SP_TitleBarCloseButton:
+            return icon("cancel");
+        case SP_TitleBarNormalButton:
+            return icon("float");
+        case SP_ArrowBack:
+            return icon("back");
+        case SP_ArrowForward:
+            return icon("forward");
+        case SP_FileDialogToParent:
+            return icon("up");
+        case SP_FileDialogNewFolder:
+            return icon("add");
+        case SP_FileDialogDetailedView:
+            return icon("menu");
+        case SP_FileDialogListView:
+            return icon("grid");
+        default:
+            return QProxyStyle::standardIcon(which, option, widget);
+    }
 }
 
 QRect ThemeStyle::subElementRect(SubElement element, const QStyleOption* option,

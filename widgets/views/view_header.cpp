@@ -134,7 +134,8 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     result.badge = new QLabel(name.toUpper(), result.line);
-    result.badge->setStyleSheet(QStringLiteral("font-weight: bold; padding: 0 3px;"));
+    make_bold(result.badge);
+    result.badge->setContentsMargins(3, 0, 3, 0);
     result.owner = make_combo(result.line, QStringLiteral("owner-") + name,
                               tr("Experiment or image that is shown"), letters_of_a_source);
     result.output = make_combo(result.line, QStringLiteral("output-") + name,

@@ -1,7 +1,11 @@
 #include "widgets/views/view_pane.h"
 
+#include <QDragEnterEvent>
+#include <QMimeData>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+
+#include "widgets/models/rows_model.h"
 
 namespace ir::widgets {
 
@@ -18,6 +22,7 @@ ViewPane::ViewPane(QWidget* parent, ImageView::Surface surface) : QWidget(parent
     column->addWidget(pages_, 1);
     column->addWidget(values_);
     setFocusProxy(compare_);
+    setAcceptDrops(true);
     connect(compare_, &CompareView::cursor_moved, this, &ViewPane::show_values);
     connect(compare_, &CompareView::explain_wanted, this, &ViewPane::explain_wanted);
     connect(compare_, &CompareView::zoom_changed, values_, &ValueStrip::set_zoom);
@@ -111,6 +116,15 @@ void ViewPane::show_pixel() {
     const QString who = are_two ? QString(QLatin1Char(picture == picture_at(1) ? 'B' : 'A')) : QString();
     if (more.isEmpty()) return values_->show_pixel(*picture, cursor_, who);
     values_->show_text(place_text(*picture, cursor_) + QStringLiteral("   ") + more);
+}
+
+void ViewPane::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasFormat(QLatin1String(RowsModel::mime_type))) event->acceptProposedAction();
+}
+
+void ViewPane::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    emit buffer_dropped(QString::fromUtf8(event->mimeData()->data(QLatin1String(RowsModel::mime_type))));
 }
 
 void ViewPane::show_values(QPoint pixel) {

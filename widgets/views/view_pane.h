@@ -47,9 +47,15 @@ class ViewPane : public QWidget {
     void cursor_moved(QPoint pixel);
     /// Shift-click or the key for it: how did this pixel of it come about?
     void explain_wanted(QPoint pixel);
+    /// A row of the list of buffers was let go over the view; its key.
+    void buffer_dropped(const QString& key);
     /// The page is there from now on.
     void space_made(ir::widgets::SpacePane& space);
     void table_made(ir::widgets::BufferTable& table);
+
+  protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
   private:
     void show_values(QPoint pixel);

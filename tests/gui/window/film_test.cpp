@@ -68,6 +68,7 @@ TEST_F(FilmTest, AsksWhatItShows) {
     auto* dialog = window.findChild<FilmDialog*>("film");
     ASSERT_TRUE(dialog);
     EXPECT_GT(dialog->film().turntable, 0) << "nothing moves in the box, so the camera turns";
+    EXPECT_EQ(dialog->findChild<QDoubleSpinBox*>("film-turn")->text(), "4 s");
     auto* count = dialog->findChild<QLabel*>("film-count");
     dialog->findChild<QDoubleSpinBox*>("film-turn")->setValue(2);
     EXPECT_TRUE(count->text().contains("60")) << count->text().toStdString();

@@ -1,6 +1,8 @@
+#include <QFile>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <algorithm>
 #include <filesystem>
 
 #include "app/gui/experiment_camera.h"
@@ -188,6 +190,100 @@ TEST_F(FramesTest, AnotherMethodForgetsAndAFrameBecomesAnExperiment) {
     });
     ASSERT_TRUE(settle());
     for (const auto& frame : past().frames()) EXPECT_EQ(frame.experiment.method, "filter");
+}
+
+TEST_F(FramesTest, APastFrameIsNotExplainedByTheNewest) {
+    edit_level(0.5);
+    press(Qt::Key_Comma);
+    window.inspector().explain({20, 10});
+    EXPECT_FALSE(window.inspector().explained().has_value());
+    EXPECT_TRUE(label("state").find("Alt+N") != std::string::npos) << label("state");
+    EXPECT_TRUE(past().is_elsewhere());
+    press(Qt::Key_N);
+    window.inspector().explain({20, 10});
+    EXPECT_TRUE(window.inspector().explained().has_value());
+    ASSERT_TRUE(settle());
+    press(Qt::Key_Comma);
+    for (const auto* each : window.inspector().explain_panel().findChildren<QLabel*>())
+        if (each->text().contains("Alt+N")) return;
+    ADD_FAILURE() << "the panel says nothing of it";
+}
+
+TEST_F(FramesTest, OnlyWhatAPersonDoesLeavesThePastAndIsNamed) {
+    const auto first = window.session().experiment()->id;
+    trigger("experiment-duplicate");
+    const auto second = window.session().experiment()->id;
+    window.session().select_experiment(first);
+    ASSERT_TRUE(settle());
+    edit_level(0.5);
+    press(Qt::Key_Comma);
+    ASSERT_TRUE(past().is_elsewhere());
+    // Something that was not looked at comes into a view.
+    trigger("views-2");
+    window.workspace().area().set_active(1);
+    window.views().show_owner(second);
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(past().is_elsewhere());
+    for (const auto& frame : past().frames()) {
+        if (frame.result->tag == second) EXPECT_EQ(frame.change, "") << "the edit was another experiment's";
+    }
+    // Time goes on.
+    ASSERT_TRUE(window.session().edit([](const projects::Project& project) {
+        projects::Motion motion{"slide", "Slide", "", {}};
+        motion.kind = projects::Motion::Kind::part;
+        motion.scene = project.scenes.front().id;
+        motion.keys.resize(2);
+        motion.keys[1].time = 60;
+        motion.keys[1].translation = {3, 0, 0};
+        return projects::edits::add(project, motion);
+    }));
+    window.session().end_gesture();
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(past().is_elsewhere()) << "an edit is what a person does";
+    window.playback().play(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return past().frames().size() > 6; }));
+    QTest::keyClick(&window, Qt::Key_Comma, Qt::AltModifier);
+    ASSERT_TRUE(past().is_elsewhere());
+    const auto asked = renderer.requests.size();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return renderer.requests.size() > asked + 4; })) << "it plays on";
+    EXPECT_TRUE(past().is_elsewhere());
+    window.playback().play(false);
+    EXPECT_FALSE(past().is_elsewhere()) << "who stops it looks at where it stands";
+}
+
+TEST_F(FramesTest, FramesOfARemovedExperimentGoWithIt) {
+    trigger("experiment-duplicate");
+    const auto copy = window.session().experiment()->id;
+    edit_level(0.75);
+    EXPECT_TRUE(std::ranges::any_of(past().frames(), [&](const auto& f) { return f.result->tag == copy; }));
+    trigger("experiment-remove");
+    EXPECT_FALSE(past().frames().empty());
+    EXPECT_TRUE(std::ranges::none_of(past().frames(), [&](const auto& f) { return f.result->tag == copy; }));
+}
+
+/// By a program of that name, as none need be installed.
+TEST_F(FramesTest, KeptFramesBecomeAVideo) {
+    edit_level(0.5);
+    const QTemporaryDir folder;
+    const auto path = qgetenv("PATH");
+    const auto words = folder.filePath("words");
+    QFile program(folder.filePath("ffmpeg"));
+    ASSERT_TRUE(program.open(QIODevice::WriteOnly));
+    program.write(("#!/bin/sh\nfor word; do echo \"$word\"; last=${word#file:}; done >'" + words + "'" +
+                   "\nfor word; do last=${word#file:}; done\necho film >\"$last\"\n")
+                      .toUtf8());
+    program.close();
+    program.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    qputenv("PATH", folder.path().toUtf8() + ":" + path);
+    const auto film = folder.filePath("film.mp4");
+    dock().save_film(FramesDock::Film::video, film);
+    EXPECT_TRUE(dock().is_saving());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !dock().is_saving(); }, 10000));
+    qputenv("PATH", path);
+    EXPECT_TRUE(QFile::exists(film)) << window.banners().text("file").toStdString();
+    QFile said(words);
+    ASSERT_TRUE(said.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(said.readAll().contains(".png"));
 }
 
 TEST_F(FramesTest, KeptFramesBecomeFiles) {

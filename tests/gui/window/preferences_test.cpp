@@ -24,6 +24,7 @@ class PreferencesWindowTest : public testing::Test {
         close();
         QSettings().clear();
         widgets::apply_theme(*qApp, widgets::Theme::dark);
+        widgets::apply_font_size(*qApp, 0);
     }
     void start(const engine::MachineFlags& flags = {}) {
         close();
@@ -84,6 +85,23 @@ TEST_F(PreferencesWindowTest, OpensOnceWithItsKeyAndClosesWithEscape) {
         << "a black picture on dark grey";
     QTest::keyClick(dialog(), Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([this] { return !dialog(); }, 3000));
+}
+
+TEST_F(PreferencesWindowTest, AFontSizeCountsAtOnceAndIsKept) {
+    start();
+    const int desktop = QApplication::font().pointSize();
+    open_by_key();
+    type("font_size", "15");
+    EXPECT_EQ(QApplication::font().pointSize(), 15);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window->menuBar()->font().pointSize() == 15; }, 3000));
+    type("font_size", "1");
+    EXPECT_EQ(QApplication::font().pointSize(), 6) << "what can be read";
+    type("font_size", "15");
+    start();
+    EXPECT_EQ(QApplication::font().pointSize(), 15);
+    open_by_key();
+    type("font_size", "0");
+    EXPECT_EQ(QApplication::font().pointSize(), desktop);
 }
 
 TEST_F(PreferencesWindowTest, AThemeCountsAtOnceAndIsKept) {

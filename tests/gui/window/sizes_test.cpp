@@ -5,6 +5,7 @@
 #include <QScrollBar>
 #include <QSettings>
 #include <QStyleOption>
+#include <QTabBar>
 #include <QToolButton>
 
 #include "app/engine/execution.h"
@@ -171,6 +172,18 @@ TEST_F(SizesTest, ListsOfFourComparisonsKeepTwelveLetters) {
 TEST_F(SizesTest, FourTablesFitTheSmallestScreen) {
     show_four("numbers");
     expect_fits();
+}
+
+TEST_F(SizesTest, CurvesAreAsHighAsAViewWhereTheyAreOpened) {
+    open_scene();
+    window.resize(1280, 770);
+    trigger("dock-messages");
+    EXPECT_LT(window.findChild<QDockWidget*>("messages")->height(), window.height() / 3);
+    trigger("dock-plots");
+    const auto* plots = window.findChild<QDockWidget*>("plots");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return plots->height() >= window.height() / 3; })) << plots->height();
+    for (const auto* tabs : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+        EXPECT_EQ(tabs->elideMode(), Qt::ElideNone) << "names that can be read";
 }
 
 TEST(WindowGeometry, IsWithinWhatTheScreenOffers) {

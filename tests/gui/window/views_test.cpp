@@ -1,7 +1,11 @@
 #include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QMimeData>
 #include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QTreeView>
+#include <memory>
 
 #include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
@@ -255,6 +259,49 @@ TEST_F(ViewsTest, UndoingAnAddedExperimentShowsWhatWasShownBefore) {
     EXPECT_EQ(views().active_state().a.owner, second);
     EXPECT_EQ(views().shown_key(), "depth");
     EXPECT_EQ(window.session().experiment()->id, second);
+}
+
+TEST_F(WindowTest, BuffersBeginWithResultsAndGoIntoViewsByMenuAndHand) {
+    open_scene();
+    window.docks().raise("buffers");
+    ASSERT_TRUE(settle());
+    auto* list = window.findChild<QDockWidget*>("buffers")->findChild<QTreeView*>();
+    EXPECT_EQ(list->model()->index(0, 0).data().toString(), "Results");
+    auto& rows = *qobject_cast<widgets::RowsModel*>(list->model());
+    const auto menu = [&](const char* name) {
+        for (auto* action : list->actions())
+            if (action->objectName() == name) return action;
+        return static_cast<QAction*>(nullptr);
+    };
+    list->setCurrentIndex(rows.index(0, 0));
+    EXPECT_FALSE(menu("buffer-show")->isEnabled()) << "a heading";
+    const auto depth = rows.index_of("depth");
+    ASSERT_TRUE(depth.isValid());
+    list->setCurrentIndex(depth);
+    const auto before = window.views().active_state();
+    menu("buffer-beside")->trigger();
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(window.workspace().area().open_views().size(), 2u);
+    EXPECT_EQ(window.views().active_state(), before);
+    EXPECT_EQ(window.views().state(1).a.output, "depth");
+    menu("buffer-compare")->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().active_state().mode, widgets::ViewMode::side_by_side);
+    EXPECT_EQ(window.views().active_state().b.output, "depth");
+    // By hand.
+    window.views().set_active_state(before);
+    ASSERT_TRUE(settle());
+    const std::unique_ptr<QMimeData> data(rows.mimeData({depth}));
+    auto* pane = window.workspace().pane(0);
+    QDragEnterEvent enter(QPoint(20, 60), Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(pane, &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(20, 60), Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(pane, &drop);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().state(0).a.output, "depth");
+    emit pane->buffer_dropped("pass:shade");
+    EXPECT_EQ(window.views().state(0).a.output, "depth") << "a heading is no buffer";
 }
 
 }  // namespace

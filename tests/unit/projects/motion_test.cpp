@@ -94,6 +94,33 @@ TEST(Motion, SmoothPathsFollowLinesAndParabolasOfUnequalTimesExactly) {
     expect_near(key_at(alone, 5).eye, {1, 2, 3});
 }
 
+/// Whatever the times of the keys: of a hand that presses twice, keys stand a billionth of a second apart.
+TEST(Motion, SmoothPathsStayNearTheirKeys) {
+    const std::vector<double> gaps{1, 1e-9, 2, 1e-9, 1e-9, 0.5, 1e-3, 3};
+    std::vector<std::pair<double, glm::dvec3>> along{{0, {0, 0, 0}}}, anywhere = along;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+        const double time = along.back().first + gaps[i];
+        along.emplace_back(time, along.back().second + glm::dvec3(1 + double(i * i % 5), 0, 0));
+        anywhere.emplace_back(time, glm::dvec3(double(i * 7 % 5), double(i * 3 % 4), double(i % 2)));
+    }
+    const auto line = of_camera(along), path = of_camera(anywhere);
+    for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+        const auto &a = path.keys[i], &b = path.keys[i + 1];
+        double before = line.keys[i].eye.x;
+        for (int step = 1; step < 50; ++step) {
+            const double s = step / 50.0, time = a.time + s * (b.time - a.time);
+            const double x = key_at(line, time).eye.x;
+            EXPECT_GE(x, before - 1e-6) << "turns back behind key " << i;
+            EXPECT_LE(x, line.keys[i + 1].eye.x + 1e-6);
+            before = x;
+            // On the chord between both keys, and beside it by no more than three quarters of its length.
+            const auto chord = glm::mix(a.eye, b.eye, s * s * (3 - 2 * s));
+            EXPECT_LE(glm::distance(key_at(path, time).eye, chord), 0.75 * glm::distance(a.eye, b.eye) + 1e-5)
+                << "behind key " << i;
+        }
+    }
+}
+
 TEST(Motion, AClosedLoopHasNoBendWhereItBeginsAgain) {
     auto motion =
         of_camera({{0, {1, 0, 0}}, {1, {0, 1, 0}}, {2, {-1, 0, 0}}, {3, {0, -1, 0}}, {4, {1, 0, 0}}});

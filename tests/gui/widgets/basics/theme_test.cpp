@@ -2,10 +2,13 @@
 
 #include <QApplication>
 #include <QLabel>
+#include <QListWidget>
 #include <QPalette>
 #include <algorithm>
 
 #include "renderers/image/colour_map.h"
+#include "tests/gui/events.h"
+#include "widgets/document/ordered_list.h"
 #include "widgets/panels/banner.h"
 #include "widgets/plot/plot_view.h"
 #include "widgets/style/icons.h"
@@ -51,6 +54,44 @@ TEST_P(ThemeTest, TextCanBeReadOnItsGround) {
          {themed.title, themed.active_title, themed.warning_ground, themed.error_ground, themed.note_ground})
         EXPECT_GT(contrast(colour(QPalette::WindowText), ground), 5) << ground.name().toStdString();
     EXPECT_GT(contrast(colour(QPalette::HighlightedText), colour(QPalette::Highlight)), 4);
+    EXPECT_GT(contrast(colour(QPalette::ButtonText), themed.pressed), 3.5);
+}
+
+/// Of lists that were made under the other one and are shown later.
+TEST_P(ThemeTest, ListsFollowIt) {
+    apply_theme(*qApp, GetParam() == Theme::dark ? Theme::light : Theme::dark);
+    OrderedList list("parts", QStringLiteral("part"), 0, nullptr);
+    list.show_lines({{QStringLiteral("one"), {}}}, 0);
+    apply_theme(*qApp, GetParam());
+    test::handle_events();
+    list.resize(200, 120);
+    const auto picture = list.grab().toImage();
+    const QColor ground = picture.pixelColor(100, list.list()->height() - 8);
+    EXPECT_NEAR(ground.lightness(), QApplication::palette().color(QPalette::Base).lightness(), 12);
+}
+
+/// Titles were grey on grey.
+TEST_P(ThemeTest, BoldLettersFollowIt) {
+    apply_theme(*qApp, GetParam() == Theme::dark ? Theme::light : Theme::dark);
+    QLabel title("M");
+    make_bold(&title, 2);
+    apply_theme(*qApp, GetParam());
+    test::handle_events();
+    EXPECT_EQ(title.palette().color(QPalette::WindowText),
+              QApplication::palette().color(QPalette::WindowText));
+    EXPECT_TRUE(title.font().bold());
+    EXPECT_TRUE(title.styleSheet().isEmpty());
+}
+
+TEST_P(ThemeTest, IconsOfChosenRowsStandOut) {
+    const auto picture = icon("experiment").pixmap(QSize(32, 32), QIcon::Selected).toImage();
+    double brightest = 0;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+            if (picture.pixelColor(x, y).alpha() > 250)
+                brightest = std::max(brightest, contrast(picture.pixelColor(x, y),
+                                                         QApplication::palette().color(QPalette::Highlight)));
+    EXPECT_GT(brightest, 4);
 }
 
 TEST_P(ThemeTest, GreysTintNoPicture) {
