@@ -34,8 +34,8 @@ class PastFrames : public QObject {
     void add(PastFrame frame);
     void forget(const std::function<bool(const PastFrame&)>& is_gone);
     void clear();
-    /// Bytes of pictures, buffers and reports. The oldest frames go first. While an older frame is shown none goes:
-    /// what then does not fit is not kept.
+    /// Bytes of pictures, buffers and reports. The oldest frames go first. While an older frame is shown none
+    /// goes: what then does not fit is not kept.
     void set_limit(std::uint64_t bytes);
     std::uint64_t limit() const { return limit_; }
     std::uint64_t bytes() const { return bytes_; }

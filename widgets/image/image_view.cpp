@@ -140,8 +140,7 @@ void ImageView::set_wipe(double fraction) {
 }
 
 void ImageView::set_legend(bool on, bool has_room) {
-    state_.legend = on;
-    state_.legend_room = has_room;
+    std::tie(state_.legend, state_.legend_room) = std::pair(on, has_room);
     repaint_all();
 }
 
@@ -180,9 +179,8 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     CanvasState drawn = state_;
     drawn.hint.clear();
     drawn.marks.cursor = {-1, -1};
-    drawn.region_edited = drawn.line_edited = false;
+    drawn.region_edited = drawn.line_edited = drawn.stale = false;
     drawn.light.reset();
-    drawn.stale = false;
     drawn.legend = legend && (state_.legend || !state_.legend_room);
     drawn.legend_room &= legend;
     qreal ratio = devicePixelRatioF();
