@@ -129,7 +129,7 @@ Image AnalysisRun::take(Image image, const Image& valid, const std::string& who)
     if (values.width != width_ || values.height != height_ || values.channels != channels_)
         throw UsageError(who + " has " + size_text(values.width, values.height, values.channels) +
                          ", the picture before " + size_text(width_, height_, channels_) +
-                         "; give both the same");
+                         "; give both the same size and paths");
     exclude_invalid(valid);
     return values;
 }
