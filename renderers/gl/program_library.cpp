@@ -281,6 +281,7 @@ std::vector<Message> ProgramLibrary::reload_changed(bool* changed) {
             if (changed) *changed = true;
         } catch (const ShaderError& error) {
             for (auto& message : error.messages()) messages.push_back(std::move(message));
+            if (changed && entry->program.name() == 0) *changed = true;  // its frames fail for another reason
         }
     }
     return messages;

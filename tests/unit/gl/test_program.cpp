@@ -275,6 +275,17 @@ TEST_P(ProgramTest, ReloadsChangedFilesAndKeepsTheLastGoodProgram) {
     EXPECT_TRUE(library->faults().empty()) << "mended";
 }
 
+TEST_P(ProgramTest, WhatNeverCompiledIsToldAnewWithEachError) {
+    folder.write("main.comp", "void main() { first(); }\n");
+    error_of({{"main.comp"}});
+    bool changed = true;
+    EXPECT_TRUE(library->reload_changed(&changed).empty());
+    EXPECT_FALSE(changed);
+    folder.write("main.comp", "void main() { second_one(); }\n");
+    EXPECT_FALSE(library->reload_changed(&changed).empty());
+    EXPECT_TRUE(changed) << "frames that failed have to fail for the new reason";
+}
+
 TEST_P(ProgramTest, RecoversFromAMissingInclude) {
     folder.write("main.comp", writes_answer);
     int compilations = 0;
