@@ -227,8 +227,8 @@ struct Project {
     std::vector<Sweep> sweeps;
     std::vector<ErrorPlot> plots;
     std::vector<Analysis> analyses;
-    bool shaders_allowed =
-        true;  ///< else nobody has allowed what experiments change in shaders; none of these runs
+    /// Else nobody has allowed what experiments change in shaders, and none of these runs.
+    bool shaders_allowed = true;
     /// Ids of experiments, also removed ones, that results/index.json names; not in the document. A new
     /// experiment gets none of them: it would come with another one's result.
     std::set<std::string> kept_ids;

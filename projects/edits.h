@@ -44,8 +44,7 @@ EditPtr set_values(const Project& project, const Registry& registry, const std::
 EditPtr reset_value(const Project& project, const Registry& registry, const std::string& experiment,
                     const std::string& key);
 /// Another method: its defaults and shaders, but for the transport that carry_transport() takes over, also of
-/// presets. A
-/// name that the program gave follows, and names that were made of it.
+/// presets. A name that the program gave follows, and names that were made of it.
 EditPtr set_method(const Project& project, const Registry& registry, const std::string& experiment,
                    const std::string& method);
 /// The transport that set_method() cannot take over of what the experiment computes now, and its changed

@@ -164,8 +164,7 @@ EditPtr set_time(const Project& project, const std::string& experiment, double s
 
 EditPtr set_shader(const Project& project, const std::string& experiment, const std::string& file,
                    const std::string& hunks) {
-    const auto label = (hunks.empty() ? "Take shader " : "Change shader ") + printable(file, 60) +
-                       (hunks.empty() ? " as it is" : "");
+    const auto label = (hunks.empty() ? "Remove change of " : "Change shader ") + printable(file, 60);
     return changed(project, experiment, label, "", [&](auto& after) {
         if (hunks.empty())
             after.shaders.erase(file);

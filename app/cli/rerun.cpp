@@ -73,7 +73,8 @@ Original read_original(const std::string& file) {
     original.project = projects::read_project(recipe->second, file, engine::registry()).project;
     if (original.project.experiments.size() != 1)
         throw InputError(file, engine::recipe_attribute, "must hold one experiment");
-    original.project.shaders_allowed = false;  // a picture may come from anybody
+    // A picture may come from anybody; what --shader-diff changes does not.
+    original.project.shaders_allowed = original.experiment().shaders.empty();
     return original;
 }
 
@@ -103,7 +104,7 @@ void move_files(const RerunFlags& flags, Original& original) {
 Json differences(const Original& original, const ImageAttributes& now) {
     Json list = Json::array();
     for (const char* what : {"version", "commit", "build", "method_version", "scene_hash", "lighting",
-                             "backend", "device", "processor"}) {
+                             "backend", "device", "processor", "shader_folder"}) {
         const auto then = original.attribute(what);
         const auto found = now.find(engine::attribute_prefix + what);
         const auto today = found == now.end() ? std::string() : found->second;

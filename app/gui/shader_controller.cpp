@@ -25,7 +25,7 @@ ShaderController::ShaderController(QWidget& window, Session& session, LivePictur
     connect(&panel, &widgets::ShaderPanel::edit_wanted, this, [this](const QString& file) {
         if (const auto* chosen = session_.experiment()) edit(chosen->id, file.toStdString(), 1);
     });
-    connect(&panel, &widgets::ShaderPanel::removal_wanted, this, &ShaderController::take_as_it_is);
+    connect(&panel, &widgets::ShaderPanel::removal_wanted, this, &ShaderController::remove_change);
     connect(&dock_, &ShaderDock::copy_wanted, this, &ShaderController::edit_fault);
     follow(session_, this, &ShaderController::update);
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
@@ -75,7 +75,7 @@ void ShaderController::edit_fault(const ShaderFault& fault) {
     edit(chosen->id, fault.file, fault.line);
 }
 
-void ShaderController::take_as_it_is(const QString& file) {
+void ShaderController::remove_change(const QString& file) {
     session_.edit([&](const projects::Project& project) -> projects::EditPtr {
         const auto* chosen = session_.experiment();
         return chosen ? projects::edits::set_shader(project, chosen->id, file.toStdString(), {}) : nullptr;

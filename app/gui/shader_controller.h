@@ -19,7 +19,7 @@ class ShaderController : public QObject {
     void choose();
     void edit(const std::string& experiment, const std::string& file, int line);
     void edit_fault(const ShaderFault& fault);
-    void take_as_it_is(const QString& file);
+    void remove_change(const QString& file);
     void update();
     QString passes_on_host() const;
 

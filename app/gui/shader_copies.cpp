@@ -1,6 +1,7 @@
 #include "app/gui/shader_copies.h"
 
 #include <QCoreApplication>
+#include <utility>
 
 #include "app/gui/known_projects.h"
 #include "app/gui/text_of.h"
@@ -22,6 +23,20 @@ std::string read(const fs::path& file) {
     return real_file_system().read(file, most_bytes);
 }
 
+/// Whether there is a file that holds this and no more.
+bool has_text(const fs::path& file, const std::string& text) {
+    std::error_code ignored;
+    try {
+        return fs::is_regular_file(file, ignored) && read(file) == text;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+fs::path unsaved_folder() {
+    return shader_copies_folder() / ("unsaved-" + std::to_string(QCoreApplication::applicationPid()));
+}
+
 }  // namespace
 
 ShaderCopies::ShaderCopies(Session& session, fs::path shaders)
@@ -33,22 +48,45 @@ ShaderCopies::ShaderCopies(Session& session, fs::path shaders)
     connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, wait);
     connect(&soon_, &QTimer::timeout, this, &ShaderCopies::follow_files);
     connect(&session_, &Session::document_changed, this, &ShaderCopies::follow_document);
-    connect(&session_, &Session::project_replaced, this, [this] { copies_.clear(); });
+    connect(&session_, &Session::project_replaced, this, &ShaderCopies::forget);
+}
+
+ShaderCopies::~ShaderCopies() {
+    forget();
+}
+
+/// Copies of a project that was never saved go with it; nobody finds their folder again.
+void ShaderCopies::forget() {
+    const auto home = unsaved_folder();
+    std::error_code ignored;
+    for (const auto& [path, copy] : std::exchange(copies_, {})) {
+        auto folder = path.parent_path();
+        if (path.lexically_relative(home).string().starts_with("..") || !has_text(path, copy.text)) continue;
+        fs::remove(path, ignored);
+        while (folder != home.parent_path() && fs::remove(folder, ignored)) folder = folder.parent_path();
+    }
 }
 
 /// One for each project.
 fs::path ShaderCopies::folder() const {
     const auto& project = session_.open_project().folder();
-    const auto name = project.empty()
-                          ? "unsaved-" + std::to_string(QCoreApplication::applicationPid())
-                          : project.stem().string() + "-" + hash_bytes(project.string()).substr(0, 8);
-    return shader_copies_folder() / name;
+    if (project.empty()) return unsaved_folder();
+    return shader_copies_folder() /
+           (project.stem().string() + "-" + hash_bytes(project.string()).substr(0, 8));
 }
 
 std::string ShaderCopies::text_of(const std::string& experiment, const std::string& file) const {
     const auto& shaders = projects::experiment_of(session_.document(), experiment).shaders;
     const auto change = shaders.find(file);
     return change == shaders.end() ? read(shaders_ / file) : changed_shader(shaders_, file, change->second);
+}
+
+bool ShaderCopies::is_taken(const Copy& copy) const {
+    try {
+        return text_of(copy.experiment, copy.file) == copy.text;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 void ShaderCopies::watch(const fs::path& path) {
@@ -59,17 +97,33 @@ void ShaderCopies::watch(const fs::path& path) {
 }
 
 fs::path ShaderCopies::open(const std::string& experiment, const std::string& file) {
+    if (shader_copies_folder().empty())
+        throw Error("there is no folder for your data, where copies are edited; set HOME");
+    follow_files();  // what was saved a moment ago
     const auto path = folder() / experiment / file;
-    const auto text = text_of(experiment, file);
-    auto& files = real_file_system();
-    files.create_directories(path.parent_path());
-    std::error_code ignored;
-    if (fs::is_regular_file(path, ignored) && read(path) != text)
-        fs::rename(path, path.string() + ".before", ignored);
-    if (!fs::is_regular_file(path, ignored)) write_file(path, text);
-    copies_[path] = {experiment, file, text};
-    watch(path);
+    auto text = text_of(experiment, file);
+    real_file_system().create_directories(path.parent_path());
+    Copy copy{experiment, file, text, {}};
+    write(path, copy, std::move(text));
+    copies_[path] = std::move(copy);
     return path;
+}
+
+/// Another text than the experiment had last is a person's: it is put aside.
+void ShaderCopies::write(const fs::path& path, Copy& copy, std::string text) {
+    std::error_code ignored;
+    if (!has_text(path, text)) {
+        if (fs::is_regular_file(path, ignored) && !has_text(path, copy.text)) {
+            const auto aside = path.string() + ".before";
+            real_file_system().rename(path, aside);
+            emit session_.message(
+                {Severity::warning, "shaders",
+                 path.string() + ": had changes that the experiment has not; they are kept in " + aside});
+        }
+        write_file(path, text);
+    }
+    copy.text = std::move(text);
+    watch(path);
 }
 
 void ShaderCopies::follow_files() {
@@ -79,28 +133,29 @@ void ShaderCopies::follow_files() {
         watch(path);
         try {
             auto text = read(path);
-            if (text.empty() || text == copy.text) continue;  // empty: it is being written
-            copy.text = std::move(text);
-            const auto hunks = line_diff(read(shaders_ / copy.file), copy.text);
+            if (text.empty() || text == copy.text || text == copy.refused) continue;  // empty: being written
+            const auto hunks = line_diff(read(shaders_ / copy.file), text);
+            const auto before = std::exchange(copy.text, text);
             session_.edit([&, &copy = copy](const projects::Project& project) {
                 return projects::edits::set_shader(project, copy.experiment, copy.file, hunks);
             });
             session_.end_gesture();
+            if (is_taken(copy)) continue;
+            copy.text = before;
+            copy.refused = std::move(text);
         } catch (const Error& error) {
             emit session_.message({Severity::error, "shaders", error.what()});
         }
     }
 }
 
+/// An experiment that is removed may come back by an undo.
 void ShaderCopies::follow_document() {
-    std::erase_if(copies_, [this](const auto& each) { return !session_.experiment(each.second.experiment); });
     for (auto& [path, copy] : copies_) {
         try {
             auto text = text_of(copy.experiment, copy.file);
-            if (text == copy.text) continue;
-            copy.text = std::move(text);
-            write_file(path, copy.text);
-            watch(path);
+            copy.refused.clear();  // it may be none now
+            if (text != copy.text) write(path, copy, std::move(text));
         } catch (const Error&) {
             // What does not fit is told where it is rendered; what cannot be written is written the next
             // time.

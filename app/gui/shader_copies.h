@@ -12,25 +12,30 @@ namespace ir::gui {
 
 /// Copies of shader files that a person edits for an experiment, with an editor of their own. What is saved
 /// in one becomes the experiment's change of that file, in steps that can be undone; what is undone leaves
-/// the file again. They lie in the person's data.
+/// the file again. They lie in the person's data. What no change can be made of stays in the file; where
+/// another text takes its place, it is kept beside it as FILE.before, and a message says so.
 class ShaderCopies : public QObject {
     Q_OBJECT
   public:
     /// `shaders`: the folder of what is copied.
     ShaderCopies(Session& session, std::filesystem::path shaders);
+    ~ShaderCopies() override;
 
-    /// The file of a copy, as the experiment has it. What was saved there while nobody watched is kept beside
-    /// it as FILE.before. Throws Error.
+    /// The file of a copy, as the experiment has it. Throws Error.
     std::filesystem::path open(const std::string& experiment, const std::string& file);
 
   private:
     struct Copy {
         std::string experiment, file;
-        std::string text;  ///< that file and experiment had last
+        std::string text;     ///< that file and experiment had last
+        std::string refused;  ///< that the file had, and that can be no change
     };
     std::filesystem::path folder() const;
     std::string text_of(const std::string& experiment, const std::string& file) const;
+    bool is_taken(const Copy& copy) const;  ///< by the experiment
     void watch(const std::filesystem::path& path);
+    void write(const std::filesystem::path& path, Copy& copy, std::string text);
+    void forget();
     void follow_files();
     void follow_document();
 

@@ -276,12 +276,17 @@ std::map<std::string, std::string> hunks_by_file(const std::string& text) {
     const auto lines = lines_of(text);
     std::string* hunks = nullptr;
     int old_left = 0, new_left = 0;  // lines of the hunk
+    bool has_windows_ends = false;   // a mail or an editor has made them
+    const auto add = [&](std::string_view line) {
+        *hunks += line;
+        if (has_windows_ends && line.ends_with("\r\n")) hunks->erase(hunks->size() - 2, 1);
+    };
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const auto& line = lines[i];
         if (old_left > 0 || new_left > 0 || (hunks && line.starts_with('\\'))) {
             old_left -= line.front() != '+' && line.front() != '\\';
             new_left -= line.front() != '-' && line.front() != '\\';
-            *hunks += line;
+            add(line);
         } else if (line.starts_with("--- ") && i + 1 < lines.size() && lines[i + 1].starts_with("+++ ")) {
             auto name = lines[++i].substr(4);
             name = name.substr(0, name.find_first_of("\t\r\n"));
@@ -291,11 +296,12 @@ std::map<std::string, std::string> hunks_by_file(const std::string& text) {
             const auto [entry, is_new] = files.try_emplace(std::string(name));
             if (!is_new) throw Error(std::string(name) + " stands there twice");
             hunks = &entry->second;
+            has_windows_ends = lines[i].ends_with("\r\n");
         } else if (hunks && line.starts_with("@@ ")) {
             const auto hunk = begin_hunk(line.substr(0, line.find_last_not_of("\r\n") + 1), 1);
             old_left = hunk.old_count;
             new_left = hunk.new_count;
-            *hunks += line;
+            add(line);
         } else {
             hunks = nullptr;  // "diff -u", "index"
         }

@@ -23,8 +23,9 @@ struct LineCounts {
 /// Throws Error for what are no hunks.
 LineCounts count_lines(const std::string& hunks);
 
-/// The hunks of each file in what `git diff` and `diff -ru` write, by the file's name after "+++". Throws
-/// Error where a file is removed, or stands there twice.
+/// The hunks of each file in what `git diff` and `diff -ru` write, by the file's name after "+++". Where that
+/// line ends as on Windows, the ends of all lines become those of Unix. Throws Error where a file is removed,
+/// or stands there twice.
 std::map<std::string, std::string> hunks_by_file(const std::string& text);
 
 }  // namespace ir

@@ -37,7 +37,7 @@ Image chosen_layer(const std::filesystem::path& file, const std::string& name) {
     throw InputError(file.string(), "", "has no layer '" + name + "'; known are " + known);
 }
 
-/// Of `levels` + 1 values each is computed once, as few are all that a large picture has.
+/// Where values are steps of `levels`, each is computed once: a large picture has few of them.
 void decode_srgb(Image& image, int alpha_channel, int levels) {
     std::vector<float> known(static_cast<std::size_t>(levels) + 1, std::numeric_limits<float>::quiet_NaN());
     const auto linear = [&](float encoded) {

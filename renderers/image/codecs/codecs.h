@@ -12,7 +12,7 @@ namespace ir {
 struct DecodedImage {
     Image image;  ///< values as the file has them, integers as fractions of their maximum
     bool is_srgb = false;
-    int levels = 0;  ///< that integers of the file have at most, less one; 0 where they are many
+    int levels = 0;  ///< steps from 0 to 1 that the file's integers have; 0: of floats
     int alpha_channel = -1;
     std::string error;  ///< empty where all went well
 };

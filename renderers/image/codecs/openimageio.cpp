@@ -69,7 +69,7 @@ std::vector<unsigned char> png_without_texts(const std::string& file) {
     return bytes;
 }
 
-/// Integers that an image may have, less one; 0 where there are too many to list.
+/// Steps from 0 to 1 that integers have; 0 for all else.
 int levels_of(OIIO::TypeDesc format) {
     if (format == OIIO::TypeDesc::UINT8) return UINT8_MAX;
     return format == OIIO::TypeDesc::UINT16 ? UINT16_MAX : 0;

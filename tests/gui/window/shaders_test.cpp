@@ -111,6 +111,8 @@ class EditedCopyTest : public ShadersWindowTest {
         QTest::keyClick(line, Qt::Key_Return);
     }
     const std::string file = "lib/random.glsl";
+    void append(const std::string& words) { std::ofstream(copy().toStdString(), std::ios::app) << words; }
+    int errors() { return window.messages().model().count(Severity::error); }
     QTemporaryDir folder;
 };
 
@@ -155,6 +157,48 @@ TEST_F(EditedCopyTest, AFileThatAnEditorReplacesIsFollowed) {
             << line;
     }
     EXPECT_EQ(count_lines(shaders().at(file)).added, 3);
+}
+
+TEST_F(EditedCopyTest, WhatCanBeNoChangeIsNotLost) {
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    const auto before = shaders();
+    const auto errors_before = errors();
+    append("// " + std::string(most_hunk_bytes, 'x') + "\n");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return errors() > errors_before; })) << "it is too long";
+    EXPECT_EQ(shaders(), before);
+    window.session().edit([](const projects::Project& project) {
+        return projects::edits::set_notes(project, "Something else.");
+    });
+    EXPECT_TRUE(read(copy()).endsWith("xxx\n")) << "other edits leave it there";
+    trigger("undo");
+    trigger("undo");
+    EXPECT_TRUE(shaders().empty());
+    EXPECT_FALSE(read(copy()).contains("// mine"));
+    EXPECT_TRUE(read(copy() + ".before").endsWith("xxx\n"));
+}
+
+TEST_F(EditedCopyTest, AnExperimentThatComesBackIsFollowedAgain) {
+    add_second_experiment(0.5);
+    const auto id = window.session().experiment()->id;
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    window.session().edit([&](const projects::Project& project) {
+        return projects::edits::remove<projects::Experiment>(project, id);
+    });
+    trigger("undo");
+    append("// more\n");
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        return window.session().experiment(id)->shaders.at(file).find("// more") != std::string::npos;
+    }));
+}
+
+TEST_F(EditedCopyTest, CopiesOfWhatWasNeverSavedGoWithIt) {
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    EXPECT_TRUE(QFile::exists(copy()));
+    window.session().files().close();
+    EXPECT_FALSE(QFile::exists(copy()));
 }
 
 TEST_F(EditedCopyTest, ErrorsLeadToTheCopy) {

@@ -265,6 +265,27 @@ TEST_F(ProjectCommand, ChangedShadersOfOthersRunWhereThatIsAllowed) {
     EXPECT_NE(run(render).err.find("does not fit"), std::string::npos) << "allowed once";
 }
 
+TEST_F(ProjectCommand, APictureIsRenderedAgainWithOnesOwnChangeOfItsShaders) {
+    const auto picture = (root_ / "a.exr").string(), again = (root_ / "b.exr").string();
+    const auto render =
+        "render --scene builtin:cornell --method view-normals --size 16x12 --quiet --out " + picture;
+    ASSERT_EQ(run(render).status, 0);
+    write(root_ / "a.diff", "--- a\n+++ b/" + std::string(changed_normals) +
+                                "\n@@ -14,1 +14,1 @@\n-    normal.xyz = normalize(mat3(view_from_world) * "
+                                "normal_ws);\n+    normal.xyz = vec3(0.25);\n");
+    const auto changed =
+        run("rerun " + picture + " --shader-diff " + (root_ / "a.diff").string() + " --out " + again);
+    EXPECT_EQ(changed.status, 0) << changed.err;
+    EXPECT_NE(read_exr(again).front().image.pixels, read_exr(picture).front().image.pixels);
+
+    const auto folder = root_ / "shaders";
+    fs::copy(shader_directory(), folder, fs::copy_options::recursive);
+    std::ofstream(folder / "lib/random.glsl", std::ios::app) << "// changed\n";
+    ASSERT_EQ(run(render + " --shaders " + folder.string()).status, 0);
+    const auto own = run("rerun " + picture);
+    EXPECT_NE(own.out.find("different shader_folder: "), std::string::npos) << own.out;
+}
+
 TEST_F(ProjectCommand, ResultsKnowTheFolderOfTheirShaders) {
     const auto key = [&](const std::string& options) {
         EXPECT_EQ(

@@ -100,5 +100,12 @@ TEST(LineDiff, FilesOfADiffAreToldApart) {
     EXPECT_THROW(hunks_by_file("--- a/x.comp\n+++ /dev/null\n" + two), Error);
 }
 
+TEST(LineDiff, EndsOfWindowsThatADiffGotOnItsWayAreTakenBack) {
+    const auto hunks = [](const std::string& text) { return hunks_by_file(text).begin()->second; };
+    EXPECT_EQ(hunks("--- x\r\n+++ y\r\n@@ -1,2 +1,2 @@\r\n-a\r\n+b\r\n\r\n"), "@@ -1,2 +1,2 @@\n-a\n+b\n\n");
+    const std::string own = "@@ -1,1 +1,1 @@\n-a\r\n+b\r\n";
+    EXPECT_EQ(hunks("--- x\n+++ y\n" + own), own) << "those of the file itself stay";
+}
+
 }  // namespace
 }  // namespace ir
