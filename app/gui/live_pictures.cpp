@@ -104,8 +104,6 @@ double Moment::time() const {
 
 void LivePictures::set_moment(std::optional<Moment> moment) {
     if (moment == moment_) return;
-    const bool is_clock = moment && moment->plays && moment_ && moment_->plays;
-    if (!is_clock) past_.show_now();
     moment_ = moment;
     session_.camera().set_shown_time(moment ? std::optional(moment->time()) : std::nullopt);
     update();

@@ -71,7 +71,7 @@ void PastFrames::forget(const std::function<bool(const PastFrame&)>& is_gone) {
         return gone;
     };
     if (std::erase_if(frames_, goes) == 0) return;
-    leave_if_lost();
+    leave_if_past_no_more();
     emit kept_changed();
 }
 
@@ -79,14 +79,13 @@ void PastFrames::clear() {
     if (frames_.empty()) return;
     frames_.clear();
     bytes_ = 0;
-    leave_if_lost();
+    leave_if_past_no_more();
     emit kept_changed();
 }
 
-void PastFrames::leave_if_lost() {
-    if (shown_ && std::none_of(frames_.begin(), frames_.end(),
-                               [&](const PastFrame& each) { return each.number == *shown_; }))
-        show_now();
+/// Where the frame that is shown has gone, or is the newest of all by now.
+void PastFrames::leave_if_past_no_more() {
+    if (shown_ && place() + 1 >= frames_.size()) show_now();
 }
 
 void PastFrames::set_limit(std::uint64_t bytes) {

@@ -58,7 +58,7 @@ class PastFrames : public QObject {
 
   private:
     void make_room();
-    void leave_if_lost();
+    void leave_if_past_no_more();
 
     std::deque<PastFrame> frames_;
     std::uint64_t limit_ = standard_limit, bytes_ = 0, arrived_ = 0;

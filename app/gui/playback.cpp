@@ -66,7 +66,13 @@ double Playback::frames_per_second() const {
     return passed > 0 ? 1000 * double(frames_ms_.size() - 1) / passed : 0;
 }
 
+/// What a person does about time is to be seen.
 void Playback::show(Moment moment) {
+    live_.past().show_now();
+    pass_to(moment);
+}
+
+void Playback::pass_to(Moment moment) {
     moment.plays = playing_;
     live_.set_moment(moment);
     emit changed();
@@ -91,13 +97,13 @@ void Playback::step(int frames) {
 
 void Playback::play(bool on) {
     if (on == playing_ || (on && !can_play())) return;
-    playing_ = on;
+    if (!on) {
+        live_.past().show_now();
+        return stop();
+    }
+    playing_ = true;
     frames_ms_.clear();
     timer_.stop();
-    if (!on) {
-        if (live_.moment()) show(*live_.moment());
-        return emit changed();
-    }
     if (time() >= end() - projects::frame_seconds / 2)
         seek(0);
     else if (live_.moment())
@@ -105,6 +111,14 @@ void Playback::play(bool on) {
     else
         step(1);
     go_on();
+}
+
+void Playback::stop() {
+    playing_ = false;
+    frames_ms_.clear();
+    timer_.stop();
+    if (live_.moment()) return pass_to(*live_.moment());
+    emit changed();
 }
 
 /// Whether the moment's frame is there in all pictures that move.
@@ -123,7 +137,7 @@ void Playback::go_on() {
         const auto state = live_.state(id);
         return state == State::failed || state == State::blocked || state == State::cancelled;
     });
-    if (stopped || moving.empty()) return play(false);
+    if (stopped || moving.empty()) return stop();
     if (!is_drawn()) return;
     const auto passed = frames_ms_.empty() ? 0 : clock_.elapsed() - frames_ms_.back();
     timer_.start(int(std::max(0.0, std::ceil(1000 * projects::frame_seconds - double(passed)))));
@@ -137,10 +151,9 @@ void Playback::advance() {
     auto moment = *live_.moment();
     if (moment.time() + projects::frame_seconds / 2 < end()) {
         ++moment.frames;
-        return show(moment);
+        return pass_to(moment);
     }
-    if (!loop_) return play(false);
-    seek(0);
+    loop_ ? pass_to({0, 1}) : stop();
 }
 
 void Playback::set_loop(bool loop) {
@@ -155,6 +168,7 @@ void Playback::set_end(double end) {
 
 void Playback::return_to_own_time() {
     play(false);
+    live_.past().show_now();
     live_.set_moment({});
     emit changed();
 }

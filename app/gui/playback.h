@@ -48,6 +48,8 @@ class Playback : public QObject {
     void go_on();
     void advance();
     void show(Moment moment);
+    void pass_to(Moment moment);  ///< by itself, so past frames stay shown
+    void stop();                  ///< likewise
     bool is_drawn() const;
 
     Session& session_;

@@ -29,13 +29,12 @@ const ParameterTable<Values>& table() {
                                .choices = {{"system", "System", "As the desktop was when the program began."},
                                            {"dark", "Dark", "Light letters on dark grey."},
                                            {"light", "Light", "Dark letters on light grey."}}});
-        t.add(&Values::font_size,
-              {.key = "font_size",
-               .label = "Font size (0: the desktop's)",
-               .doc =
-                   "Of the window's letters; 0: that of the desktop. Letters over pictures stay as they are.",
-               .unit = "pt",
-               .hard = {0, 32}});
+        t.add(&Values::font_size, {.key = "font_size",
+                                   .label = "Font size (0: the desktop's)",
+                                   .doc = "Of the window's letters, 6 at least; 0: that of the desktop. "
+                                          "Letters over pictures stay as they are.",
+                                   .unit = "pt",
+                                   .hard = {0, 32}});
         t.include(&Values::machine, engine::machine_settings());
         return t.add(&Values::drafts, {.key = "drafts",
                                        .label = "Coarse pictures first",

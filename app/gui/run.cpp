@@ -144,8 +144,10 @@ void take_screenshot(MainWindow& window, const Arguments& arguments) {
 
 /// What is typed is there, or it is a slip of the hand; what the window opens by itself may have gone.
 void check_project(const std::string& project) {
-    if (project.empty() || project.starts_with("builtin:") || std::filesystem::exists(project)) return;
-    throw InputError(project, "", "there is no such file or folder");
+    std::error_code ignored;  // what cannot be looked at is told where it is opened
+    const auto kind = std::filesystem::status(project, ignored).type();
+    if (!project.empty() && !project.starts_with("builtin:") && kind == std::filesystem::file_type::not_found)
+        throw InputError(project, "", "there is no such file or folder; check the path");
 }
 
 /// Qt aborts where it finds no display, so that is looked at first; a screenshot needs none.

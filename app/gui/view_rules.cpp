@@ -40,7 +40,7 @@ ViewState ViewRules::completed(ViewState state) const {
     if (widgets::compares(state.mode) && !pictures_.has_owner(state.b.owner))
         state.b = another_source(state.a);
     if (pictures_.has_owner(state.b.owner)) complete_source(state.b);
-    std::erase_if(state.more, [this](const auto& source) { return !pictures_.has_owner(source.owner); });
+    widgets::leave_out(state, [this](const auto& source) { return !pictures_.has_owner(source.owner); });
     if (state.mode == ViewMode::stages) complete_stages(state);
     complete_layers(state);
     return state;
@@ -237,7 +237,7 @@ std::string ViewRules::display_key(const ViewState& state) const {
 }
 
 bool ViewRules::compares_reference(const ViewState& state) const {
-    return state.mode == ViewMode::stages && state.pair.b == StagePair::reference && state.pair.a >= 0 &&
+    return state.mode == ViewMode::stages && state.pair.b == StagePair::reference &&
            !reference_of(session_, state.a.owner).owner.empty();
 }
 

@@ -70,12 +70,12 @@ class SideBySide : public CompareMode {
     bool keeps_first() const override { return true; }
 };
 
-/// All pictures, below each two neighbours their difference, and behind them a pair of choice.
+/// All pictures, below them the differences of neighbours or from one, and behind them a pair of choice.
 class Stages : public SideBySide {
   public:
     std::vector<PaneContent> contents(const ComparedPictures& all) const override {
         auto contents = SideBySide::contents(all);
-        for (int i = 0; i + 1 < all.count(); ++i) contents.push_back({i, true, i});
+        for (int i = 0; i < all.difference_count(); ++i) contents.push_back({i, true, i});
         if (all.has_pair()) {
             contents.push_back({all.pair.b, false, ComparedPictures::pair_slot});
             contents.push_back({all.pair.a, true, ComparedPictures::pair_slot});
@@ -89,7 +89,7 @@ class Stages : public SideBySide {
     /// One row of pictures and one of differences, or more where these show them clearly larger, or all at
     /// once.
     QSize grid(const ComparedPictures& all, int, const SizeIn& size_in) const override {
-        const int count = all.count() + (all.has_pair() ? 1 : 0);
+        const int count = std::max(1, all.count()) + (all.has_pair() ? 1 : 0);
         const QSize row(count, 2);
         const auto zoom = [&](QSize grid) {
             const QSize pane = size_in(grid);

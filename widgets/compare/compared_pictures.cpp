@@ -40,19 +40,29 @@ Display ComparedPictures::shown_display(int place) const {
 }
 
 bool ComparedPictures::has_pair() const {
-    if (mode != Mode::stages || count() < 2 || pair.a < 0 || pair.a >= count()) return false;
-    if (pair.b == StagePair::reference) return reference != nullptr;
-    return pair.b >= 0 && pair.b < count() && pair.b != pair.a;
+    return has_pair_end() && pair.a >= 0 && pair.a < count() && pair.b != pair.a;
 }
 
 bool ComparedPictures::are_compared_with_one() const {
-    return mode == Mode::stages && pair.a == StagePair::none && pair.b >= 0 && pair.b < count();
+    return has_pair_end() && pair.a == StagePair::none;
+}
+
+/// Whether B of the pair is there.
+bool ComparedPictures::has_pair_end() const {
+    if (mode != Mode::stages || count() < 2) return false;
+    return pair.b == StagePair::reference ? reference != nullptr : pair.b >= 0 && pair.b < count();
+}
+
+int ComparedPictures::difference_count() const {
+    const bool is_apart = are_compared_with_one() && pair.b == StagePair::reference;
+    return is_apart ? count() : std::max(0, count() - 1);
 }
 
 StagePair ComparedPictures::ends_of(int slot) const {
     if (slot == pair_slot) return pair;
     if (!are_compared_with_one()) return {slot, slot + 1};
-    return {slot < pair.b ? slot : slot + 1, pair.b};
+    const bool is_before = pair.b == StagePair::reference || slot < pair.b;
+    return {is_before ? slot : slot + 1, pair.b};
 }
 
 bool ComparedPictures::has_difference(int slot) const {

@@ -38,7 +38,7 @@ struct ComparedPictures {
     int held = -1;    ///< the picture that is shown while its number is held down
 
     /// Differences have slots: i is between the pictures i and i + 1, or of the i-th of the others where all
-    /// are compared with one (a pair without A); this one is of the pair.
+    /// are compared with one or with the reference (a pair without A); this one is of the pair.
     static constexpr int pair_slot = 63;
 
     int count() const { return int(pictures.size()); }
@@ -53,8 +53,11 @@ struct ComparedPictures {
     Display shown_display(int place) const;
 
     bool has_pair() const;
-    /// Stages: one of them is compared with all others, in place of neighbours.
+    bool has_pair_end() const;
+    /// Stages: one of them, or the reference, is compared with all others, in place of neighbours.
     bool are_compared_with_one() const;
+    /// Stages: how many differences stand below the pictures, without that of the pair.
+    int difference_count() const;
     /// The two pictures that a difference is between.
     StagePair ends_of(int slot) const;
     bool has_difference(int slot) const;

@@ -11,7 +11,7 @@ namespace ir::widgets {
 
 /// Two pictures of a row of stages that are compared beside the row, by their place in it.
 struct StagePair {
-    static constexpr int none = -1;       ///< as `a`: with a `b` of the row all others, else neighbours
+    static constexpr int none = -1;       ///< as `a`: with a `b` all others, else neighbours
     static constexpr int reference = -2;  ///< as `b`: the picture that is known to be right
     int a = none, b = none;
     bool operator==(const StagePair&) const = default;

@@ -15,6 +15,7 @@ namespace {
 constexpr double space_between = 8, foot_height = 6;
 constexpr int axis_parts = 4;
 constexpr QRgb scope_black = 0xff141414;
+
 QFont small_font(const QFont& font) {
     auto small = font;
     small.setPointSizeF(small.pointSizeF() * 0.85);

@@ -367,9 +367,8 @@ void ViewHeader::fill_pictures_menu() {
         action->setChecked(std::find(more.begin(), more.end(), source) != more.end());
         connect(action, &QAction::toggled, this, [this, source = source](bool on) {
             choose([&](ViewState& state) {
-                auto& list = state.more;
-                list.erase(std::remove(list.begin(), list.end(), source), list.end());
-                if (on) list.push_back(source);
+                leave_out(state, [&](const ViewSource& each) { return each == source; });
+                if (on) state.more.push_back(source);
                 state.chain = false;
             });
         });

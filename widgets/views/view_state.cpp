@@ -21,6 +21,17 @@ constexpr ModeText modes[] = {
 
 }  // namespace
 
+void leave_out(ViewState& state, const std::function<bool(const ViewSource&)>& goes) {
+    for (auto i = int(state.more.size()); i-- > 0;) {
+        if (!goes(state.more[std::size_t(i)])) continue;
+        state.more.erase(state.more.begin() + i);
+        const int place = i + 1;  // A is the first
+        if (state.pair.a == place || state.pair.b == place) state.pair = {};
+        for (int* end : {&state.pair.a, &state.pair.b})
+            if (*end > place) --*end;
+    }
+}
+
 bool compares(ViewMode mode) {
     return mode != ViewMode::single;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct ViewState {
     SpaceScene space;       ///< for buffers that stand in space; its layers belong to A's owner
     bool operator==(const ViewState&) const = default;
 };
+
+/// Takes pictures out of `more`. The pair stays that of its pictures, and ends with one of them.
+void leave_out(ViewState& state, const std::function<bool(const ViewSource&)>& goes);
 
 bool compares(ViewMode mode);    ///< needs B
 bool takes_many(ViewMode mode);  ///< flip and stages

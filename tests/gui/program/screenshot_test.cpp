@@ -84,7 +84,9 @@ TEST_P(Screenshot, OfAMissingSceneSaysSoAndIsWrittenNevertheless) {
 TEST_P(Screenshot, OfWhatIsNotThereOpensNoWindow) {
     const auto outcome = shot(root_ / "nowhere.glb");
     EXPECT_EQ(outcome.status, 3) << outcome.err;
-    EXPECT_NE(outcome.err.find("nowhere.glb: there is no such file"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("nowhere.glb: there is no such file or folder; check the path"),
+              std::string::npos)
+        << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_TRUE(outcome.picture.isNull());
 }

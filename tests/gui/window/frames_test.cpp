@@ -225,7 +225,8 @@ TEST_F(FramesTest, OnlyWhatAPersonDoesLeavesThePastAndIsNamed) {
     ASSERT_TRUE(settle());
     EXPECT_TRUE(past().is_elsewhere());
     for (const auto& frame : past().frames()) {
-        if (frame.result->tag == second) EXPECT_EQ(frame.change, "") << "the edit was another experiment's";
+        if (frame.result->tag != second) continue;
+        EXPECT_EQ(frame.change, "") << "the edit was another experiment's";
     }
     // Time goes on.
     ASSERT_TRUE(window.session().edit([](const projects::Project& project) {
@@ -249,6 +250,14 @@ TEST_F(FramesTest, OnlyWhatAPersonDoesLeavesThePastAndIsNamed) {
     EXPECT_TRUE(past().is_elsewhere());
     window.playback().play(false);
     EXPECT_FALSE(past().is_elsewhere()) << "who stops it looks at where it stands";
+    window.playback().play(true);
+    QTest::keyClick(&window, Qt::Key_Comma, Qt::AltModifier);
+    ASSERT_TRUE(past().is_elsewhere());
+    window.playback().set_end(window.playback().time() + 0.2);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.playback().is_playing(); }));
+    EXPECT_TRUE(past().is_elsewhere()) << "it came to its end by itself";
+    window.playback().seek(0);
+    EXPECT_FALSE(past().is_elsewhere()) << "who moves through time wants to see it";
 }
 
 TEST_F(FramesTest, FramesOfARemovedExperimentGoWithIt) {
@@ -256,7 +265,10 @@ TEST_F(FramesTest, FramesOfARemovedExperimentGoWithIt) {
     const auto copy = window.session().experiment()->id;
     edit_level(0.75);
     EXPECT_TRUE(std::ranges::any_of(past().frames(), [&](const auto& f) { return f.result->tag == copy; }));
+    past().show(0);
+    ASSERT_TRUE(past().is_elsewhere());
     trigger("experiment-remove");
+    EXPECT_FALSE(past().is_elsewhere()) << "what was shown is the newest frame now";
     EXPECT_FALSE(past().frames().empty());
     EXPECT_TRUE(std::ranges::none_of(past().frames(), [&](const auto& f) { return f.result->tag == copy; }));
 }

@@ -93,6 +93,11 @@ TEST_F(StagesWindowTest, AnyStageIsComparedWithTheReference) {
     ASSERT_EQ(compare().difference_views().size(), 3u);
     EXPECT_EQ(compare().panes().captions().last(), "RMSE 0.5") << "0.75 instead of 0.25";
     EXPECT_EQ(compare().compared().pictures.size(), 3u) << "the reference is no stage";
+    state.pair = {StagePair::none, StagePair::reference};
+    views().set_state(0, state);
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(compare().difference_views().size(), 3u) << "all with it";
+    EXPECT_EQ(compare().panes().captions()[3], "RMSE 0.5");
 }
 
 TEST_F(StagesWindowTest, TheSessionRemembersRowAndPair) {

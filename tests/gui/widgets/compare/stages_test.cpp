@@ -6,7 +6,9 @@
 #include <QToolTip>
 #include <cmath>
 
+#include "tests/gui/events.h"
 #include "tests/gui/widgets/compare/pictures.h"
+#include "widgets/views/view_state.h"
 
 namespace ir::widgets {
 namespace {
@@ -62,6 +64,47 @@ TEST_P(StagesTest, AllAreComparedWithOneOfTheRow) {
     wait_for_differences(*view);
     EXPECT_EQ(view->panes().captions()[3], "RMSE 0.3") << "of B";
     EXPECT_EQ(view->panes().captions()[4], "RMSE 0.2") << "of C";
+}
+
+TEST_P(StagesTest, AllAreComparedWithTheReference) {
+    view->set_reference(true, flat(0.6f, "truth"));
+    choose(list("stage-b"), list("stage-b")->count() - 1);
+    EXPECT_EQ(view->compared().pair, (StagePair{StagePair::none, StagePair::reference}));
+    ASSERT_EQ(view->difference_views().size(), 3u);
+    EXPECT_EQ(view->views().size(), 3u) << "it is no stage";
+    EXPECT_EQ(view->panes().captions().mid(3), QStringList({"RMSE 0.4", "RMSE 0.1", "RMSE 0.2"}));
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(view->difference_views()[i]->x(), view->views()[i]->x()) << "each below its picture";
+    view->set_reference(false, nullptr);
+    EXPECT_EQ(view->difference_views().size(), 2u);
+}
+
+/// A view is told its mode before its pictures.
+TEST_P(StagesTest, BeginWithNoPictureAndWithOne) {
+    CompareView fresh(nullptr, surface());
+    fresh.set_mode(Mode::stages);
+    show(fresh, {40, 30});
+    EXPECT_EQ(fresh.views().size(), 1u);
+    fresh.set_pictures({flat(0.2f)});
+    EXPECT_EQ(fresh.views().size(), 1u);
+    fresh.resize(2, 2);
+    test::handle_events();
+    fresh.set_pictures({make_note({}), flat(0.2f)});
+    EXPECT_EQ(fresh.difference_views().size(), 1u);
+}
+
+TEST(StagesOfAView, APairStaysThatOfItsPictures) {
+    ViewState state;
+    state.more = {{"b", ""}, {"c", ""}, {"d", ""}};
+    state.pair = {StagePair::none, 3};
+    const auto leave = [&](const std::string& owner) {
+        leave_out(state, [&](const ViewSource& each) { return each.owner == owner; });
+    };
+    leave("b");
+    EXPECT_EQ(state.more.size(), 2u);
+    EXPECT_EQ(state.pair, (StagePair{StagePair::none, 2})) << "d still";
+    leave("d");
+    EXPECT_EQ(state.pair, StagePair());
 }
 
 TEST_P(StagesTest, WrapWhereThatShowsThemLarger) {

@@ -86,9 +86,7 @@ TexelReceivers::Added TexelReceivers::added_by(const HostKernel& kernel, const T
     const auto& l = kernel.to_light_ws;
     glm::vec3 irradiance(kernel.added[0], kernel.added[1], kernel.added[2]);
     if (directional_) irradiance *= directional_factor(max_stretch_, l, r.n, r.geometric_n);
-    // Opposite directions have no half vector: as at normal incidence, as receiver.glsl has it.
-    const auto between = l + r.v;
-    const auto h = glm::dot(between, between) > 0 ? glm::normalize(between) : r.v;
+    const auto h = passes::half_vector(r.n, l, r.v);
     const auto fresnel = passes::schlick_fresnel(r.f0, std::clamp(glm::dot(r.v, h), 0.0f, 1.0f));
     Added added{is_layered_ ? irradiance * (1.0f - fresnel) : irradiance, glm::vec3(0)};
     const float n_dot_l = glm::dot(r.n, l);
