@@ -27,7 +27,7 @@ MethodDescription description() {
         "through the maps, and splats them with the footprints of their differentials. Bounces are diffuse; "
         "interfaces that are seen look at the scene. Nothing is precomputed. Errors come from the number of "
         "directions, from the maps' texels and from the footprints' size. To maps glass is opaque.";
-    d.version = 7;
+    d.version = 8;
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
     d.missing_light = missing_light();
     d.outputs =
