@@ -10,7 +10,8 @@ namespace {
 constexpr auto patience = std::chrono::milliseconds(1500);
 /// With drafts the first picture of a request may take so long; all after it make way at once.
 constexpr auto draft_patience = std::chrono::milliseconds(250);
-constexpr auto shader_poll = std::chrono::milliseconds(250);
+/// Beside what ShaderWatch hears: nobody tells what another computer writes on a network.
+constexpr auto shader_poll = std::chrono::seconds(3);
 
 template <class Key, class Value>
 std::vector<Value> take_all(std::map<Key, Value>& map) {

@@ -1,10 +1,12 @@
 #include "app/engine/render_thread.h"
 
+#include <optional>
 #include <thread>
 
 #include "app/engine/drafts.h"
 #include "app/engine/live_session.h"
 #include "app/engine/render_queue.h"
+#include "app/engine/shader_watch.h"
 #include "app/engine/thread_priority.h"
 #include "renderers/core/reason.h"
 
@@ -23,6 +25,7 @@ struct RenderThread::State {
     int losses = 0;                   ///< of the context, since a picture was done
     std::vector<ShaderFault> faults;  ///< as told
     std::thread thread;
+    std::optional<ShaderWatch> watch;  ///< while the thread runs
 
     bool is_lost() const { return machine->context().is_lost(); }
     void render_loop();
@@ -107,6 +110,7 @@ bool RenderThread::State::render_start() {
 void RenderThread::State::render_loop() {
     give_way_to_others();
     bool started = render_start();
+    if (started) watch.emplace(machine->shader_folder(), [this] { queue.reload_shaders(); });
     while (started) {
         const auto work = queue.take();
         if (work.stop) break;
@@ -123,6 +127,7 @@ void RenderThread::State::render_loop() {
         started = render_start();
         queue.run_all_again();
     }
+    watch.reset();
     session.reset();
     machine.reset();
 }

@@ -113,7 +113,10 @@ void FrameLists::update() {
                                                   resource ? resource->colour_map : "", image);
         thumbnails_[key] = widgets::to_qimage(image, display);
     }
-    buffers_->set_rows(widgets::buffer_rows(result->report, thumbnails_, views_.shown_key()));
+    std::vector<std::string> outputs;
+    if (const auto* method = session_.method())
+        for (const auto& output : method->outputs) outputs.push_back(output.key);
+    buffers_->set_rows(widgets::buffer_rows(result->report, thumbnails_, views_.shown_key(), outputs));
     timings_->set_rows(widgets::timing_rows(result->report));
     counters_->set_rows(widgets::counter_rows(result->report));
     emit changed();

@@ -349,8 +349,11 @@ void LivePictures::on_failure(const std::string& tag, const std::string& error, 
 
 void LivePictures::on_progress(const std::string& tag, const std::string& what, double fraction) {
     const auto found = entries_.find(tag);
-    if (found == entries_.end() || found->second.state != State::rendering) return;
+    if (found == entries_.end()) return;
     auto& entry = found->second;
+    // What failed is rendered again once its shaders are mended.
+    if (entry.state == State::failed) set_state(found->first, entry, State::rendering);
+    if (entry.state != State::rendering) return;
     entry.fraction = fraction;
     if (!std::exchange(entry.has_begun, true)) entry.remaining.start(now(), fraction);
     entry.remaining.report(now(), fraction);

@@ -61,8 +61,12 @@ void ProjectFiles::open(const std::filesystem::path& given) {
                                patient_files());  // throws while nothing is lost yet
         close();                                  // its lock is our own
     }
-    adopt(was_saved ? std::make_unique<OpenProject>(path, registry, patient_files())
-                    : OpenProject::recover_unsaved(path, registry, patient_files()));
+    std::unique_ptr<OpenProject> opened;
+    patient_files().wait_for([&] {
+        opened = was_saved ? std::make_unique<OpenProject>(path, registry, patient_files())
+                           : OpenProject::recover_unsaved(path, registry, patient_files());
+    });
+    adopt(std::move(opened));
 }
 
 bool ProjectFiles::is_open(const std::filesystem::path& folder) const {

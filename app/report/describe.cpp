@@ -36,6 +36,12 @@ bool is_place(const std::string& key) {
     return key.ends_with("/source") || key.ends_with("/content_hash");
 }
 
+constexpr const char* changed_shader = "shader.";
+
+bool is_of_shaders(const std::string& key) {
+    return key.starts_with(changed_shader) || key == "shader_folder";
+}
+
 constexpr std::size_t longest_value = 120;
 
 /// "room.glb + builtin:plane@1" of a scene whose files lie somewhere.
@@ -67,7 +73,8 @@ std::string text_of(const Told& told, const std::string& key) {
 
 /// "Directions", for "set.directions" of a method that is known; else the key.
 std::string label_of(const std::string& key, const std::vector<Told>& all) {
-    if (key.starts_with("shader.")) return "Shader changed: " + key.substr(7);
+    if (key.starts_with(changed_shader))
+        return "Shader changed: " + key.substr(std::string_view(changed_shader).size());
     if (!key.starts_with("set.")) return key;
     for (const auto& told : all) {
         const auto* method = engine::registry().find(text_of(told, "method"));
@@ -96,7 +103,8 @@ Settings settings_of(const Gallery& gallery) {
         std::set<std::string> values;
         for (const auto& told : all) {
             const auto text = text_of(told, key);
-            if (!text.empty()) values.insert(dumped(told.at(key)));
+            // Parameters that another method lacks are no difference, shaders as they are of the program are.
+            if (!text.empty() || is_of_shaders(key)) values.insert(text.empty() ? "" : dumped(told.at(key)));
             row.push_back({text.empty() ? "—" : text});
         }
         if (values.size() > 1) settings.differing.rows.push_back(row);

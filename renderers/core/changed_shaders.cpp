@@ -4,6 +4,7 @@
 #include <atomic>
 #include <fstream>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "renderers/core/error.h"
@@ -42,6 +43,16 @@ bool is_shader_name(const std::string& file) {
            });
 }
 
+/// Projects are JSON.
+bool is_utf8(const std::string& text) {
+    try {
+        nlohmann::json(text).dump();
+        return true;
+    } catch (const nlohmann::json::exception&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 bool has_shader_ending(const fs::path& file) {
@@ -67,6 +78,7 @@ std::string problem_with_change(const std::string& file, const std::string& hunk
     if (hunks.empty()) return "changes nothing; leave it out";
     if (hunks.size() > most_hunk_bytes)
         return "is longer than " + std::to_string(most_hunk_bytes) + " bytes; change less of the file";
+    if (!is_utf8(hunks)) return "has letters that are no UTF-8; save the file in that encoding";
     try {
         count_lines(hunks);
     } catch (const Error& error) {
@@ -85,6 +97,7 @@ ShaderChanges read_changes(const std::string& text) {
             if (file.empty() && !begins) continue;
             file += (file.empty() ? "" : "/") + part->string();
         }
+        if (!hunks.ends_with('\n')) hunks += '\n';
         if (const auto problem = problem_with_change(file, hunks); !problem.empty())
             throw Error(name + ": " + problem);
         changes[file] = std::move(hunks);

@@ -121,7 +121,8 @@ class ProgramLibrary {
     std::size_t count() const { return entries_.size(); }
 
     /// Recompiles programs whose files changed on disk. A program that fails keeps its last good version; the
-    /// errors are returned (once per change). True in `changed` when any program was replaced.
+    /// errors are returned (once per change). True in `changed` when any program was replaced, or
+    /// one that never compiled has other errors.
     std::vector<Message> reload_changed(bool* changed = nullptr);
     /// Of all programs whose newest sources do not compile, each once.
     std::vector<ShaderFault> faults() const;

@@ -34,6 +34,17 @@ std::string line_of(std::istream&& in, int number) {
     return trimmed(line);
 }
 
+/// With what to do about functions of lib/debug.glsl, of which a compiler knows other names or none.
+std::string with_mend(const std::string& problem) {
+    if (problem.find("debug_print(") != std::string::npos)
+        return "print takes float, int, uint, bool and vectors of these";
+    for (const char* name : {"print", "draw_point", "draw_line", "draw_disc"})
+        if (problem.find(std::string("'") + name + "'") != std::string::npos ||
+            problem.find(std::string("\"") + name + "\"") != std::string::npos)
+            return problem + "; it is of lib/debug.glsl, which the file has to include";
+    return problem;
+}
+
 /// Of an error that begins with "FILE:LINE: " or "FILES: ".
 ShaderFault as_fault(const std::string& error, const fs::path& folder, const ShaderChanges& changes) {
     ShaderFault fault;
@@ -44,7 +55,7 @@ ShaderFault as_fault(const std::string& error, const fs::path& folder, const Sha
         std::from_chars(error.data() + colon + 1, error.data() + error.size(), fault.line);
     if (problem == std::errc{}) colon = std::min<std::size_t>(end - error.data(), error.size());
     const auto text = error.find_first_not_of(": ", colon);
-    fault.problem = text == std::string::npos ? error : error.substr(text);
+    fault.problem = with_mend(text == std::string::npos ? error : error.substr(text));
     std::error_code ignored;
     const auto path = folder / fault.file;
     const auto change = changes.find(fault.file);
@@ -270,6 +281,7 @@ std::vector<Message> ProgramLibrary::reload_changed(bool* changed) {
             if (changed) *changed = true;
         } catch (const ShaderError& error) {
             for (auto& message : error.messages()) messages.push_back(std::move(message));
+            if (changed && entry->program.name() == 0) *changed = true;  // its frames fail for another reason
         }
     }
     return messages;

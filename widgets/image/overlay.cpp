@@ -465,7 +465,8 @@ const PreparedPicture& CanvasState::at(QPointF image_px) const {
 }
 
 LegendPlace legend_place(const CanvasState& state, qreal ratio) {
-    if (!(state.legend || state.legend_room) || !state.has_image() || !has_legend(state.pictures[0])) return {};
+    if (!(state.legend || state.legend_room) || !state.has_image() || !has_legend(state.pictures[0]))
+        return {};
     const QSizeF view = state.transform.view_size(), image = state.transform.image_size();
     const LegendPlace line{true, {0, legend_line_height(ratio)}};
     if (has_two_legends(state)) return line;

@@ -145,7 +145,7 @@ QStringList buffer_headings() {
 }
 
 std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::string, QImage>& thumbnails,
-                             const std::string& shown) {
+                             const std::string& shown, const std::vector<std::string>& outputs) {
     const auto group = [&](const std::string& key, const QString& name, const auto& belongs) {
         std::vector<Row> children;
         std::uint64_t bytes = 0;
@@ -170,7 +170,11 @@ std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::stri
     const auto add = [](std::vector<Row>& groups, Row row) {
         if (!row.children.empty()) groups.push_back(std::move(row));
     };
-    add(rows, group("group:results", report_text("Results"), is_result));
+    auto results = group("group:results", report_text("Results"), is_result);
+    std::ranges::stable_sort(results.children, {}, [&](const Row& row) {
+        return std::find(outputs.begin(), outputs.end(), row.key) - outputs.begin();
+    });
+    add(rows, std::move(results));
     for (const auto& pass : order) {
         auto row = group("pass:" + pass, pass.empty() ? report_text("other") : text_of(pass),
                          [&](const auto& each) { return each.pass == pass && !is_result(each); });

@@ -16,11 +16,12 @@ QString bytes_text(std::uint64_t bytes);
 /// "0.12", "35", "1200": milliseconds with about three digits.
 QString milliseconds_text(double ms);
 
-/// Buffers under the passes that write them. Columns: name, what, size, format, memory. A row's key is the
-/// resource's key; a pass has "pass:NAME".
+/// The method's results, in the order of `outputs`, then buffers under the passes that write them, the
+/// scene's last. Columns: name, size, memory, meaning, format. A row's key is the resource's key; a pass has
+/// "pass:NAME", the results have "group:results".
 QStringList buffer_headings();
 std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::string, QImage>& thumbnails,
-                             const std::string& shown);
+                             const std::string& shown, const std::vector<std::string>& outputs = {});
 
 /// Passes with their times. Columns: pass, queue, gpu ms, cpu ms, slices, memory; the last row is the total.
 QStringList timing_headings();

@@ -6,6 +6,8 @@
 #include "app/engine/analysis/analysis_run.h"
 #include "app/engine/analysis/bars.h"
 #include "renderers/core/error.h"
+#include "renderers/core/line_diff.h"
+#include "renderers/core/words.h"
 
 namespace ir::engine {
 namespace {
@@ -40,6 +42,11 @@ std::vector<Setting> differing(const MethodDescription& method, const projects::
     add("frames", "Frames", &projects::Experiment::frames, number);
     add("time", "Time", &projects::Experiment::time, [](double t) { return to_string(Value(t)); });
     add("lights", "Lights", &projects::Experiment::lights, [](const std::string& id) { return id; });
+    add("shaders", "Changed shaders", &projects::Experiment::shaders, [](const ShaderChanges& changes) {
+        std::vector<std::string> texts;
+        for (const auto& [file, hunks] : changes) texts.push_back(file + " " + count_lines(hunks).text());
+        return texts.empty() ? std::string("none") : listed(texts);
+    });
     return settings;
 }
 

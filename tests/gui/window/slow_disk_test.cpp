@@ -1,4 +1,6 @@
 // A disk that takes its time: the window goes on drawing.
+#include <unistd.h>
+
 #include <QTemporaryDir>
 #include <QTimer>
 #include <atomic>
@@ -11,27 +13,35 @@ namespace {
 
 /// What the window's thread has done, in beats of a timer.
 std::atomic<long> beats = 0;
-std::atomic<bool> is_slow = false;
-std::atomic<int> syncs = 0, unheard = 0;
+std::atomic<bool> syncs_are_slow = false, reads_are_slow = false;
+std::atomic<int> syncs = 0, reads = 0, unheard = 0;
+
+/// A slow disk waits until the window has drawn for a while; one that waits for the disk never does.
+void wait_for_the_disk(std::atomic<int>& done) {
+    using namespace std::chrono_literals;
+    const long wanted = beats + 20;
+    const auto end = std::chrono::steady_clock::now() + 4s;
+    while (beats < wanted && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
+    unheard += beats < wanted;
+    ++done;
+}
 
 }  // namespace
 
 extern "C" {
 
-int __real_fsync(int descriptor);
+// The linker puts us between (--wrap).
 
-/// A slow disk waits until the window has drawn for a while; one that waits for the disk never does. The
-/// linker puts us between (--wrap).
+int __real_fsync(int descriptor);
 int __wrap_fsync(int descriptor) {
-    using namespace std::chrono_literals;
-    if (is_slow) {
-        const long wanted = beats + 20;
-        const auto end = std::chrono::steady_clock::now() + 4s;
-        while (beats < wanted && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
-        unheard += beats < wanted;
-        ++syncs;
-    }
+    if (syncs_are_slow) wait_for_the_disk(syncs);
     return __real_fsync(descriptor);
+}
+
+ssize_t __real_read(int descriptor, void* bytes, size_t count);
+ssize_t __wrap_read(int descriptor, void* bytes, size_t count) {
+    if (reads_are_slow) wait_for_the_disk(reads);
+    return __real_read(descriptor, bytes, count);
 }
 }
 
@@ -45,13 +55,13 @@ class SlowDisk : public WindowTest {
         open_scene();
         window.session().files().save_as(folder());
         beats = 0;
-        syncs = unheard = 0;
+        syncs = reads = unheard = 0;
         QObject::connect(&heart_, &QTimer::timeout, [] { ++beats; });
         heart_.start(1);
-        is_slow = true;
+        syncs_are_slow = true;
     }
     void TearDown() override {
-        is_slow = false;
+        syncs_are_slow = reads_are_slow = false;
         WindowTest::TearDown();
     }
     std::filesystem::path folder() const { return temporary_.path().toStdString() + "/a.interreflect"; }
@@ -72,6 +82,17 @@ TEST_F(SlowDisk, TheWindowDrawsWhileItSaves) {
     EXPECT_EQ(unheard, 0);
     EXPECT_FALSE(window.isWindowModified());
     EXPECT_EQ(saved_notes(), "new");
+}
+
+TEST_F(SlowDisk, TheWindowDrawsWhileItOpens) {
+    write_notes("kept");
+    trigger("save");
+    window.session().files().close();
+    reads_are_slow = true;
+    ASSERT_TRUE(window.open_path(QString::fromStdString(folder().string())));
+    EXPECT_GE(reads, 1);
+    EXPECT_EQ(unheard, 0);
+    EXPECT_EQ(window.session().document().notes, "kept");
 }
 
 TEST_F(SlowDisk, WhatIsChangedMeanwhileIsNotSavedYet) {

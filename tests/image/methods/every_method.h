@@ -120,7 +120,9 @@ struct Shot {
 class Studio {
   public:
     Studio(const graph::Method& method, Shot shot)
-        : method_(method), shot_(std::move(shot)), execution_(machine(shot_.backend), experiment({})) {}
+        : method_(method),
+          shot_(std::move(shot)),
+          execution_(std::make_unique<engine::Execution>(machine(shot_.backend), experiment({}))) {}
 
     const graph::Method& method() const { return method_; }
     const std::string& scene() const { return shot_.scene; }
@@ -128,15 +130,15 @@ class Studio {
     /// The outputs after the shot's frames, in which everything was wanted.
     Frame render(const Settings& settings) { return render(settings, shot_.frames); }
     Frame render(const Settings& settings, int frames) {
-        execution_.update(experiment(settings));
-        execution_.restart();
-        execution_.inspect(shot_.inspection);
+        execution_->update(experiment(settings));
+        execution_->restart();
+        execution_->inspect(shot_.inspection);
         graph::FrameOptions options;
         if (shot_.all_outputs) options.wanted = {"*"};
         Frame frame;
-        for (int i = 0; i < frames; ++i) frame.report = execution_.run_frame(options);
-        const auto& graph = execution_.graph();
-        frame.main = main_result(execution_);
+        for (int i = 0; i < frames; ++i) frame.report = execution_->run_frame(options);
+        const auto& graph = execution_->graph();
+        frame.main = main_result(*execution_);
         frame.valid = graph.read_image("valid").value_or(Image());
         for (const auto& resource : frame.report.resources) {
             if (!resource.is_output || !shot_.all_outputs) continue;
@@ -169,14 +171,14 @@ class Studio {
         std::vector<float> texels;
         for (int level = 0; level < resource.levels; ++level)
             for (int layer = 0; layer < resource.layers; ++layer)
-                if (const auto image = execution_.graph().read_image(resource.key, level, layer))
+                if (const auto image = execution_->graph().read_image(resource.key, level, layer))
                     texels.insert(texels.end(), image->pixels.begin(), image->pixels.end());
         return texels;
     }
 
     const graph::Method& method_;
     Shot shot_;
-    engine::Execution execution_;
+    std::unique_ptr<engine::Execution> execution_;
 };
 
 /// One for each of `scenes`.

@@ -109,8 +109,7 @@ class Screens : public testing::TestWithParam<const char*> {
 
     /// Some of everything that a panel can show.
     void fill() {
-        ASSERT_TRUE(window.open_path(QString::fromStdString(
-            test::small_sample("atrium-error", temporary_.path().toStdString(), picture_size).string())));
+        ASSERT_TRUE(window.open_path(QString::fromStdString(sample().string())));
         ASSERT_TRUE(settle());
         const auto first = window.session().experiment()->id;
         const auto second = window.session().document().experiments.at(1).id;
@@ -144,6 +143,14 @@ class Screens : public testing::TestWithParam<const char*> {
         kinds->findChild<QAction*>("new:disagreement")->trigger();
         ASSERT_TRUE(settle());
         click("analyses", "run");
+    }
+    /// With few variations and points: they are rendered.
+    std::filesystem::path sample() {
+        const auto folder = test::small_sample("atrium-error", temporary_.path().toStdString(), picture_size);
+        auto project = nlohmann::ordered_json::parse(std::ifstream(folder / "project.json"));
+        project["sweeps"][0]["axes"][0]["values"] = project["plots"][0]["values"] = {32, 64};
+        std::ofstream(folder / "project.json") << project.dump(2);
+        return folder;
     }
     void look_from(const std::string& experiment, const glm::dvec3& step) {
         auto pose = *window.session().camera().pose();

@@ -96,8 +96,8 @@ class Soak : public testing::TestWithParam<std::string> {
     using Random = std::mt19937;
 
     void SetUp() override {
-        window().live().past().set_limit(most_past_bytes);
         ASSERT_TRUE(window().open_path("builtin:cornell"));
+        window().live().past().set_limit(most_past_bytes);
         edit([&](const auto& p) { return edits::set_size(p, id(), {64, 48}); });
         edit([&](const auto& p) { return edits::set_method(p, session().registry(), id(), GetParam()); });
         projects::Camera camera;

@@ -200,6 +200,8 @@ TEST_F(ProjectCommand, AnExperimentRendersWithItsChangedShaders) {
     };
     ASSERT_EQ(render("").status, 0);
     const auto [plain, none] = picture();
+    const auto plain_file = (root_ / "plain.exr").string(), page = (root_ / "page.html").string();
+    fs::copy_file(root_ / "out" / (id() + ".exr"), plain_file);
     const std::string hunk = "@@ -14,1 +14,1 @@";
     const std::string old = "    normal.xyz = normalize(mat3(view_from_world) * normal_ws);";
     write(root_ / "a.diff", "--- a/shaders/" + std::string(changed_normals) + "\n+++ b/shaders/" +
@@ -219,6 +221,14 @@ TEST_F(ProjectCommand, AnExperimentRendersWithItsChangedShaders) {
     EXPECT_EQ(statistics["picture"]["shaders"][changed_normals], told);
     EXPECT_NE(command("").out.find("shader changed: " + std::string(changed_normals) + " (+1 −1)"),
               std::string::npos);
+    ASSERT_EQ(
+        run("report " + plain_file + " " + (root_ / "out" / (id() + ".exr")).string() + " --out " + page)
+            .status,
+        0);
+    const auto html = read(page);
+    const auto differing = html.find("Settings that differ"), all = html.find("All settings");
+    EXPECT_LT(differing, html.find("Shader changed: " + std::string(changed_normals), differing));
+    EXPECT_LT(html.find("Shader changed: " + std::string(changed_normals), differing), all);
     const auto again = "rerun " + (root_ / "out" / (id() + ".exr")).string() + " --quiet ";
     EXPECT_EQ(run(again).status, 1) << "a picture may come from anybody";
     EXPECT_NE(run(again).err.find("--allow-shaders"), std::string::npos) << run(again).err;

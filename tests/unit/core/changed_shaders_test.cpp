@@ -24,6 +24,9 @@ TEST(ChangedShaders, NameFilesOfTheShaderFolderAlone) {
     EXPECT_NE(problem_with_change("lib/a.glsl", std::string(most_hunk_bytes + 1, ' ')).find("longer"),
               std::string::npos);
     EXPECT_NE(problem_with_change("lib/a.glsl", "odd").find("hunk 1"), std::string::npos);
+    EXPECT_EQ(problem_with_change("lib/a.glsl", "@@ -1,1 +1,1 @@\n-a\n+ü\n"), "");
+    EXPECT_NE(problem_with_change("lib/a.glsl", "@@ -1,1 +1,1 @@\n-a\n+\xfc\n").find("no UTF-8"),
+              std::string::npos);
 }
 
 TEST(ChangedShaders, FoldersInFrontOfADiffsNamesDoNotCount) {
@@ -31,6 +34,8 @@ TEST(ChangedShaders, FoldersInFrontOfADiffsNamesDoNotCount) {
          {"b/shaders/lib/a.glsl", "my-shaders/lib/a.glsl", "/home/me/s/lib/a.glsl", "lib/a.glsl"})
         EXPECT_EQ(read_changes(std::string("--- x\n+++ ") + name + "\n" + hunks).begin()->first, "lib/a.glsl")
             << name;
+    EXPECT_EQ(read_changes("--- x\n+++ lib/a.glsl\n@@ -1,1 +1,1 @@\n-a\n+b").at("lib/a.glsl"), hunks)
+        << "cut off";
     EXPECT_THROW(read_changes("--- x\n+++ a.glsl\n" + hunks), Error);
     EXPECT_THROW(read_changes("no diff"), Error);
 }

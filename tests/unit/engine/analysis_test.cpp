@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include "app/engine/analysis/analysis_run.h"
 #include "app/engine/analysis/kept_analysis.h"
@@ -13,6 +14,8 @@
 #include "projects/document_json.h"
 #include "projects/results.h"
 #include "renderers/core/error.h"
+#include "renderers/core/line_diff.h"
+#include "renderers/core/resources_path.h"
 
 namespace ir::engine {
 namespace {
@@ -238,8 +241,13 @@ TEST_F(AnalysisTest, SharesOfSettingsAddUpToTheDifference) {
 TEST_F(AnalysisTest, OfManySettingsTheRestIsWhatTheyChangeTogether) {
     add("c", "hbao", {{"directions", 8}, {"steps", 12}, {"angle_bias", 20.0}, {"blur_radius", 1}});
     project.experiments.back().seed = 7;
+    std::ostringstream shader;
+    shader << std::ifstream(shader_directory() / "lib/random.glsl").rdbuf();
+    project.experiments.back().shaders = {
+        {"lib/random.glsl", line_diff(shader.str(), shader.str() + "// One line more.\n")}};
     const auto result = answer(ask("attribution", {"a", "c"}, "truth"));
-    EXPECT_EQ(result.data.series[0].points.size(), 6u) << "five settings, and all together";
+    EXPECT_EQ(result.data.series[0].points.size(), 7u) << "six settings, and all together";
+    EXPECT_TRUE(result.data.find("shaders"));
     EXPECT_TRUE(result.data.find("together"));
     EXPECT_NEAR(sum_of_bars(result), rmse("c") - rmse("a"), 1e-6);
 }

@@ -71,6 +71,18 @@ class ShaderDebugTest : public testing::Test {
     std::unique_ptr<Execution> execution_;
 };
 
+TEST_F(ShaderDebugTest, WhatCannotBePrintedIsSaidInOurWords) {
+    say("struct Point { float x; } point; print(point);");
+    try {
+        run(execution(), 3, 3);
+        FAIL();
+    } catch (const gl::ShaderError& error) {
+        EXPECT_NE(std::string(error.what()).find("print takes float, int, uint, bool and vectors of these"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST_F(ShaderDebugTest, PrintsNumbersOfThePickedPixelWithTheirPlace) {
     say("\n    print(pixel);\n    print((vec3(0.5, 0.25, -1.0)));\n    if (pixel.x > 4) print(uint(pixel.x) + 7u);\n"
         "    print(pixel.x > 4), print(0.1);\n    print(bvec2(true, false));\n");

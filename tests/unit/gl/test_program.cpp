@@ -185,6 +185,13 @@ TEST_P(ProgramTest, GivesAllErrorsButSaysTheFirst) {
     }
 }
 
+TEST_P(ProgramTest, SaysWhereTheFunctionsOfDebuggingAre) {
+    folder.write("main.comp", "layout(local_size_x = 1) in;\nvoid main() {\n    print(1.0);\n}\n");
+    const std::string text = error_of({{"main.comp"}});
+    EXPECT_TRUE(text.starts_with("main.comp:3: ")) << text;
+    EXPECT_TRUE(text.ends_with("; it is of lib/debug.glsl, which the file has to include")) << text;
+}
+
 TEST_P(ProgramTest, NamesTheProgramInLinkErrors) {
     folder.write("a.vert", "float missing();\nvoid main() { gl_Position = vec4(missing()); }\n");
     folder.write("a.frag", "out vec4 c;\nvoid main() { c = vec4(1); }\n");
@@ -266,6 +273,17 @@ TEST_P(ProgramTest, ReloadsChangedFilesAndKeepsTheLastGoodProgram) {
     EXPECT_TRUE(changed);
     EXPECT_EQ(run(program), 22) << "references stay valid";
     EXPECT_TRUE(library->faults().empty()) << "mended";
+}
+
+TEST_P(ProgramTest, WhatNeverCompiledIsToldAnewWithEachError) {
+    folder.write("main.comp", "void main() { first(); }\n");
+    error_of({{"main.comp"}});
+    bool changed = true;
+    EXPECT_TRUE(library->reload_changed(&changed).empty());
+    EXPECT_FALSE(changed);
+    folder.write("main.comp", "void main() { second_one(); }\n");
+    EXPECT_FALSE(library->reload_changed(&changed).empty());
+    EXPECT_TRUE(changed) << "frames that failed have to fail for the new reason";
 }
 
 TEST_P(ProgramTest, RecoversFromAMissingInclude) {

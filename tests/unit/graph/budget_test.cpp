@@ -125,8 +125,7 @@ TEST_F(AdvisedTest, RaisesWhatCostsLessWhereItIsMoreAndTriesNothingThatIsRefused
                                     {"many", std::int64_t(1)},
                                     {"reserve", std::int64_t(1)},
                                     {"fineness", std::int64_t(10)}});
-    EXPECT_TRUE(contains(text, "; raise 'fineness' to 20 (then 20.3 kB), which is not enough alone"))
-        << text;
+    EXPECT_TRUE(contains(text, "; raise 'fineness' to 20 (then 20.3 kB), which is not enough alone")) << text;
 }
 
 TEST_F(AdvisedTest, ExpectsOfWhatHasGrownThatOnlyThePictureChangesIt) {

@@ -166,7 +166,7 @@ TEST_F(SplatsTest, CullingTakesAwayOnlySplatsWithoutAnyEffect) {
     c.surfels = random_surfels(200, {0, -0.5f, 0}, 2, 8);
     c.parameters.levels = 4;
     c.parameters.transport.max_distance = 1;
-    double culled = 0;
+    double culled = 0, cut = 0, whole = 0;
     for (const auto& shot : shots) {
         c.parameters.splat_culling = true;
         const auto with = draw(shot, c);
@@ -184,9 +184,12 @@ TEST_F(SplatsTest, CullingTakesAwayOnlySplatsWithoutAnyEffect) {
                   without.counters.at("splats.drawn"));
         EXPECT_EQ(without.counters.at("splats.culled"), 0);
         EXPECT_LE(red_with, total(0));
+        cut += red_with / with.counters.at("splats.drawn");
+        whole += total(0) / without.counters.at("splats.drawn");
         culled += with.counters.at("splats.culled") / without.counters.at("splats.drawn");
     }
     EXPECT_GT(culled / static_cast<double>(shots.size()), 0.05) << "nothing to cull, nothing tested";
+    EXPECT_LT(cut, whole) << "what is drawn is drawn whole";
 }
 
 TEST_F(SplatsTest, EachSurfelGoesToOneSubImageThatItsPlaceInTheBufferDoesNotDecide) {

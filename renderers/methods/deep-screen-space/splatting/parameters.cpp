@@ -194,7 +194,8 @@ void add_splatting_parameters(ParameterTable<Parameters>& table) {
               {.key = "splat_culling",
                .label = "Splat culling",
                .doc = "Splats are left out that reach none of the surfaces seen in the part of the picture "
-                      "that they cover, by the bounds of their positions. Changes no pixel.",
+                      "that they cover, and others are cut to where they reach some, by the bounds of "
+                      "positions. Changes no pixel.",
                .citation = "Nalbach15 §4.3",
                .effect = Effect::cost,
                .on_change = OnChange::nothing});

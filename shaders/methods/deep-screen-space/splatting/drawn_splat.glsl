@@ -40,22 +40,32 @@ bool is_box_reached(vec3 least, vec3 most, vec3 centre, float radius, float inne
     return length(nearest) <= 1.0001 * radius && length(farthest) >= 0.9999 * inner;
 }
 
-/// Whether any surface seen in the range of pixels lies in the shell, by the finest mip level on which the range
-/// touches at most 2 × 2 texels.
+/// Texels of the bounds that are looked at for a splat, along either side.
+const int MAX_TEXELS = 8;
+
+/// The part of the range of pixels in which surfaces are seen that lie in the shell, as the texels of the finest mip
+/// level tell on which the range touches few.
 // DEVIATION [Nalbach15 §4.3]: there all pixels fall into one texel, which for a range across the picture's
-// middle is the last one, with the bounds of everything.
-bool is_range_reached(ivec2 first, ivec2 last, vec3 centre, float radius, float inner) {
-    ivec2 extent = last - first;
-    int level = min(findMSB(max(extent.x, extent.y)) + 1, textureQueryLevels(min_texture) - 1);
+// middle is the last one, with the bounds of everything, and the whole range is drawn.
+PixelRange reached_part(PixelRange range, vec3 centre, float radius, float inner) {
+    int level = 0, coarsest = textureQueryLevels(min_texture) - 1;
+    while (level < coarsest && any(greaterThanEqual((range.last >> level) - (range.first >> level), ivec2(MAX_TEXELS))))
+        ++level;
     // Not textureSize: software rasterisers give all invocations the size of the first one's level.
     ivec2 size = max(view_size >> level, 1);
-    ivec2 begin = min(first >> level, size - 1), end = min(last >> level, size - 1);
+    ivec2 begin = min(range.first >> level, size - 1), end = min(range.last >> level, size - 1);
+    ivec2 first = size, last = ivec2(-1);
     for (int y = begin.y; y <= end.y; ++y)
         for (int x = begin.x; x <= end.x; ++x)
             if (is_box_reached(texelFetch(min_texture, ivec2(x, y), level).xyz,
-                               texelFetch(max_texture, ivec2(x, y), level).xyz, centre, radius, inner))
-                return true;
-    return false;
+                               texelFetch(max_texture, ivec2(x, y), level).xyz, centre, radius, inner)) {
+                first = min(first, ivec2(x, y));
+                last = max(last, ivec2(x, y));
+            }
+    if (last.x < 0) return NO_PIXELS;
+    // The last texel of a row also covers what halving left over.
+    ivec2 end_pixel = mix((last + 1 << level) - 1, view_size - 1, equal(last, size - 1));
+    return PixelRange(max(range.first, first << level), min(range.last, end_pixel));
 }
 
 DrawnSplat drawn_splat(Surfel surfel, uint index, int level) {
@@ -65,7 +75,7 @@ DrawnSplat drawn_splat(Surfel surfel, uint index, int level) {
     if (shell.inner >= shell.outer) return absent;
     PixelRange range = pixels_of_sphere(surfel.centre_ws, shell.outer);
     if (any(lessThan(range.last, range.first))) return absent;
-    bool is_reached = !culls || is_range_reached(range.first, range.last, surfel.centre_ws, shell.outer,
-                                                 shells ? shell.inner : 0.0);
-    return DrawnSplat(is_reached ? SPLAT_DRAWN : SPLAT_CULLED, range);
+    if (!culls) return DrawnSplat(SPLAT_DRAWN, range);
+    range = reached_part(range, surfel.centre_ws, shell.outer, shells ? shell.inner : 0.0);
+    return DrawnSplat(any(lessThan(range.last, range.first)) ? SPLAT_CULLED : SPLAT_DRAWN, range);
 }

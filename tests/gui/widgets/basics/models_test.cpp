@@ -98,6 +98,23 @@ TEST(BufferRows, StandUnderTheirPassesAndSayWhatWasNotComputed) {
     EXPECT_EQ(rows[1].children[0].cells[1].text.toStdString(), "64×32");
 }
 
+TEST(BufferRows, BeginWithResultsInTheMethodsOrderAndEndWithTheScene) {
+    FrameReport frame;
+    for (const char* key : {"scene.texture", "second", "first", "list"})
+        frame.resources.push_back(
+            resource(key, key, key == std::string("scene.texture") ? "upload" : "shade"));
+    frame.resources[1].is_output = frame.resources[2].is_output = true;
+    const auto rows = buffer_rows(frame, {}, "first", {"first", "second"});
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0].key, "group:results");
+    ASSERT_EQ(rows[0].children.size(), 2u);
+    EXPECT_EQ(rows[0].children[0].key, "first");
+    EXPECT_TRUE(rows[0].children[0].cells[0].sign) << "no picture of it yet";
+    EXPECT_EQ(rows[1].key, "pass:shade");
+    EXPECT_EQ(rows[2].key, "pass:upload");
+    EXPECT_TRUE(rows[2].folded);
+}
+
 TEST(TimingRows, EndWithATotalOverPassesThatRan) {
     const auto rows = timing_rows(report());
     ASSERT_EQ(rows.back().key, "total");

@@ -1,0 +1,69 @@
+#include "app/engine/shader_watch.h"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/inotify.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+
+namespace ir::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Editors write in several steps.
+constexpr int pause_ms = 20;
+constexpr std::uint32_t changes = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_CREATE | IN_DELETE;
+
+}  // namespace
+
+ShaderWatch::ShaderWatch(fs::path folder, std::function<void()> changed)
+    : folder_(std::move(folder)),
+      changed_(std::move(changed)),
+      events_(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK)),
+      stop_(::eventfd(0, EFD_CLOEXEC)) {
+    if (events_ < 0 || stop_ < 0) return;
+    watch_folders();
+    thread_ = std::thread([this] { wait(); });
+}
+
+ShaderWatch::~ShaderWatch() {
+    if (thread_.joinable()) {
+        ::eventfd_write(stop_, 1);
+        thread_.join();
+    }
+    for (const int descriptor : {events_, stop_})
+        if (descriptor >= 0) ::close(descriptor);
+}
+
+/// Those that are watched already stay so.
+void ShaderWatch::watch_folders() const {
+    ::inotify_add_watch(events_, folder_.c_str(), changes);
+    std::error_code error;
+    fs::recursive_directory_iterator entry(folder_, error), end;
+    for (; !error && entry != end; entry.increment(error)) {
+        std::error_code ignored;
+        if (entry->is_directory(ignored)) ::inotify_add_watch(events_, entry->path().c_str(), changes);
+    }
+}
+
+void ShaderWatch::wait() const {
+    std::array<pollfd, 2> descriptors{{{stop_, POLLIN, 0}, {events_, POLLIN, 0}}};
+    for (;;) {
+        if (::poll(descriptors.data(), descriptors.size(), -1) < 0) {
+            if (errno == EINTR) continue;
+            return;
+        }
+        if (descriptors[0].revents != 0 || ::poll(descriptors.data(), 1, pause_ms) > 0) return;
+        alignas(inotify_event) std::array<char, 4096> heard;
+        while (::read(events_, heard.data(), heard.size()) > 0) {
+        }
+        watch_folders();
+        changed_();
+    }
+}
+
+}  // namespace ir::engine

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+namespace ir::engine {
+
+/// Hears that files below a folder have changed, on a thread that sleeps meanwhile (inotify). What another
+/// computer writes on a network, nobody tells.
+class ShaderWatch {
+  public:
+    /// `changed` is called on that thread, once for changes that follow each other closely.
+    ShaderWatch(std::filesystem::path folder, std::function<void()> changed);
+    ~ShaderWatch();
+    ShaderWatch(const ShaderWatch&) = delete;
+    ShaderWatch& operator=(const ShaderWatch&) = delete;
+
+  private:
+    void watch_folders() const;
+    void wait() const;
+
+    std::filesystem::path folder_;
+    std::function<void()> changed_;
+    int events_, stop_;  ///< descriptors; negative: the system has none left, and nothing is heard
+    std::thread thread_;
+};
+
+}  // namespace ir::engine
