@@ -79,7 +79,8 @@ class Execution {
     /// Executions with the same `shared` contents make what stands still once.
     Execution(Machine& machine, Experiment experiment,
               std::shared_ptr<graph::SharedContents> shared = nullptr);
-    ~Execution();
+    Execution(Execution&&) = default;
+    ~Execution();  ///< whatever its changed shaders make wrong is forgotten
 
     const Experiment& experiment() const { return experiment_; }
     const MethodDescription& method() const;
