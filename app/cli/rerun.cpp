@@ -160,7 +160,8 @@ int rerun(const RerunFlags& flags) {
     if (!flags.out.empty()) engine::write_picture(flags.out, execution, dumps);
     print_messages(execution, report);
 
-    const auto picture = engine::main_result(execution);
+    const auto layers = engine::layers(execution, {});
+    const auto& picture = layers.front().image;  // as files have it
     const bool is_comparable = picture.width == original.picture.width &&
                                picture.height == original.picture.height &&
                                picture.channels == original.picture.channels;

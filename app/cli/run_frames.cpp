@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/engine/interruption.h"
+#include "app/engine/run_frames.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
@@ -46,9 +47,7 @@ void note_lists(const std::vector<std::string>& patterns, const FrameReport& rep
 }
 
 void note_host_bodies(const MachineFlags& flags, const engine::Experiment& experiment, FrameReport& report) {
-    std::vector<std::string> on_host;
-    for (const auto& pass : report.passes)
-        if (pass.has_two_bodies && pass.queue == "cpu" && !pass.culled) on_host.push_back(pass.name);
+    const auto on_host = engine::host_bodies(report);
     if (on_host.empty() || (flags.shaders.empty() && experiment.shaders.empty())) return;
     report.messages.push_back({Severity::note, "render",
                                "passes that run on the host use no shaders of " +

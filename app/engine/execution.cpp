@@ -57,10 +57,11 @@ Execution::Execution(Machine& machine, Experiment experiment, std::shared_ptr<gr
     load();
     graph_ = std::make_unique<graph::Graph>(machine_.device(), &machine_.context(), &machine_.programs(),
                                             std::move(shared));
+    machine_.programs().hold(experiment_.shaders);
 }
 
 Execution::~Execution() {
-    machine_.programs().forget_faults(experiment_.shaders);
+    machine_.programs().release(experiment_.shaders);
 }
 
 const MethodDescription& Execution::method() const {
@@ -139,7 +140,10 @@ bool Execution::update(Experiment experiment) {
         experiment_ = std::move(backup);
         throw;
     }
-    if (backup.shaders != experiment_.shaders) machine_.programs().forget_faults(backup.shaders);
+    if (backup.shaders != experiment_.shaders) {
+        machine_.programs().hold(experiment_.shaders);
+        machine_.programs().release(backup.shaders);
+    }
     if (changed)
         restart();
     else

@@ -186,6 +186,13 @@ class FrameRun {
 
 }  // namespace
 
+std::vector<std::string> host_bodies(const FrameReport& report) {
+    std::vector<std::string> names;
+    for (const auto& pass : report.passes)
+        if (pass.has_two_bodies && pass.queue == "cpu" && !pass.culled) names.push_back(pass.name);
+    return names;
+}
+
 void add_message(std::vector<Message>& messages, const Message& message) {
     const auto same = [&](const Message& known) { return known.text == message.text; };
     if (std::none_of(messages.begin(), messages.end(), same)) messages.push_back(message);

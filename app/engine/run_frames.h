@@ -24,6 +24,10 @@ std::string samples_text(const Execution& execution, const FrameReport& report);
 /// Adds a message that is not there yet.
 void add_message(std::vector<Message>& messages, const Message& message);
 
+/// Passes that ran on the host and have a body for the device, too: what is changed in shaders does nothing
+/// there.
+std::vector<std::string> host_bodies(const FrameReport& report);
+
 /// Cancelled, and the samples that were there could not be kept: what() says how many, and why.
 class NotKept : public Cancelled {
   public:

@@ -64,8 +64,9 @@ void ProjectBanners::update_shaders() {
     const auto waits = [this](const projects::Experiment& experiment) {
         return !projects::why_shaders_wait(session_.document(), experiment).empty();
     };
-    if (!session_.has_project() || std::ranges::none_of(session_.document().experiments, waits))
-        return banners_.hide_banner(name);
+    const auto waiting =
+        session_.has_project() ? std::ranges::count_if(session_.document().experiments, waits) : 0;
+    if (waiting == 0) return banners_.hide_banner(name);
     const auto show = [this, waits] {
         const auto& experiments = session_.document().experiments;
         const auto first = std::ranges::find_if(experiments, waits);
@@ -78,10 +79,12 @@ void ProjectBanners::update_shaders() {
         });
         session_.end_gesture();
     };
-    banners_.show_banner(name, Kind::warning,
-                         tr("This project comes from somebody else and changes shaders, which run on your "
-                            "graphics card. Experiments that do wait until you allow it."),
-                         {{tr("Show"), show}, {tr("Allow"), allow}}, false);
+    banners_.show_banner(
+        name, Kind::warning,
+        tr("This project comes from somebody else and changes shaders, which run on your "
+           "graphics card. Experiments that do (%1) wait until you allow it; the tree marks them.")
+            .arg(waiting),
+        {{tr("Show"), show}, {tr("Allow"), allow}}, false);
 }
 
 /// The first scene of the document that is missing or has changed; missing ones first.

@@ -2,9 +2,11 @@
 
 #include <QAction>
 
+#include "app/engine/run_frames.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
 #include "renderers/core/line_diff.h"
+#include "renderers/core/words.h"
 #include "widgets/panels/finder_dialog.h"
 
 namespace ir::gui {
@@ -85,11 +87,7 @@ void ShaderController::remove_change(const QString& file) {
 
 QString ShaderController::passes_on_host() const {
     const auto result = live_.result(session_.experiment()->id);
-    QStringList passes;
-    if (result)
-        for (const auto& pass : result->report.passes)
-            if (pass.has_two_bodies && pass.queue == "cpu" && !pass.culled) passes << text_of(pass.name);
-    return passes.join(QStringLiteral(", "));
+    return result ? text_of(listed(engine::host_bodies(result->report))) : QString();
 }
 
 void ShaderController::update() {

@@ -43,6 +43,21 @@ bool is_shader_name(const std::string& file) {
            });
 }
 
+/// "lib/random.glsl" of "b/shaders/lib/random.glsl": the rest that is a shader of the program, else the
+/// longest.
+std::string shader_named_by(const fs::path& path) {
+    std::string longest;
+    for (auto begin = path.begin(); begin != path.end(); ++begin) {
+        if (std::count(shader_folders.begin(), shader_folders.end(), begin->string()) == 0) continue;
+        fs::path file;
+        for (auto part = begin; part != path.end(); ++part) file /= *part;
+        std::error_code ignored;
+        if (fs::is_regular_file(shader_directory() / file, ignored)) return file.generic_string();
+        if (longest.empty()) longest = file.generic_string();
+    }
+    return longest;
+}
+
 /// Projects are JSON.
 bool is_utf8(const std::string& text) {
     try {
@@ -90,17 +105,12 @@ std::string problem_with_change(const std::string& file, const std::string& hunk
 ShaderChanges read_changes(const std::string& text) {
     ShaderChanges changes;
     for (auto& [name, hunks] : hunks_by_file(text)) {
-        std::string file;
-        fs::path path(name);
-        for (auto part = path.begin(); part != path.end(); ++part) {
-            const bool begins = std::count(shader_folders.begin(), shader_folders.end(), part->string()) > 0;
-            if (file.empty() && !begins) continue;
-            file += (file.empty() ? "" : "/") + part->string();
-        }
+        const auto file = shader_named_by(name);
         if (!hunks.ends_with('\n')) hunks += '\n';
         if (const auto problem = problem_with_change(file, hunks); !problem.empty())
             throw Error(name + ": " + problem);
-        changes[file] = std::move(hunks);
+        if (!changes.emplace(file, std::move(hunks)).second)
+            throw Error(file + " stands there twice; give the changes of one folder of shaders");
     }
     if (changes.empty()) throw Error("no shader is changed; give what `git diff` or `diff -ru` writes");
     return changes;

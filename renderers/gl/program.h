@@ -126,8 +126,10 @@ class ProgramLibrary {
     std::vector<Message> reload_changed(bool* changed = nullptr);
     /// Of all programs whose newest sources do not compile, each once.
     std::vector<ShaderFault> faults() const;
-    /// Nobody asks any more for what these changes make wrong.
-    void forget_faults(const ShaderChanges& changes);
+    /// Somebody renders with these changes, until release() says the same: then what they make wrong is no
+    /// fault any more, unless others hold them, too.
+    void hold(const ShaderChanges& changes);
+    void release(const ShaderChanges& changes);
 
     /// Called before a compilation that may take long, with the files' names.
     std::function<void(const std::string&)> on_compile;
@@ -140,6 +142,7 @@ class ProgramLibrary {
     Context& context_;
     std::filesystem::path folder_;
     std::map<ProgramSource, std::unique_ptr<Entry>> entries_;
+    std::map<ShaderChanges, int> holders_;
     std::uint64_t frame_ = 0, forgotten_ = 0;
 };
 

@@ -297,8 +297,14 @@ std::vector<ShaderFault> ProgramLibrary::faults() const {
     return faults;
 }
 
-void ProgramLibrary::forget_faults(const ShaderChanges& changes) {
-    if (changes.empty()) return;
+void ProgramLibrary::hold(const ShaderChanges& changes) {
+    if (!changes.empty()) ++holders_[changes];
+}
+
+void ProgramLibrary::release(const ShaderChanges& changes) {
+    const auto held = holders_.find(changes);
+    if (held == holders_.end() || --held->second > 0) return;
+    holders_.erase(held);
     std::erase_if(entries_, [&](const auto& each) {
         return each.first.changes == changes && each.second->error && each.second->program.name() == 0;
     });

@@ -270,6 +270,7 @@ TEST_F(ProjectCommand, APictureIsRenderedAgainWithOnesOwnChangeOfItsShaders) {
     const auto render =
         "render --scene builtin:cornell --method view-normals --size 16x12 --quiet --out " + picture;
     ASSERT_EQ(run(render).status, 0);
+    EXPECT_NE(run("rerun " + picture).out.find("bit for bit"), std::string::npos) << "a picture of vectors";
     write(root_ / "a.diff", "--- a\n+++ b/" + std::string(changed_normals) +
                                 "\n@@ -14,1 +14,1 @@\n-    normal.xyz = normalize(mat3(view_from_world) * "
                                 "normal_ws);\n+    normal.xyz = vec3(0.25);\n");

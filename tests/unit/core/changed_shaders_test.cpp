@@ -36,8 +36,12 @@ TEST(ChangedShaders, FoldersInFrontOfADiffsNamesDoNotCount) {
             << name;
     EXPECT_EQ(read_changes("--- x\n+++ lib/a.glsl\n@@ -1,1 +1,1 @@\n-a\n+b").at("lib/a.glsl"), hunks)
         << "cut off";
+    EXPECT_EQ(read_changes("--- x\n+++ /home/me/lib/s/lib/random.glsl\n" + hunks).begin()->first,
+              "lib/random.glsl");
     EXPECT_THROW(read_changes("--- x\n+++ a.glsl\n" + hunks), Error);
     EXPECT_THROW(read_changes("no diff"), Error);
+    EXPECT_THROW(read_changes("--- x\n+++ a/lib/a.glsl\n" + hunks + "--- x\n+++ b/lib/a.glsl\n" + hunks),
+                 Error);
 }
 
 TEST(ChangedShaders, AChangeThatDoesNotFitNamesFileAndHunk) {

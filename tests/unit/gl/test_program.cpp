@@ -123,6 +123,20 @@ TEST_P(ProgramTest, ChangesMakeAnotherProgramWhereTheirFileIsRead) {
         << error_of(changed);
 }
 
+TEST_P(ProgramTest, FaultsOfChangesStayAsLongAsSomebodyHoldsThem) {
+    folder.write("methods/a.comp", writes_answer);
+    folder.write("lib/answer.glsl", "float answer() { return 1.0; }\n");
+    ProgramSource changed{{"methods/a.comp"}};
+    changed.changes = {{"lib/answer.glsl", "@@ -1,1 +1,1 @@\n-gone\n+new\n"}};
+    library->hold(changed.changes);
+    library->hold(changed.changes);
+    error_of(changed);
+    library->release(changed.changes);
+    EXPECT_EQ(library->faults().size(), 1u) << "another one renders with them";
+    library->release(changed.changes);
+    EXPECT_TRUE(library->faults().empty());
+}
+
 TEST_P(ProgramTest, PrefersTheIncludingFilesFolder) {
     folder.write("a/main.comp", writes_answer);
     folder.write("lib/answer.glsl", "float answer() { return 1.0; }\n");
