@@ -90,6 +90,7 @@ void FrameLists::add_buffer_actions() {
 void FrameLists::compare_with(const std::string& key) {
     auto state = views_.active_state();
     state.b = {session_.experiment()->id, key};
+    state.as_table = false;
     if (!widgets::compares(state.mode) || widgets::takes_many(state.mode))
         state.mode = widgets::ViewMode::side_by_side;
     views_.set_active_state(std::move(state));
