@@ -6,8 +6,10 @@
 #include "renderers/core/resources_path.h"
 #include "renderers/scene/builtin/registry.h"
 #include "widgets/document/project_nodes.h"
+#include "widgets/models/report_rows.h"
 #include "widgets/panels/action_text.h"
 #include "widgets/panels/manual_window.h"
+#include "widgets/style/icons.h"
 
 namespace ir::gui {
 
@@ -54,6 +56,7 @@ void Finder::add_buffers(std::vector<Findable>& all) {
     for (const auto& output : pictures.outputs(owner)) {
         const auto key = text_of(output.key);
         all.push_back({tr("Buffer"), output.label, output.group, key + QLatin1Char('\n') + output.doc});
+        all.back().icon = widgets::icon(widgets::sign_of(output.kind));
         all.back().go = [this, key = output.key] { workspace_.views().show_output(key); };
     }
 }
@@ -80,6 +83,7 @@ void Finder::add_items(std::vector<Findable>& all) {
             auto kind = widgets::kind_word(node->item.kind);
             kind[0] = kind[0].toUpper();
             all.push_back({kind, node->name, node->detail, node->tooltip});
+            if (node->icon) all.back().icon = widgets::icon(node->icon);
             all.back().go = [this, item = node->item] {
                 docks_.raise("project");
                 document_.select(item);
@@ -93,6 +97,7 @@ void Finder::add_actions(std::vector<Findable>& all) {
         if (action->objectName() == QLatin1String("find")) continue;
         Findable found{tr("Action"), widgets::plain_text(action->text()), widgets::menu_title(*action),
                        action->toolTip(), widgets::keys_of(*action)};
+        found.icon = action->icon();
         if (!action->isEnabled()) found.why_not = tr("cannot be done now");
         found.go = [action] { action->trigger(); };
         all.push_back(std::move(found));
@@ -103,6 +108,7 @@ void Finder::add_samples(std::vector<Findable>& all) {
     for (const auto& scene : scene::builtin::descriptions()) {
         const auto source = QStringLiteral("builtin:") + text_of(scene.name);
         all.push_back({tr("Scene"), source, tr("new project"), text_of(scene.doc)});
+        all.back().icon = widgets::icon("scene");
         all.back().go = [this, source] { files_.go_to(source); };
     }
     for (const auto& sample : files_.samples()) {
@@ -114,6 +120,7 @@ void Finder::add_samples(std::vector<Findable>& all) {
 void Finder::add_pages(std::vector<Findable>& all) {
     for (const auto& page : widgets::manual_pages(text_of(data_directory().string()))) {
         all.push_back({tr("Manual"), page.title, page.place, page.headings});
+        all.back().icon = widgets::icon("part");
         all.back().go = [this, file = page.file] { emit page_wanted(file); };
     }
 }

@@ -324,6 +324,8 @@ void MainWindow::join_panels() {
     connect(shaders_, &ShaderDock::wanted, &joins_, [this] { docks_.raise("shaders"); });
     connect(shaders_, &ShaderDock::emptied, &joins_, [this] { docks_.hide("shaders"); });
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
+    connect(parameters_, &ParameterDock::page_wanted, &joins_,
+            [this](const QString& file, const QString& key) { show_page(file, key); });
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
     connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
     connect(&document_->tree(), &widgets::ProjectPanel::item_activated, &joins_,
@@ -494,9 +496,10 @@ void MainWindow::show_shortcuts() {
     dialog->show();
 }
 
-void MainWindow::show_page(const QString& file) {
+void MainWindow::show_page(const QString& file, const QString& key) {
     if (!manual_) manual_ = new widgets::ManualWindow(this);
     manual_->show_page(file);
+    if (!key.isEmpty() && !manual_->go_to_key(key)) notices_.say(tr("This page does not name %1").arg(key));
 }
 
 void MainWindow::show_about() {

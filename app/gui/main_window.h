@@ -114,7 +114,7 @@ class MainWindow : public QMainWindow {
     void edit_in_document();
     void go_to(const Message& message);
     void end_work();
-    void show_page(const QString& file);
+    void show_page(const QString& file, const QString& key = {});
     void show_shortcuts();
     void show_about();
 

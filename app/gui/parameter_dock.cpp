@@ -1,9 +1,12 @@
 #include "app/gui/parameter_dock.h"
 
+#include <QFile>
 #include <QLineEdit>
+#include <QMenu>
 #include <QVBoxLayout>
 
 #include "app/gui/text_of.h"
+#include "renderers/core/resources_path.h"
 
 namespace ir::gui {
 namespace {
@@ -93,11 +96,28 @@ void ParameterDock::connect_parameters() {
         });
         if (!done) update_panels();  // a refused value leaves the editor again
     });
+    parameters_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(parameters_, &Panel::customContextMenuRequested, this, &ParameterDock::show_menu);
     connect(parameters_, &Panel::gesture_finished, this, [this] { session_.end_gesture(); });
     connect(parameters_, &Panel::reset_chosen, this, [this](const std::string& key) {
         edit([&](const Project& p, Id id) { return edits::reset_value(p, session_.registry(), id, key); });
         session_.end_gesture();
     });
+}
+
+/// Of the row at a place of the panel.
+void ParameterDock::show_menu(QPoint place) {
+    const auto key = text_of(parameters_->key_at(place));
+    const auto* method = session_.method();
+    if (key.isEmpty() || !method) return;
+    const auto file = text_of((data_directory() / "docs/methods" / (method->id + ".md")).string());
+    auto* menu = new QMenu(parameters_);
+    menu->setObjectName(QStringLiteral("parameter-menu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    auto* explain = menu->addAction(tr("What it is"));
+    explain->setEnabled(QFile::exists(file));
+    connect(explain, &QAction::triggered, this, [this, file, key] { emit page_wanted(file, key); });
+    menu->popup(parameters_->mapToGlobal(place));
 }
 
 void ParameterDock::choose_method(const QString& method) {

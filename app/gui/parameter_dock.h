@@ -23,7 +23,12 @@ class ParameterDock : public QScrollArea {
     /// Scrolls to a parameter of the method and gives it the keyboard.
     void show_parameter(const std::string& key);
 
+  signals:
+    /// A page of the manual, and the parameter that it is opened for.
+    void page_wanted(const QString& file, const QString& key);
+
   private:
+    void show_menu(QPoint place);
     void connect_experiment();
     void connect_parameters();
     void choose_method(const QString& method);

@@ -35,21 +35,6 @@ QString state_text(const ResourceReport& resource) {
     return text_of(to_string(resource.semantic));
 }
 
-const char* sign_of(OutputKind kind) {
-    switch (kind) {
-        case OutputKind::point_set:
-        case OutputKind::line_set:
-        case OutputKind::glyphs:
-            return "scene";
-        case OutputKind::sphere_values:
-            return "orbit";
-        case OutputKind::table:
-            return "table";
-        default:
-            return "image";
-    }
-}
-
 Row resource_row(const ResourceReport& resource, const std::map<std::string, QImage>& thumbnails,
                  const std::string& shown) {
     const QString label = text_of(resource.label.empty() ? resource.key : resource.label);
@@ -130,6 +115,21 @@ Cell queue_cell(const PassReport& pass) {
 }
 
 }  // namespace
+
+const char* sign_of(OutputKind kind) {
+    switch (kind) {
+        case OutputKind::point_set:
+        case OutputKind::line_set:
+        case OutputKind::glyphs:
+            return "scene";
+        case OutputKind::sphere_values:
+            return "orbit";
+        case OutputKind::table:
+            return "table";
+        default:
+            return "image";
+    }
+}
 
 QString bytes_text(std::uint64_t bytes) {
     return text_of(ir::bytes_text(bytes));

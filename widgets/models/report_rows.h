@@ -16,6 +16,9 @@ QString bytes_text(std::uint64_t bytes);
 /// "0.12", "35", "1200": milliseconds with about three digits.
 QString milliseconds_text(double ms);
 
+/// Name of the icon of a kind of buffer.
+const char* sign_of(OutputKind kind);
+
 /// The method's results, in the order of `outputs`, then buffers under the passes that write them, the
 /// scene's last. Columns: name, size, memory, meaning, format. A row's key is the resource's key; a pass has
 /// "pass:NAME", the results have "group:results".

@@ -14,7 +14,7 @@ namespace ir::widgets {
 namespace {
 
 constexpr int usual_width = 760, usual_height = 420;  // logical pixels
-constexpr int column_margin = 14;
+constexpr int column_margin = 14, icon_size = 16;
 constexpr std::size_t max_shown = 200;
 enum Column { kind, name, place, keys };
 
@@ -89,6 +89,7 @@ FinderDialog::FinderDialog(std::vector<Findable> all, QWidget* parent)
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
+    list_->setIconSize(QSize(icon_size, icon_size));
     list_->setFocusPolicy(Qt::NoFocus);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setAccessibleName(tr("What fits"));
@@ -114,11 +115,14 @@ FinderDialog::FinderDialog(std::vector<Findable> all, QWidget* parent)
 void FinderDialog::search(const QString& query) {
     list_->clear();
     const auto order = found(query, all_);
+    QPixmap no_icon(icon_size, icon_size);  // so that words stand below each other
+    no_icon.fill(Qt::transparent);
     for (std::size_t i = 0; i < std::min(max_shown, order.size()); ++i) {
         const auto& what = all_[order[i]];
         const bool is_open = what.why_not.isEmpty();
         auto* item = new QTreeWidgetItem(list_, {what.kind, what.name, what.place, what.keys});
         item->setData(kind, Qt::UserRole, QVariant::fromValue(qulonglong(order[i])));
+        item->setIcon(kind, what.icon.isNull() ? QIcon(no_icon) : what.icon);
         item->setForeground(kind, palette().color(QPalette::PlaceholderText));
         item->setForeground(place, palette().color(QPalette::PlaceholderText));
         item->setTextAlignment(keys, Qt::AlignRight | Qt::AlignVCenter);
@@ -142,7 +146,7 @@ void FinderDialog::fit_columns() {
         return width > 0 ? width + column_margin : 0;
     };
     const int room = list_->viewport()->width();
-    const int kinds = needed(kind), key_room = std::min(needed(keys), room / 4);
+    const int kinds = needed(kind) + icon_size, key_room = std::min(needed(keys), room / 4);
     const int names =
         std::clamp(needed(name), 0, std::max(0, room - kinds - key_room - std::min(needed(place), room / 8)));
     list_->setColumnWidth(kind, kinds);

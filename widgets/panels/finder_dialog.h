@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QIcon>
 #include <functional>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Findable {
     QString keys = {};     ///< that do the same
     QString why_not = {};  ///< empty: it can be gone to
     std::function<void()> go = {};
+    QIcon icon = {};
 };
 
 /// How well the words of a query fit, 0: one of them does not. Each has to be in the name, kind, place or

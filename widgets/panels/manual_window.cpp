@@ -4,9 +4,11 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QImage>
+#include <QScrollBar>
 #include <QStyle>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -39,6 +41,21 @@ QString name_of(const QString& heading) {
         else if (letter == QLatin1Char(' '))
             name += QLatin1Char('-');
     return name;
+}
+
+/// `key` or `key=value` as code within the block, selected; null: it is not named there.
+QTextCursor named_in(const QTextBlock& block, const QString& key) {
+    if (block.blockFormat().hasProperty(QTextFormat::BlockCodeFence)) return {};
+    for (auto part = block.begin(); !part.atEnd(); ++part) {
+        const auto fragment = part.fragment();
+        if (!fragment.charFormat().fontFixedPitch()) continue;
+        if (fragment.text() != key && !fragment.text().startsWith(key + QLatin1Char('='))) continue;
+        QTextCursor cursor(block);
+        cursor.setPosition(fragment.position());
+        cursor.setPosition(fragment.position() + int(key.size()), QTextCursor::KeepAnchor);
+        return cursor;
+    }
+    return {};
 }
 
 /// Pictures are no wider than the window.
@@ -106,6 +123,27 @@ void ManualWindow::show_page(const QString& file) {
     show();
     raise();
     activateWindow();
+}
+
+bool ManualWindow::go_to_key(const QString& key) {
+    QTextCursor first;
+    for (auto block = browser_->document()->begin(); block.isValid(); block = block.next()) {
+        const auto named = named_in(block, key);
+        if (named.isNull()) continue;
+        const auto* table = named.currentTable();
+        const bool is_row = table && table->cellAt(named).column() == 0;
+        if (first.isNull() || is_row) first = named;
+        if (is_row) break;
+    }
+    if (first.isNull()) {
+        browser_->setTextCursor(QTextCursor(browser_->document()));
+        return false;
+    }
+    browser_->setTextCursor(QTextCursor(browser_->document()->lastBlock()));
+    browser_->setTextCursor(first);  // at the top now; what stands above it is seen, too
+    auto* bar = browser_->verticalScrollBar();
+    bar->setValue(bar->value() - browser_->viewport()->height() / 3);
+    return true;
 }
 
 QUrl ManualWindow::page() const {

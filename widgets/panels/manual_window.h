@@ -25,6 +25,9 @@ class ManualWindow : public QWidget {
   public:
     explicit ManualWindow(QWidget* parent);
     void show_page(const QString& file);
+    /// Marks what the page says of a parameter: its row of a table, or where the text names it first. False:
+    /// the page does not name it, and is shown from its top.
+    bool go_to_key(const QString& key);
     QUrl page() const;
 
   private:

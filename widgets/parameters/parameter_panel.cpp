@@ -104,6 +104,17 @@ QWidget* ParameterPanel::show_row(const std::string& key) {
     return editor;
 }
 
+std::string ParameterPanel::key_at(QPoint place) const {
+    const auto area = [this](const QWidget& widget) {
+        return QRect(widget.mapTo(this, QPoint()), widget.size());
+    };
+    for (const auto& [key, row] : rows_) {
+        const auto line = area(*row.label) | area(*row.editor);
+        if (row.editor->isVisible() && place.y() >= line.top() && place.y() <= line.bottom()) return key;
+    }
+    return {};
+}
+
 void ParameterPanel::update_rows() {
     for (const auto& parameter : parameters_) {
         FormRow& row = rows_.at(parameter.key);

@@ -36,6 +36,8 @@ class ParameterPanel : public QWidget {
     /// Unfolds the section of a parameter and gives its editor the keyboard. Returns the editor; null: there
     /// is no such row.
     QWidget* show_row(const std::string& key);
+    /// Of the row at a place of the panel; empty: none is there.
+    std::string key_at(QPoint place) const;
 
   signals:
     void value_chosen(const std::string& key, const ir::Value& value);

@@ -10,8 +10,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/models/report_rows.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
+#include "widgets/views/search_combo.h"
 
 namespace ir::widgets {
 namespace {
@@ -25,8 +27,9 @@ constexpr int min_width = 22;
 /// Letters of a wide kind; twelve usual ones take as much room.
 constexpr int letters_of_a_source = 10;
 
+template <class Combo = QComboBox>
 QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip, int letters) {
-    auto* combo = new QComboBox(parent);
+    auto* combo = new Combo(parent);
     combo->setObjectName(name);
     combo->setToolTip(tip);
     combo->setAccessibleName(tip);
@@ -68,7 +71,8 @@ void fill_outputs(QComboBox* combo, const std::vector<OutputOption>& outputs) {
             combo->addItem(group);
             if (model) model->item(combo->count() - 1)->setEnabled(false);
         }
-        combo->addItem(output.label.isEmpty() ? text_of(output.key) : output.label, text_of(output.key));
+        combo->addItem(icon(sign_of(output.kind)),
+                       output.label.isEmpty() ? text_of(output.key) : output.label, text_of(output.key));
         const QString tip = QStringLiteral("<b>%1</b><br>%2").arg(text_of(output.key), output.doc);
         combo->setItemData(combo->count() - 1, tip, Qt::ToolTipRole);
     }
@@ -138,8 +142,8 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
     result.badge->setContentsMargins(3, 0, 3, 0);
     result.owner = make_combo(result.line, QStringLiteral("owner-") + name,
                               tr("Experiment or image that is shown"), letters_of_a_source);
-    result.output = make_combo(result.line, QStringLiteral("output-") + name,
-                               tr("Output or buffer that is shown"), letters_of_a_source);
+    result.output = make_combo<SearchCombo>(result.line, QStringLiteral("output-") + name,
+                                            tr("Output or buffer that is shown"), letters_of_a_source);
     result.part =
         make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"), 7);
     result.part->setMinimumWidth(result.part->sizeHint().width());  // "Slice 12"

@@ -1,9 +1,12 @@
 #include <QLineEdit>
+#include <QMenu>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTreeWidget>
 
+#include "app/gui/parameter_dock.h"
+#include "app/gui/status_line.h"
 #include "tests/gui/window/window_fixture.h"
 #include "widgets/panels/finder_dialog.h"
 #include "widgets/panels/manual_window.h"
@@ -54,6 +57,7 @@ TEST_F(FinderTest, GoesToABufferInTheActiveView) {
     open_scene();
     find("dep buf");
     EXPECT_EQ(first(), "Depth");
+    EXPECT_FALSE(list().topLevelItem(0)->icon(0).isNull());
     enter();
     EXPECT_EQ(window.views().shown_key(), "depth");
 }
@@ -168,6 +172,30 @@ TEST_F(FinderTest, OpensSamplesAndPagesOfTheManual) {
     manual->close();
 }
 
+TEST_F(FinderTest, AParameterLeadsToItsPlaceInTheManual) {
+    open_scene();
+    window.docks().raise("parameters");
+    auto* panel = window.findChild<widgets::ParameterPanel*>();
+    emit panel->customContextMenuRequested(level()->mapTo(panel, level()->rect().center()));
+    auto* menu = panel->findChild<QMenu*>("parameter-menu");
+    ASSERT_TRUE(menu);
+    ASSERT_EQ(menu->actions().size(), 1);
+    EXPECT_FALSE(menu->actions().front()->isEnabled()) << "the manual has no page of the fake method";
+    menu->close();
+    const auto want = [&](const char* key) {
+        emit window.findChild<ParameterDock*>()->page_wanted(SOURCE_ROOT "/docs/methods/hbao.md", key);
+        return window.findChild<widgets::ManualWindow*>();
+    };
+    EXPECT_EQ(want("steps")->findChild<QTextBrowser*>()->textCursor().selectedText(), "steps");
+    auto* manual = want("blur_normal_power");
+    EXPECT_EQ(manual->page().fileName(), "hbao.md");
+    EXPECT_FALSE(manual->findChild<QTextBrowser*>()->textCursor().hasSelection());
+    const auto labels = window.findChild<StatusLine*>()->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(
+        labels, [](const auto* each) { return each->text().contains("does not name blur_normal_power"); }));
+    manual->close();
+}
+
 TEST_F(FinderTest, NothingFitsIsSaid) {
     find("xyzzy qqq");
     EXPECT_EQ(list().topLevelItemCount(), 0);
@@ -193,6 +221,27 @@ TEST(Manual, LinksLeadFromPageToPage) {
     EXPECT_EQ(browser->textCursor().block().text(), "Light of whole rooms");
     browser->backward();
     EXPECT_EQ(manual.page().fileName(), "ldm-ao.md");
+}
+
+TEST(Manual, MarksAParameterWhereItsPageDescribesIt) {
+    widgets::ManualWindow manual(nullptr);
+    auto* browser = manual.findChild<QTextBrowser*>();
+    const auto page = [](const char* method) {
+        return QStringLiteral(SOURCE_ROOT "/docs/methods/%1.md").arg(method);
+    };
+    manual.show_page(page("hbao"));
+    EXPECT_TRUE(manual.go_to_key("blur_radius"));
+    EXPECT_EQ(browser->textCursor().selectedText(), "blur_radius");
+    EXPECT_EQ(browser->textCursor().block().text(), "blur, blur_radius") << "a row of the table";
+    const auto place = browser->cursorRect();
+    EXPECT_TRUE(browser->viewport()->rect().contains(place)) << place.top();
+    EXPECT_TRUE(manual.go_to_key("max_distance")) << "the command above names it, too";
+    EXPECT_EQ(browser->textCursor().block().text(), "max_distance, falloff");
+    EXPECT_FALSE(manual.go_to_key("blur_normal_power"));
+    EXPECT_EQ(browser->verticalScrollBar()->value(), 0);
+    manual.show_page(page("ambient-occlusion-volumes"));
+    EXPECT_TRUE(manual.go_to_key("spread")) << "in a text, with a value";
+    EXPECT_EQ(browser->textCursor().selectedText(), "spread");
 }
 
 TEST(Finder, OrdersWhatFitsByHowWell) {

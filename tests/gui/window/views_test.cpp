@@ -1,5 +1,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QLineEdit>
+#include <QListView>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QTemporaryDir>
@@ -111,6 +113,55 @@ TEST_F(ViewsTest, PyramidsAndStacksShowOnePartOrAllAtOnce) {
     EXPECT_FLOAT_EQ(window.view().image().at(0, 0), 3);
     choose(header("part-a"), "All slices");
     EXPECT_EQ(window.view().picture()->atlas.tiles.size(), std::size_t(fake_slices));
+}
+
+TEST_F(ViewsTest, OutputsAreSearchedByWordsAndHaveIconsByKind) {
+    auto* combo = header("output-a");
+    const auto icon_of = [&](const char* label) {
+        return combo->itemIcon(combo->findText(label)).pixmap(16).toImage();
+    };
+    EXPECT_EQ(icon_of("Picture"), icon_of("Depth"));
+    EXPECT_NE(icon_of("Picture"), icon_of("Cloud"));
+    EXPECT_NE(icon_of("Cloud"), icon_of("Numbers"));
+    auto* line = combo->findChild<QLineEdit*>();
+    auto* list = combo->findChild<QListView*>();
+    const auto shown = [&] {
+        QStringList names;
+        for (int i = 0; i < combo->count(); ++i)
+            if (!list->isRowHidden(i) && list->model()->index(i, 0).flags().testFlag(Qt::ItemIsEnabled))
+                names << combo->itemText(i);
+        return names;
+    };
+    QTest::mouseClick(combo, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(line->window()));
+    EXPECT_EQ(list->currentIndex().data().toString(), "Picture") << "what is shown";
+    const auto all = shown().size();
+    EXPECT_GT(all, 5);
+    QTest::keyClicks(line, "PT dep");
+    EXPECT_EQ(shown(), QStringList("Depth"));
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_FALSE(line->isVisible());
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(views().shown_key(), "depth");
+    combo->showPopup();
+    EXPECT_EQ(shown().size(), all) << "the words are gone";
+    QTest::keyClicks(line, "l");
+    const auto found = shown();
+    ASSERT_GT(found.size(), 2);
+    QTest::keyClick(line, Qt::Key_Down);
+    EXPECT_EQ(list->currentIndex().data().toString(), found[1]);
+    QTest::keyClick(line, Qt::Key_Escape);
+    EXPECT_FALSE(line->isVisible());
+    EXPECT_EQ(views().shown_key(), "depth") << "nothing was chosen";
+    combo->showPopup();
+    QTest::keyClicks(line, "xyzzy");
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_TRUE(line->isVisible()) << "nothing fits, nothing is chosen";
+    const auto cloud = list->model()->index(combo->findText("Cloud"), 0);
+    line->clear();
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(cloud).center());
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(views().shown_key(), "cloud");
 }
 
 TEST_F(ViewsTest, EachKindOfOutputHasItsViewer) {

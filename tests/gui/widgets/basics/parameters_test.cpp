@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -178,6 +179,23 @@ TEST_F(ParameterPanelTest, FilterHidesOtherRows) {
     panel.set_filter("how many");
     EXPECT_TRUE(panel.findChild<QWidget*>("editor:count")->isVisible());
     EXPECT_FALSE(panel.findChild<QWidget*>("editor:jitter")->isVisible());
+}
+
+TEST_F(ParameterPanelTest, RowsAreFoundByPlaceAlsoIdleOnes) {
+    std::vector<std::string> keys;
+    panel.setContextMenuPolicy(Qt::CustomContextMenu);
+    QObject::connect(&panel, &QWidget::customContextMenuRequested, &panel,
+                     [&](QPoint place) { keys.push_back(panel.key_at(place)); });
+    const auto right_click = [](QWidget& on) {
+        const QPoint middle = on.rect().center();
+        QContextMenuEvent event(QContextMenuEvent::Mouse, middle, on.mapToGlobal(middle));
+        QApplication::sendEvent(&on, &event);
+    };
+    for (auto* label : panel.findChildren<QLabel*>())
+        if (label->text() == "Count" || label->text() == "Radius") right_click(*label);
+    right_click(*in<QCheckBox>("jitter"));
+    EXPECT_EQ(keys, std::vector<std::string>({"count", "radius", "jitter"}));
+    EXPECT_EQ(panel.key_at({5, panel.height() + 50}), "");
 }
 
 TEST(RowState, TooltipNamesKeyRangeDefaultAndSource) {
