@@ -36,6 +36,17 @@ void Finder::open() {
     dialog->open();
 }
 
+void Finder::show_parameter(const std::string& key) {
+    docks_.raise("parameters");
+    parameters_.show_parameter(key);
+}
+
+void Finder::go_to(const widgets::ItemRef& item) {
+    docks_.raise("project");
+    document_.select(item);
+    document_.tree().activate(item);
+}
+
 std::vector<Findable> Finder::all() {
     std::vector<Findable> all;
     if (session_.has_project()) {
@@ -67,14 +78,10 @@ void Finder::add_parameters(std::vector<Findable>& all) {
     for (const auto& parameter : method->parameters) {
         all.push_back(
             {tr("Parameter"), text_of(parameter.label), text_of(parameter.key), text_of(parameter.doc)});
-        all.back().go = [this, key = parameter.key] {
-            docks_.raise("parameters");
-            parameters_.show_parameter(key);
-        };
+        all.back().go = [this, key = parameter.key] { show_parameter(key); };
     }
 }
 
-/// With what a double click on them in the tree does.
 void Finder::add_items(std::vector<Findable>& all) {
     const auto nodes = widgets::project_nodes(session_.document(), session_.registry());
     for (const auto& group : nodes->children)
@@ -84,11 +91,7 @@ void Finder::add_items(std::vector<Findable>& all) {
             kind[0] = kind[0].toUpper();
             all.push_back({kind, node->name, node->detail, node->tooltip});
             if (node->icon) all.back().icon = widgets::icon(node->icon);
-            all.back().go = [this, item = node->item] {
-                docks_.raise("project");
-                document_.select(item);
-                document_.tree().activate(item);
-            };
+            all.back().go = [this, item = node->item] { go_to(item); };
         }
 }
 

@@ -20,6 +20,10 @@ class Finder : public QObject {
            ParameterDock& parameters, DockLayout& docks, FileController& files, Actions& actions);
     void open();
     std::vector<widgets::Findable> all();
+    /// Brings the parameters forward and gives this one the keyboard.
+    void show_parameter(const std::string& key);
+    /// What a double click on the item in the tree does.
+    void go_to(const widgets::ItemRef& item);
 
   signals:
     void page_wanted(const QString& file);

@@ -11,6 +11,7 @@
 #include "app/engine/execution.h"
 #include "app/gui/json_fields.h"
 #include "projects/autosave.h"
+#include "projects/note_links.h"
 #include "projects/store.h"
 #include "projects/unsaved.h"
 #include "renderers/core/error.h"
@@ -165,7 +166,9 @@ widgets::SampleProject sample_at(const std::filesystem::path& folder, bool with_
     const auto document = peek(sample.path);
     sample.name = QString::fromStdString(field_or(document, "name", folder.stem().string()));
     // The heading says the paper already: "Authors 2015, Fig. 9: what it shows".
-    const auto notes = QString::fromStdString(field_or(document, "notes", std::string())).simplified();
+    const auto notes =
+        QString::fromStdString(projects::without_note_links(field_or(document, "notes", std::string())))
+            .simplified();
     const auto colon = notes.indexOf(QStringLiteral(": "));
     sample.description = colon > 0 && colon < 80 ? notes.mid(colon + 2) : notes;
     if (!sample.description.isEmpty()) sample.description[0] = sample.description[0].toUpper();

@@ -18,6 +18,7 @@
 #include "app/gui/light_mover.h"
 #include "app/gui/light_offer.h"
 #include "app/gui/metrics_dock.h"
+#include "app/gui/note_links.h"
 #include "app/gui/parameter_dock.h"
 #include "app/gui/pipeline_dock.h"
 #include "app/gui/plots_dock.h"
@@ -34,7 +35,6 @@
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
 #include "widgets/panels/manual_window.h"
-#include "widgets/panels/notes_strip.h"
 
 class QLabel;
 class QStackedWidget;
@@ -177,6 +177,7 @@ class MainWindow : public QMainWindow {
     LightMover light_mover_;
     LightOffer light_offer_;
     Finder finder_;
+    NoteLinks note_links_;
     widgets::ManualWindow* manual_ = nullptr;
     QObject joins_;  ///< ends the connections between parts before the first of them goes
 };

@@ -8,6 +8,7 @@
 #include "app/report/describe.h"
 #include "app/report/make_report.h"
 #include "projects/match.h"
+#include "projects/note_links.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/text.h"
@@ -68,7 +69,7 @@ class ProjectReport {
     Report make_pictures() {
         report_.title = project_.name.empty() ? folder_.stem().string() : project_.name;
         report_.kind = "Project";
-        report_.notes = project_.notes;
+        report_.notes = projects::without_note_links(project_.notes);
         read_pictures();
         make_galleries();
         return std::move(report_);

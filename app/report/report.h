@@ -70,7 +70,7 @@ struct Plot {
 
 struct Report {
     std::string title, kind;              ///< kind: "Project", "Comparison", "Sweep"
-    std::string notes = {};               ///< Markdown is left as it is written
+    std::string notes = {};               ///< Markdown as it is written, without note links
     std::vector<std::string> lacks = {};  ///< what is missing or stale, a line each
     std::vector<Gallery> galleries = {};
     std::vector<Table> metrics = {};

@@ -24,7 +24,10 @@ ProjectEditor::ProjectEditor(QWidget* parent) : ItemForm(parent) {
     auto* grid = make_form_section(tr("Project"), this);
     name_ = name_row(grid, ItemKind::project, tr("What the project is called"));
     notes_ = new NotesField("notes", this);
-    row(grid, tr("Notes"), notes_, tr("Whatever is worth knowing years later"));
+    row(grid, tr("Notes"), notes_,
+        tr("Whatever is worth knowing years later, as Markdown.\nLinks lead to places in the window:\n"
+           "[words](view:2), [words](pin:3), [words](parameter:KEY),\n"
+           "[words](buffer:KEY), [words](experiment:ID), [words](experiment:ID/KEY)"));
     connect(notes_, &NotesField::chosen, this, [this](const QString& text) {
         emit edit_wanted([notes = text.toStdString()](const projects::Project& project) {
             return projects::edits::set_notes(project, notes);

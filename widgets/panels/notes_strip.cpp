@@ -1,11 +1,19 @@
 #include "widgets/panels/notes_strip.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QHBoxLayout>
+#include <QHelpEvent>
+#include <QImage>
 #include <QLabel>
 #include <QResizeEvent>
-#include <QScrollArea>
+#include <QStyle>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextLayout>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
+#include <cmath>
 
 namespace ir::widgets {
 namespace {
@@ -14,14 +22,38 @@ namespace {
 /// window is for.
 constexpr int max_lines = 4;
 
+const auto without_html =
+    QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) | QTextDocument::MarkdownNoHTML;
+
+/// As tooltips show it, whatever it looks like.
+QString plain_tip(const QString& text) {
+    return text.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
+}
+
+/// Loads nothing, and tells where links lead and not what they say of themselves.
+class NotesBrowser : public QTextBrowser {
+  public:
+    using QTextBrowser::QTextBrowser;
+
+  protected:
+    QVariant loadResource(int type, const QUrl&) override {
+        if (type != QTextDocument::ImageResource) return {};
+        QImage nothing(1, 1, QImage::Format_ARGB32);  // Qt reads the file itself where it gets none
+        nothing.fill(Qt::transparent);
+        return nothing;
+    }
+    bool viewportEvent(QEvent* event) override {
+        if (event->type() != QEvent::ToolTip) return QTextBrowser::viewportEvent(event);
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), plain_tip(anchorAt(help->pos())), viewport());
+        return true;
+    }
+};
+
 }  // namespace
 
 NotesStrip::NotesStrip(QWidget* parent)
-    : QWidget(parent),
-      fold_(new QToolButton(this)),
-      line_(new QLabel(this)),
-      text_(new QLabel),
-      scroll_(new QScrollArea(this)) {
+    : QWidget(parent), fold_(new QToolButton(this)), line_(new QLabel(this)), text_(new NotesBrowser(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(4, 3, 8, 3);
     row->setSpacing(6);
@@ -32,15 +64,14 @@ NotesStrip::NotesStrip(QWidget* parent)
     line_->setTextFormat(Qt::PlainText);
     line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     row->addWidget(line_, 1);
-    text_->setTextFormat(Qt::PlainText);
-    text_->setWordWrap(true);
-    text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    scroll_->setWidget(text_);
-    scroll_->setWidgetResizable(true);
-    scroll_->setFrameShape(QFrame::NoFrame);
-    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    row->addWidget(scroll_, 1);
+    text_->setAccessibleName(fold_->accessibleName());
+    text_->setOpenLinks(false);
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->viewport()->setAutoFillBackground(false);
+    text_->document()->setDocumentMargin(0);
+    text_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    row->addWidget(text_, 1, Qt::AlignTop);
+    connect(text_, &QTextBrowser::anchorClicked, this, &NotesStrip::link_chosen);
     connect(fold_, &QToolButton::clicked, this, [this] {
         set_folded(!folded_);
         emit folded_changed(folded_);
@@ -49,9 +80,12 @@ NotesStrip::NotesStrip(QWidget* parent)
 }
 
 void NotesStrip::set_notes(const QString& notes) {
-    notes_ = notes.trimmed();
+    const auto trimmed = notes.trimmed();
+    if (trimmed != notes_) {  // else it stays scrolled
+        notes_ = trimmed;
+        text_->document()->setMarkdown(notes_, without_html);
+    }
     setVisible(!notes_.isEmpty());
-    text_->setText(notes_);
     update_text();
 }
 
@@ -69,14 +103,32 @@ void NotesStrip::update_text() {
     fold_->setArrowType(folded_ ? Qt::RightArrow : Qt::DownArrow);
     fold_->setToolTip(folded_ ? tr("Show the notes of the project") : tr("Fold the notes into one line"));
     line_->setVisible(folded_);
-    scroll_->setVisible(!folded_);
-    const int room = std::max(40, width() - fold_->sizeHint().width() - 22);
-    line_->setText(fontMetrics().elidedText(notes_.simplified(), Qt::ElideRight, room));
-    line_->setToolTip(notes_);
-    const auto first = notes_.section(QLatin1Char('\n'), 0, 0);
-    const int line = fontMetrics().lineSpacing();
-    const int needed = fontMetrics().boundingRect(QRect(0, 0, room, 0), Qt::TextWordWrap, first).height();
-    scroll_->setFixedHeight(std::clamp((needed + line - 1) / line, 1, max_lines) * line);
+    text_->setVisible(!folded_);
+    const auto margins = layout()->contentsMargins();
+    const int room = std::max(
+        40, width() - fold_->sizeHint().width() - layout()->spacing() - margins.left() - margins.right());
+    const auto words = text_->toPlainText();
+    line_->setText(fontMetrics().elidedText(words.simplified(), Qt::ElideRight, room));
+    line_->setToolTip(plain_tip(words));
+    text_->setFixedHeight(height_of_beginning(room));
+}
+
+/// Of the first paragraph, at most max_lines of it. Whatever is longer gets a scroll bar.
+int NotesStrip::height_of_beginning(int width) {
+    auto& document = *text_->document();
+    const auto first = document.firstBlock();
+    const auto lay_out = [&](int room) {
+        document.setTextWidth(room);
+        return document.documentLayout()->blockBoundingRect(first);
+    };
+    auto place = lay_out(width);
+    const bool scrolls = first.next().isValid() || first.layout()->lineCount() > max_lines;
+    text_->setVerticalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+    if (scrolls) place = lay_out(width - style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    const int lines = std::min(first.layout()->lineCount(), max_lines);
+    if (lines == 0) return fontMetrics().lineSpacing();
+    const auto last = first.layout()->lineAt(lines - 1);
+    return int(std::ceil(place.top() + last.y() + last.height()));
 }
 
 }  // namespace ir::widgets

@@ -1,14 +1,16 @@
 #pragma once
 
+#include <QUrl>
 #include <QWidget>
 
 class QLabel;
-class QScrollArea;
+class QTextBrowser;
 class QToolButton;
 
 namespace ir::widgets {
 
-/// What a project says of itself, above its views: a few lines that scroll, or folded into one.
+/// What a project says of itself, above its views, as Markdown: a few lines that scroll, or folded into one.
+/// Notes may be anybody's: HTML stays text, nothing is loaded, and links are only told.
 class NotesStrip : public QWidget {
     Q_OBJECT
   public:
@@ -20,15 +22,17 @@ class NotesStrip : public QWidget {
 
   signals:
     void folded_changed(bool folded);
+    void link_chosen(const QUrl& link);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
 
   private:
     void update_text();
+    int height_of_beginning(int width);
     QToolButton* fold_;
-    QLabel *line_, *text_;
-    QScrollArea* scroll_;
+    QLabel* line_;
+    QTextBrowser* text_;
     QString notes_;
     bool folded_ = false;
 };

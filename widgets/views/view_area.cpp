@@ -172,10 +172,13 @@ void ViewArea::step_active(int step) {
     std::size_t at = 0;
     for (std::size_t i = 0; i < open.size(); ++i)
         if (open[i] == active_) at = i;
-    const int next = open[(at + open.size() + std::size_t(step + int(open.size()))) % open.size()];
-    dock(next)->raise();
-    if (view(next)) view(next)->setFocus();
-    set_active(next);
+    go_to(open[(at + open.size() + std::size_t(step + int(open.size()))) % open.size()]);
+}
+
+void ViewArea::go_to(int number) {
+    dock(number)->raise();
+    if (view(number)) view(number)->setFocus();
+    set_active(number);
 }
 
 QByteArray ViewArea::save() const {

@@ -33,6 +33,8 @@ class ViewArea : public QMainWindow {
     int open_another();
     void open(int number);
     void close_view(int number);
+    /// An open view comes to the front and gets the keyboard.
+    void go_to(int number);
     /// The next (previous) open view becomes active.
     void step_active(int step);
 

@@ -91,7 +91,7 @@ class Reports(unittest.TestCase):
         cls.folder = pathlib.Path(cls.temporary.name)
         cls.project = cls.folder / "p.interreflect"
         cls.document = {
-            "schema": 6, "name": HOSTILE, "notes": "First.\n\n<img src=x onerror=alert(1)>",
+            "schema": 6, "name": HOSTILE, "notes": "First, on the [left](view:1).\n\n<img src=x onerror=alert(1)>",
             "scenes": [{"id": "box", "parts": [{"source": "builtin:cornell@1"}]}],
             "experiments": [
                 {"id": "few", "name": HOSTILE, "scene": "box", "method": "ldm-ao", "size": [24, 16],
@@ -159,7 +159,9 @@ class Reports(unittest.TestCase):
         self.assertEqual(self.page.all("h1")[0]["text"], HOSTILE)
         self.assertEqual(len(self.page.all("h1")), 1)
         self.assertEqual([e for e in self.page.all("script") if "alert" in e["text"]], [])
-        self.assertIn("<img src=x onerror=alert(1)>", "".join(e["text"] for e in self.page.all("p")))
+        paragraphs = [e["text"] for e in self.page.all("p")]
+        self.assertIn("<img src=x onerror=alert(1)>", "".join(paragraphs))
+        self.assertIn("First, on the left.", paragraphs, "links into the window are words on a page")
         captions = [e["text"] for e in self.page.all("figcaption")]
         self.assertTrue(any(HOSTILE in c and "</figure><h1>not a heading" in c for c in captions), captions)
         offered = self.page.all("ul", class_="pairs")[0]["text"]
