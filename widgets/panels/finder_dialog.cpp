@@ -13,7 +13,7 @@
 namespace ir::widgets {
 namespace {
 
-constexpr int usual_width = 760, usual_height = 420;  // logical pixels
+constexpr int usual_width = 780, usual_height = 420;  // logical pixels
 constexpr int column_margin = 14, icon_size = 16;
 constexpr std::size_t max_shown = 200;
 enum Column { kind, name, place, keys };
