@@ -84,6 +84,7 @@ void NotesStrip::set_notes(const QString& notes) {
     if (trimmed != notes_) {  // else it stays scrolled
         notes_ = trimmed;
         text_->document()->setMarkdown(notes_, without_html);
+        text_->moveCursor(QTextCursor::Start);  // else it scrolls to the end
     }
     setVisible(!notes_.isEmpty());
     update_text();
@@ -113,10 +114,12 @@ void NotesStrip::update_text() {
     text_->setFixedHeight(height_of_beginning(room));
 }
 
-/// Of the first paragraph, at most max_lines of it. Whatever is longer gets a scroll bar.
+/// Of the first paragraph and the headings above it, at most max_lines of it. Whatever is longer gets a
+/// scroll bar.
 int NotesStrip::height_of_beginning(int width) {
     auto& document = *text_->document();
-    const auto first = document.firstBlock();
+    auto first = document.firstBlock();
+    while (first.blockFormat().headingLevel() > 0 && first.next().isValid()) first = first.next();
     const auto lay_out = [&](int room) {
         document.setTextWidth(room);
         return document.documentLayout()->blockBoundingRect(first);

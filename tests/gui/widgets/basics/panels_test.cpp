@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStyleOption>
 #include <QTableView>
@@ -227,6 +228,9 @@ TEST(NotesStrip, ShowsTheFirstParagraphWholeAndNoLineCut) {
     EXPECT_GT(height_of(long_text), 2 * line);
     EXPECT_EQ(height_of(long_text) % line, 0);
     EXPECT_EQ(height_of(long_text.repeated(9)), 4 * line);
+    EXPECT_GT(height_of("## Heading\n\nOne line.\n\nMore."), 2 * line) << "and what stands below it";
+    strip.show();
+    EXPECT_EQ(strip.findChild<QTextBrowser*>()->verticalScrollBar()->value(), 0) << "it begins at the top";
 }
 
 TEST(ShortcutsDialog, ListsEveryActionByMenuAndFindsThem) {
