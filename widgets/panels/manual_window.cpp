@@ -137,6 +137,7 @@ bool ManualWindow::go_to_key(const QString& key) {
     }
     if (first.isNull()) {
         browser_->setTextCursor(QTextCursor(browser_->document()));
+        browser_->verticalScrollBar()->setValue(0);
         return false;
     }
     browser_->setTextCursor(QTextCursor(browser_->document()->lastBlock()));
