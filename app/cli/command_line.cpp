@@ -102,7 +102,11 @@ void check_command(std::vector<std::string> words) {
     add_commands(app, run);
     refuse_empty_words(app, words);
     std::reverse(words.begin(), words.end());
-    app.parse(words);
+    try {
+        app.parse(words);
+    } catch (const CLI::ExtrasError&) {
+        throw UsageError("not expected: " + listed(app.remaining(true)));
+    }
 }
 
 int run_command_line(int argc, char** argv) {

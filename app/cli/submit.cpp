@@ -43,8 +43,8 @@ bool has_option(const Words& words, const std::string& option) {
     });
 }
 
-/// The command as each task runs it. Throws UsageError, and CLI::ParseError as the command itself.
-Words task_command(const Words& words) {
+/// Throws UsageError.
+void check_divided(const Words& words) {
     if (words.empty()) throw UsageError("say what the tasks do: " + listed(divided));
     if (std::find(divided.begin(), divided.end(), words.front()) == divided.end())
         throw UsageError("'" + words.front() + "' cannot be divided" + known_are(words.front(), divided));
@@ -52,6 +52,10 @@ Words task_command(const Words& words) {
         throw UsageError("'sweep plan' is not divided; run it before the tasks");
     if (words.size() > 1 && words[1] == "merge")
         throw UsageError("'" + words.front() + " merge' is not divided; run it when all tasks are done");
+}
+
+/// The command as each task runs it. Throws UsageError, and CLI::ParseError as the command itself.
+Words task_command(const Words& words) {
     for (const char* option : {"--shard", "--shard-from-env"})
         if (has_option(words, option))
             throw UsageError(std::string(option) + " is what submit adds; leave it out");
@@ -196,9 +200,9 @@ void submit(const std::string& script) {
 }
 
 int print_script(const SubmitFlags& flags) {
-    const auto words = task_command(flags.command);
+    check_divided(flags.command);
     check(flags);
-    const auto script = script_of(flags, words);
+    const auto script = script_of(flags, task_command(flags.command));
     if (!flags.script.empty()) write_file(flags.script, script);
     (flags.run ? std::cerr : std::cout) << script;
     if (flags.run) submit(script);
