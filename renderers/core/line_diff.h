@@ -7,7 +7,7 @@
 namespace ir {
 
 /// The hunks that make `after` of `before`, with three lines of context; empty where both are equal. By the
-/// shortest script of lines that are added and removed (Myers 1986); beyond some thousands of these all that
+/// shortest script of lines that are added and removed [Myers86]; beyond some thousands of these all that
 /// lies between the first and the last difference is replaced.
 std::string line_diff(const std::string& before, const std::string& after);
 

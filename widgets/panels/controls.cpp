@@ -2,7 +2,9 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QItemSelectionModel>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -55,6 +57,15 @@ QComboBox* add_list(QBoxLayout* row, const char* name, const QString& label, int
     list->setMinimumContentsLength(letters);
     row->addWidget(list, stretch);
     return list;
+}
+
+bool moves_through(QWidget* list, QEvent* event) {
+    if (event->type() != QEvent::KeyPress) return false;
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key != Qt::Key_Up && key != Qt::Key_Down && key != Qt::Key_PageUp && key != Qt::Key_PageDown)
+        return false;
+    QCoreApplication::sendEvent(list, event);
+    return true;
 }
 
 QProgressBar* add_progress(QBoxLayout* row) {

@@ -8,6 +8,7 @@
 class QAbstractItemModel;
 class QBoxLayout;
 class QComboBox;
+class QEvent;
 class QItemSelectionModel;
 class QLabel;
 class QProgressBar;
@@ -29,6 +30,9 @@ QToolButton* add_button(QBoxLayout* row, const char* name, const char* drawing, 
 QToolButton* add_icon_button(QBoxLayout* row, const char* name, const char* drawing, const QString& text);
 /// A list in a panel's row that is as wide as so many letters at least. Its tool tip is the label.
 QComboBox* add_list(QBoxLayout* row, const char* name, const QString& label, int letters, int stretch = 1);
+/// Gives a list the keys that move through it while a line to search it has the keyboard; whether this was
+/// one.
+bool moves_through(QWidget* list, QEvent* event);
 /// How far a panel's work is, in thousandths.
 QProgressBar* add_progress(QBoxLayout* row);
 

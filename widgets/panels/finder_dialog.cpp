@@ -1,7 +1,7 @@
 #include "widgets/panels/finder_dialog.h"
 
+#include <QEvent>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTimer>
@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <numeric>
+
+#include "widgets/panels/controls.h"
 
 namespace ir::widgets {
 namespace {
@@ -157,14 +159,7 @@ void FinderDialog::fit_columns() {
 
 bool FinderDialog::eventFilter(QObject* watched, QEvent* event) {
     if (watched == list_->viewport() && event->type() == QEvent::Resize) fit_columns();
-    if (watched == line_ && event->type() == QEvent::KeyPress) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        for (const int each : {Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown})
-            if (key->key() == each) {
-                QCoreApplication::sendEvent(list_, event);
-                return true;
-            }
-    }
+    if (watched == line_ && moves_through(list_, event)) return true;
     return QDialog::eventFilter(watched, event);
 }
 

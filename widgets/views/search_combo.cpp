@@ -1,12 +1,12 @@
 #include "widgets/views/search_combo.h"
 
-#include <QCoreApplication>
-#include <QKeyEvent>
 #include <QLineEdit>
 #include <QListView>
 #include <QScreen>
 #include <QVBoxLayout>
 #include <algorithm>
+
+#include "widgets/panels/controls.h"
 
 namespace ir::widgets {
 namespace {
@@ -98,14 +98,7 @@ void SearchCombo::choose(const QModelIndex& entry) {
 }
 
 bool SearchCombo::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == line_ && event->type() == QEvent::KeyPress) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        for (const int each : {Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown})
-            if (key->key() == each) {
-                QCoreApplication::sendEvent(list_, event);
-                return true;
-            }
-    }
+    if (watched == line_ && moves_through(list_, event)) return true;
     return QComboBox::eventFilter(watched, event);
 }
 
