@@ -114,13 +114,10 @@ bool DifferenceRequest::continues(const DifferenceRequest& other) const {
            a->size() == other.a->size() && a->unit == other.a->unit;
 }
 
-DifferenceWorker::DifferenceWorker(QObject* parent) : QObject(parent) {
-    pool_.setMaxThreadCount(1);  // memory is the limit, and renderers want the cores
-}
+DifferenceWorker::DifferenceWorker(QObject* parent) : QObject(parent) {}
 
 DifferenceWorker::~DifferenceWorker() {
-    pool_.clear();
-    pool_.waitForDone();
+    worker_.finish();
 }
 
 void DifferenceWorker::request(int slot, const DifferenceRequest& request) {
@@ -136,7 +133,7 @@ void DifferenceWorker::start(int slot) {
     Slot& each = slots_[slot];
     each.running = true;
     each.pending = false;
-    pool_.start([this, slot, request = each.wanted] {
+    worker_.start([this, slot, request = each.wanted] {
         auto result = compute(request);
         QMetaObject::invokeMethod(
             this, [this, slot, result] { take(slot, result); }, Qt::QueuedConnection);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <QThreadPool>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "renderers/image/difference.h"
 #include "widgets/image/display.h"
 #include "widgets/image/picture.h"
+#include "widgets/models/worker.h"
 
 namespace ir::widgets {
 
@@ -60,7 +60,7 @@ class DifferenceWorker : public QObject {
     void start(int slot);
     void take(int slot, std::shared_ptr<const DifferenceResult> result);
     std::vector<Slot> slots_;
-    QThreadPool pool_;
+    Worker worker_;
 };
 
 /// Signed and significant: a diverging map from -m … m; absolute and squared: 0 … m; relative: 0 … 1, or to m

@@ -77,7 +77,7 @@ void BufferTable::start() {
         return take(serial_, list(model_->reader(), listing_, nullptr));
     if (running_) return;  // take() starts the newest
     running_ = true;
-    pool_.start([this, list, reader = model_->reader(), listing = listing_, serial = serial_] {
+    worker_.start([this, list, reader = model_->reader(), listing = listing_, serial = serial_] {
         auto listed = list(reader, listing, &cancelled_);
         if (cancelled_) return;
         QMetaObject::invokeMethod(

@@ -19,7 +19,6 @@ namespace ir::widgets {
 
 BufferTable::BufferTable(QWidget* parent)
     : QWidget(parent), model_(new BufferModel(this)), fields_(new QTransposeProxyModel(this)) {
-    pool_.setMaxThreadCount(1);
     view_ = make_view(model_, "elements");
     single_ = make_view(fields_, "fields");
     connect_view();
@@ -53,7 +52,7 @@ BufferTable::BufferTable(QWidget* parent)
 
 BufferTable::~BufferTable() {
     cancelled_ = true;
-    pool_.waitForDone();
+    worker_.finish();
 }
 
 QWidget* BufferTable::make_bar() {

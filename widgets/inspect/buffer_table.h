@@ -1,12 +1,12 @@
 #pragma once
 
-#include <QThreadPool>
 #include <QWidget>
 #include <atomic>
 #include <memory>
 #include <optional>
 
 #include "widgets/inspect/buffer_model.h"
+#include "widgets/models/worker.h"
 
 class QLabel;
 class QLineEdit;
@@ -91,7 +91,7 @@ class BufferTable : public QWidget {
     QLineEdit *filter_ = nullptr, *element_ = nullptr;
     QToolButton *copy_ = nullptr, *save_ = nullptr;
     QLabel *title_ = nullptr, *status_ = nullptr, *problem_ = nullptr;
-    QThreadPool pool_;
+    Worker worker_;
     std::atomic<bool> cancelled_ = false;
     std::uint64_t serial_ = 0;
     QString reason_;

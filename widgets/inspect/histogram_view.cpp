@@ -18,7 +18,6 @@ constexpr double reach = 7;  ///< pixels around a handle that take hold of it
 }  // namespace
 
 HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
-    pool_.setMaxThreadCount(1);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
@@ -27,7 +26,7 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
 
 HistogramView::~HistogramView() {
     cancelled_ = true;
-    pool_.waitForDone();
+    worker_.finish();
 }
 
 void HistogramView::set_image(std::shared_ptr<const Image> image, Semantic semantic, int channel) {
@@ -83,8 +82,8 @@ void HistogramView::start() {
     // else never be.
     if (running_) return;
     running_ = true;
-    pool_.start([this, picture = picture_, channel = channel_, valid_only = valid_only_, zoom = zoom_,
-                 serial = serial_, generation = generation_] {
+    worker_.start([this, picture = picture_, channel = channel_, valid_only = valid_only_, zoom = zoom_,
+                   serial = serial_, generation = generation_] {
         Histogram result = count_picture(*picture, channel, valid_only, zoom, &cancelled_);
         if (cancelled_) return;
         QMetaObject::invokeMethod(

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QThreadPool>
 #include <QWidget>
 #include <atomic>
 #include <memory>
@@ -8,6 +7,7 @@
 
 #include "widgets/image/picture.h"
 #include "widgets/inspect/histogram.h"
+#include "widgets/models/worker.h"
 
 namespace ir::widgets {
 
@@ -74,7 +74,7 @@ class HistogramView : public QWidget {
     void paint_labels(QPainter& painter) const;
     QString bin_text(double x) const;
 
-    QThreadPool pool_;
+    Worker worker_;
     std::atomic<bool> cancelled_ = false;
     std::uint64_t serial_ = 0;                ///< of the last change of anything
     std::uint64_t generation_ = 0;            ///< of the last change of more than pixel values

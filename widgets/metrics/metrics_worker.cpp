@@ -141,14 +141,11 @@ MetricsResult measure(const MetricsRequest& requested, const std::atomic<bool>& 
     return result;
 }
 
-MetricsWorker::MetricsWorker(QObject* parent) : QObject(parent) {
-    pool_.setMaxThreadCount(1);  // renderers want the cores
-}
+MetricsWorker::MetricsWorker(QObject* parent) : QObject(parent) {}
 
 MetricsWorker::~MetricsWorker() {
     if (cancelled_) *cancelled_ = true;
-    pool_.clear();
-    pool_.waitForDone();
+    worker_.finish();
 }
 
 void MetricsWorker::request(const MetricsRequest& request) {
@@ -169,7 +166,7 @@ void MetricsWorker::start() {
     running_ = true;
     pending_ = false;
     cancelled_ = std::make_shared<std::atomic<bool>>(false);
-    pool_.start([this, request = wanted_, cancelled = cancelled_] {
+    worker_.start([this, request = wanted_, cancelled = cancelled_] {
         const auto post = [this](const MetricsResult& result, bool last) {
             auto shared = std::make_shared<const MetricsResult>(result);
             QMetaObject::invokeMethod(

@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <QRect>
-#include <QThreadPool>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -11,6 +10,7 @@
 
 #include "renderers/image/metrics.h"
 #include "widgets/image/picture.h"
+#include "widgets/models/worker.h"
 
 namespace ir::widgets {
 
@@ -69,7 +69,7 @@ class MetricsWorker : public QObject {
     MetricsRequest wanted_;
     std::shared_ptr<std::atomic<bool>> cancelled_;
     bool has_wanted_ = false, running_ = false, pending_ = false;
-    QThreadPool pool_;
+    Worker worker_;
 };
 
 }  // namespace ir::widgets

@@ -4,13 +4,9 @@
 
 namespace ir::widgets {
 
-NewestJob::NewestJob(QObject* parent) : QObject(parent) {
-    pool_.setMaxThreadCount(1);  // renderers want the cores
-}
-
 NewestJob::~NewestJob() {
     cancelled_ = true;
-    pool_.waitForDone();
+    worker_.finish();
 }
 
 void NewestJob::start(Job job) {
@@ -19,7 +15,7 @@ void NewestJob::start(Job job) {
 
 void NewestJob::run(Job job) {
     running_ = true;
-    pool_.start([this, job = std::move(job)] {
+    worker_.start([this, job = std::move(job)] {
         auto finish = job(cancelled_);
         if (cancelled_) return;
         QMetaObject::invokeMethod(

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <QObject>
-#include <QThreadPool>
 #include <atomic>
 #include <functional>
+
+#include "widgets/models/worker.h"
 
 namespace ir::widgets {
 
@@ -15,7 +16,7 @@ class NewestJob : public QObject {
     /// What it returns is carried out in the window's thread.
     using Job = std::function<std::function<void()>(const std::atomic<bool>& cancelled)>;
 
-    explicit NewestJob(QObject* parent = nullptr);
+    explicit NewestJob(QObject* parent = nullptr) : QObject(parent) {}
     ~NewestJob() override;
     void start(Job job);
     void drop_waiting() { waiting_ = nullptr; }
@@ -26,7 +27,7 @@ class NewestJob : public QObject {
     Job waiting_;
     std::atomic<bool> cancelled_ = false;
     bool running_ = false;
-    QThreadPool pool_;
+    Worker worker_;
 };
 
 }  // namespace ir::widgets
