@@ -179,6 +179,24 @@ TEST(AutosaveFuzz, FifteenHundredMutationsAreOfferedOrIgnored) {
     expect_both(mutate({pretty_json(autosave)}, 1500, 20240502, fuzz::offers_autosave));
 }
 
+/// What libFuzzer begins with.
+TEST(HunksFuzz, TwoThousandMutationsAreAppliedOrRefusedWithOneLine) {
+    std::vector<std::string> seeds;
+    for (const auto* name : {"git", "moved", "ends", "added"}) {
+        std::ostringstream text;
+        text << std::ifstream(std::string(SOURCE_ROOT "/tests/fuzz/corpus/hunks/") + name, std::ios::binary)
+                    .rdbuf();
+        seeds.push_back(text.str());
+    }
+    Random random(20261128);
+    Outcomes outcomes;
+    for (int i = 0; i < 2000; ++i) {
+        const auto text = mutate_bytes(seeds[pick(random, seeds.size())], random);
+        (fuzz::changes_shaders(text) ? outcomes.opened : outcomes.refused)++;
+    }
+    expect_both(outcomes);
+}
+
 TEST(ResultsFuzz, FifteenHundredMutationsAreReadOrRefusedWithOneLine) {
     Json index = {{"schema", 1}, {"entries", Json::array()}};
     for (const char* key : {"0011aabb", "2233ccdd"})
