@@ -179,10 +179,10 @@ bool changes_shaders(const std::string& texts) {
     };
     const auto diff = part(second_end + 1, texts.size());
     may_refuse([&] {
-        for (const auto& [file, hunks] : hunks_by_file(diff))
+        for (const auto& file : hunks_by_file(diff))
             may_refuse([&] {
-                const auto changed = apply_line_diff(before, hunks);
-                count_lines(hunks);
+                const auto changed = apply_line_diff(before, file.second);
+                count_lines(file.second);
                 require_changes(changed);
                 is_changed = true;
             });
