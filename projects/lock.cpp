@@ -16,7 +16,6 @@
 #include "projects/object_reader.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
-#include "renderers/core/file_system.h"
 
 namespace ir::projects {
 namespace {
@@ -73,10 +72,10 @@ std::string to_text(const LockHolder& holder) {
 }
 
 /// Nothing when there is no such file or when it is damaged.
-std::optional<LockHolder> read_holder(const fs::path& file) {
+std::optional<LockHolder> read_holder(const fs::path& file, FileSystem& files = real_file_system()) {
     constexpr std::size_t max_bytes = 4096;
     try {
-        const Json json = parse_json(real_file_system().read(file, max_bytes), file.string());
+        const Json json = parse_json(files.read(file, max_bytes), file.string());
         ObjectReader reader(json, file.string(), "");
         LockHolder holder;
         holder.host = reader.required_text("host");
@@ -216,13 +215,12 @@ void Lock::follow(const fs::path& folder) {
     file_ = folder / lock_file_name;
 }
 
-bool Lock::is_still_ours() const {
-    return held_ && read_holder(file_) == self_;
+bool Lock::is_still_ours(FileSystem& files) const {
+    return held_ && read_holder(file_, files) == self_;
 }
 
-bool Lock::is_gone() const {
-    std::error_code error;
-    return held_ && !fs::exists(fs::symlink_status(file_, error));
+bool Lock::is_gone(FileSystem& files) const {
+    return held_ && !files.exists(file_);
 }
 
 }  // namespace ir::projects

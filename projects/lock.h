@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "renderers/core/file_system.h"
+
 namespace ir::projects {
 
 /// Who has a project open.
@@ -37,9 +39,9 @@ class Lock {
 
     bool is_held() const { return held_; }
     /// Looks at the file again: somebody may have broken the lock.
-    bool is_still_ours() const;
+    bool is_still_ours(FileSystem& files = real_file_system()) const;
     /// The file is not there: somebody removed it without taking the lock.
-    bool is_gone() const;
+    bool is_gone(FileSystem& files = real_file_system()) const;
     /// Why not: one line for the banner, "open for writing by process 12 on host a since …".
     const std::string& reason() const { return reason_; }
     const std::optional<LockHolder>& holder() const { return holder_; }

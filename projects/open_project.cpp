@@ -81,7 +81,7 @@ OpenProject::~OpenProject() = default;
 
 void OpenProject::close() {
     if (folder_.empty()) drop_unsaved_home();
-    if (!read_only_ && lock_.is_still_ours()) {
+    if (!read_only_ && lock_.is_still_ours(files_)) {
         if (has_autosave_) drop_autosave();
         forget_taken();
     }
@@ -194,9 +194,9 @@ void OpenProject::drop_autosave() {
 }
 
 bool OpenProject::holds_lock() {
-    if (lock_.is_still_ours()) return true;
+    if (lock_.is_still_ours(files_)) return true;
     // Somebody cleaned up; whether the document changed meanwhile is seen by its hash.
-    if (!lock_.is_gone()) return false;
+    if (!lock_.is_gone(files_)) return false;
     lock_.release();
     lock_ = Lock::acquire(folder_);
     return lock_.is_held();
@@ -246,7 +246,7 @@ void OpenProject::save_as(const fs::path& given) {
     const Project before = project_;
     const auto folder_before = folder_;
     const auto hash_before = file_hash_;
-    const bool was_ours = !folder_.empty() && !read_only_ && lock_.is_still_ours();
+    const bool was_ours = !folder_.empty() && !read_only_ && lock_.is_still_ours(files_);
     record_hashes(contents_);
     const bool moved = move_sources(target);
     if (folder_.empty() && (project_.name.empty() || project_.name == "Untitled"))
@@ -280,7 +280,7 @@ void OpenProject::save_as(const fs::path& given) {
 
 void OpenProject::rename_folder(const fs::path& to) {
     require_writable();
-    if (folder_.empty() || !lock_.is_still_ours())
+    if (folder_.empty() || !lock_.is_still_ours(files_))
         throw Error(folder_.string() + ": cannot be renamed; another process has it open");
     autosave_.flush();
     files_.rename(folder_, to);
@@ -315,7 +315,7 @@ void OpenProject::drop_unsaved_home() {
 
 void OpenProject::autosave_unsaved() {
     if (unsaved_place_.empty() || !is_dirty()) return;
-    const bool has_home = unsaved_home_.is_ours();
+    const bool has_home = unsaved_home_.is_ours(files_);
     if (has_home && has_autosave_ && autosaved_revision_ == revision() && !autosave_.has_failed()) return;
     try {
         if (!has_home) unsaved_home_ = UnsavedHome::make(unsaved_place_, project_.name, files_);

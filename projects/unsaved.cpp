@@ -60,7 +60,7 @@ UnsavedHome UnsavedHome::take_over(const fs::path& folder, FileSystem& files) {
 }
 
 void UnsavedHome::remove(FileSystem& files) {
-    if (lock_.is_still_ours()) {
+    if (lock_.is_still_ours(files)) {
         for (const auto& name : files.list(folder_))
             if (is_of_autosave(name)) files.remove(folder_ / name);
         lock_.release();

@@ -23,7 +23,7 @@ class UnsavedHome {
     static UnsavedHome take_over(const std::filesystem::path& folder, FileSystem& files);
 
     const std::filesystem::path& folder() const { return folder_; }  ///< empty: none
-    bool is_ours() const { return lock_.is_still_ours(); }
+    bool is_ours(FileSystem& files) const { return lock_.is_still_ours(files); }
     /// Removes the autosave and the folder. Throws Error; nothing where there is none.
     void remove(FileSystem& files);
 

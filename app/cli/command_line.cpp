@@ -11,6 +11,7 @@
 #include "app/engine/version.h"
 #include "renderers/core/reason.h"
 #include "renderers/core/words.h"
+#include "renderers/image/exr.h"
 
 namespace ir::cli {
 namespace {
@@ -121,6 +122,7 @@ int run_command_line(int argc, char** argv) {
         refuse_empty_words(app, {argv + std::min(argc, 1), argv + argc});
         app.parse(argc, argv);
         if (writes(app)) engine::watch_interruptions();
+        use_threads_for_exr();
         const int status = run();
         std::cout.flush();
         if (!std::cout) return fail("standard output cannot be written", failed);

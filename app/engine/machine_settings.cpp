@@ -84,7 +84,7 @@ void add_machine_flags(CLI::App& command, MachineFlags& flags) {
     command
         .add_option("--shaders", flags.shaders,
                     "Folder of shaders in place of the program's own, such as a copy to work on")
-        ->each([](const std::string& name) { use_shaders_of(shader_folder(name)); });
+        ->each([](const std::string& name) { use_shaders_of(std::filesystem::absolute(name)); });
     command.add_flag("--gl-debug", flags.debug, "Report the driver's debug messages");
     add_outside_flag(command);
 }

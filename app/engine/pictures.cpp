@@ -175,12 +175,10 @@ ImageAttributes attributes(const Execution& execution) {
 
 void write_picture(const std::filesystem::path& file, const Execution& execution,
                    const std::vector<std::string>& dumps) {
-    if (file.extension() == ".exr") {
-        compress_exr_in_threads();
+    if (file.extension() == ".exr")
         write_exr(file, layers(execution, dumps), attributes(execution));
-        return;
-    }
-    write_png(file, displayed_result(execution));
+    else
+        write_png(file, displayed_result(execution));
 }
 
 }  // namespace ir::engine

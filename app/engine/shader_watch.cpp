@@ -50,19 +50,32 @@ void ShaderWatch::watch_folders() const {
     }
 }
 
-void ShaderWatch::wait() const {
-    std::array<pollfd, 2> descriptors{{{stop_, POLLIN, 0}, {events_, POLLIN, 0}}};
+bool ShaderWatch::hear_all() const {
+    alignas(inotify_event) std::array<char, 4096> heard;
     for (;;) {
+        const auto bytes = ::read(events_, heard.data(), heard.size());
+        if (bytes <= 0) return bytes < 0 && errno == EAGAIN;
+    }
+}
+
+bool ShaderWatch::begin_anew() {
+    ::close(events_);
+    events_ = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+    return events_ >= 0;
+}
+
+void ShaderWatch::wait() {
+    for (;;) {
+        std::array<pollfd, 2> descriptors{{{stop_, POLLIN, 0}, {events_, POLLIN, 0}}};
         if (::poll(descriptors.data(), descriptors.size(), -1) < 0) {
             if (errno == EINTR) continue;
             return;
         }
         if (descriptors[0].revents != 0 || ::poll(descriptors.data(), 1, pause_ms) > 0) return;
-        alignas(inotify_event) std::array<char, 4096> heard;
-        while (::read(events_, heard.data(), heard.size()) > 0) {
-        }
-        watch_folders();
+        const bool goes_on = hear_all() || begin_anew();
+        if (goes_on) watch_folders();
         changed_();
+        if (!goes_on) return;
     }
 }
 

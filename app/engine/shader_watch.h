@@ -18,7 +18,9 @@ class ShaderWatch {
 
   private:
     void watch_folders() const;
-    void wait() const;
+    bool hear_all() const;  ///< false: the descriptor fails, and would be ready for ever
+    bool begin_anew();
+    void wait();
 
     std::filesystem::path folder_;
     std::function<void()> changed_;

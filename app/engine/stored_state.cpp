@@ -17,6 +17,7 @@
 #include "app/engine/state_layout.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
+#include "renderers/core/limits.h"
 #include "renderers/image/exr_parts.h"
 
 namespace ir::engine {
@@ -103,6 +104,8 @@ void check_part(const StatePart& part, const Imf::Header& header, const std::str
 
 graph::History read_parts(Imf::MultiPartInputFile& input, const std::string& file,
                           ImageAttributes& attributes) {
+    auto left = max_expanded(fs::file_size(file));
+    for (int i = 0; i < input.parts(); ++i) take_bytes_of_part(input.header(i), file, left);
     attributes = attributes_of(input.header(0));
     const auto described = attributes.find(entries_attribute);
     if (described == attributes.end()) throw InputError(file, "", "is an image, not a stored state");

@@ -22,6 +22,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/codecs/codecs.h"
+#include "renderers/image/exr.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -252,6 +253,7 @@ int run(int argc, char** argv) {
     };
     try {
         command.parse(argc, argv);
+        use_threads_for_exr();
         if (!arguments.machine.backend.empty()) gl::parse_backend(arguments.machine.backend);
         engine::machine_options(arguments.machine);
         engine::parse_bytes(arguments.machine.memory);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "renderers/core/error.h"
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 std::atomic<bool> changes_allowed = false;
 std::mutex folder_mutex;
 fs::path used_folder;
-std::string folder_digest;
+std::optional<std::string> folder_digest;  ///< absent: not looked at yet
 
 std::string text_of(const fs::path& file) {
     std::ostringstream text;
@@ -56,6 +57,19 @@ std::string shader_named_by(const fs::path& path) {
         if (longest.empty()) longest = file.generic_string();
     }
     return longest;
+}
+
+/// Of all that differs from the program's own shaders; empty: nothing.
+std::string digest_of_folder(const fs::path& folder) {
+    std::string all;
+    const auto own = shader_directory();
+    auto names = shaders_in(own);
+    names.merge(shaders_in(folder));
+    for (const auto& name : names) {
+        const auto text = text_of(folder / name);
+        if (text != text_of(own / name)) all += name + '\n' + hash_bytes(text) + '\n';
+    }
+    return all.empty() ? "" : hash_bytes(all);
 }
 
 /// Projects are JSON.
@@ -140,17 +154,9 @@ std::string digest_of(const ShaderChanges& changes) {
 }
 
 void use_shaders_of(const fs::path& folder) {
-    std::string all;
-    const auto own = shader_directory();
-    auto names = shaders_in(own);
-    names.merge(shaders_in(folder));
-    for (const auto& name : names) {
-        const auto text = text_of(folder / name);
-        if (text != text_of(own / name)) all += name + '\n' + hash_bytes(text) + '\n';
-    }
     const std::lock_guard lock(folder_mutex);
     used_folder = folder;
-    folder_digest = all.empty() ? "" : hash_bytes(all);
+    folder_digest.reset();
 }
 
 void look_at_shaders_again() {
@@ -158,12 +164,20 @@ void look_at_shaders_again() {
         const std::lock_guard lock(folder_mutex);
         return used_folder;
     }();
-    if (!folder.empty()) use_shaders_of(folder);
+    if (folder.empty()) return;
+    auto digest = digest_of_folder(folder);
+    const std::lock_guard lock(folder_mutex);
+    if (used_folder == folder) folder_digest = std::move(digest);
 }
 
 std::string shader_folder_digest() {
+    const auto is_known = [] {
+        const std::lock_guard lock(folder_mutex);
+        return used_folder.empty() || folder_digest;
+    }();
+    if (!is_known) look_at_shaders_again();
     const std::lock_guard lock(folder_mutex);
-    return folder_digest;
+    return folder_digest.value_or("");
 }
 
 void allow_changed_shaders() {

@@ -36,7 +36,7 @@ std::string change_text(const std::string& hunks);
 /// Of all of them, empty where there are none.
 std::string digest_of(const ShaderChanges& changes);
 
-/// Says that machines of this process take shaders from another folder.
+/// Says that machines of this process take shaders from another folder, which is not looked at yet.
 void use_shaders_of(const std::filesystem::path& folder);
 /// Its files may be others than before.
 void look_at_shaders_again();

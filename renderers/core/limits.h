@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 /// Limits of what people give, the same for file, window and command line.
@@ -24,9 +25,9 @@ inline constexpr int max_texture_side = 16384;
 /// Runs of which a measurement takes the median.
 inline constexpr int max_repeats = 1000;
 /// Bytes that what a file keeps compressed may become: pictures seldom reach a hundred times their file,
-/// while zip reaches 1032 for zeros. A file of 1 MiB takes 0.75 GiB at most.
+/// while zip reaches 1032 for zeros. A file of 1 MiB takes 0.5 GiB at most.
 constexpr std::uint64_t max_expanded(std::uint64_t file_bytes) {
-    return (std::uint64_t{512} << 20) + 256 * file_bytes;
+    return std::max(std::uint64_t{512} << 20, 256 * file_bytes);
 }
 
 }  // namespace ir

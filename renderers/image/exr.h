@@ -21,9 +21,9 @@ void write_exr(const std::filesystem::path& file, const std::vector<ImageLayer>&
 void write_exr(FileSystem& files, const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
                const ImageAttributes& attributes);
 
-/// From here on EXR files are compressed in all threads; before, in the caller's. Not for a process that
+/// From here on EXR files are packed and unpacked in threads; before, in the caller's. Not for a process that
 /// forks: its copy would wait for threads that it does not have.
-void compress_exr_in_threads();
+void use_threads_for_exr();
 
 /// All layers of all parts. Throws InputError.
 std::vector<ImageLayer> read_exr(const std::filesystem::path& file, ImageAttributes* attributes = nullptr);

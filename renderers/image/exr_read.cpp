@@ -5,6 +5,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 #include <ImfVersion.h>
 
 #include <algorithm>
@@ -99,22 +100,23 @@ std::int64_t channel_count(const Imf::Header& header) {
     return count;
 }
 
-/// The data window, before anything of its size is allocated. Its bytes are taken from those that are `left`.
-Imath::Box2i checked_window(const Imf::Header& header, const std::string& file, std::uint64_t& left) {
-    const auto window = header.dataWindow();
-    const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
-    const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
-    if (width < 1 || height < 1 || width > max_exr_pixels || height > max_exr_pixels ||
-        width * height > max_exr_pixels)
-        throw InputError(file, "data window",
-                         std::to_string(width) + "x" + std::to_string(height) +
-                             " pixels are not a sensible size; the file seems damaged");
-    const auto values = static_cast<std::uint64_t>(width * height * channel_count(header));
-    if (values > left / sizeof(float))
-        throw InputError(file, "data window",
-                         "its pixels take far more memory than the file has bytes; it seems damaged");
-    left -= values * sizeof(float);
-    return window;
+/// Lines that are packed as one. [OpenEXR file layout, "Scan line blocks"]
+std::int64_t lines_of_block(const Imf::Header& header) {
+    if (header.hasTileDescription()) return header.tileDescription().ySize;
+    switch (header.compression()) {
+        case Imf::ZIP_COMPRESSION:
+        case Imf::PXR24_COMPRESSION:
+            return 16;
+        case Imf::PIZ_COMPRESSION:
+        case Imf::B44_COMPRESSION:
+        case Imf::B44A_COMPRESSION:
+        case Imf::DWAA_COMPRESSION:
+            return 32;
+        case Imf::DWAB_COMPRESSION:
+            return 256;
+        default:
+            return 1;
+    }
 }
 
 void insert_layer(Imf::FrameBuffer& buffer, ImageLayer& layer, const LayerChannels& names,
@@ -131,7 +133,8 @@ void read_part(Imf::MultiPartInputFile& input, int index, const std::string& fil
                std::vector<ImageLayer>& layers) {
     const Imf::Header& header = input.header(index);
     const std::string part = index > 0 && header.hasName() ? header.name() : "";
-    const auto window = checked_window(header, file, left);
+    take_bytes_of_part(header, file, left);
+    const auto window = header.dataWindow();
     const auto names = layers_in(header, part, file);
     std::vector<ImageLayer> read;
     for (const auto& each : names)
@@ -210,7 +213,9 @@ void read(const std::filesystem::path& file, Read read_from) {
     require_regular_file(file);
     require_whole_header(file);
     try {
-        Imf::MultiPartInputFile input(file.c_str());
+        // Each thread holds two blocks of lines.
+        constexpr int most_threads = 4;
+        Imf::MultiPartInputFile input(file.c_str(), std::min(most_threads, Imf::globalThreadCount()));
         read_from(input);
     } catch (const Error&) {
         throw;
@@ -228,6 +233,24 @@ std::string in_one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
     return text;
+}
+
+void take_bytes_of_part(const Imf::Header& header, const std::string& file, std::uint64_t& left) {
+    const auto window = header.dataWindow();
+    const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
+    const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
+    if (width < 1 || height < 1 || width > max_exr_pixels || height > max_exr_pixels ||
+        width * height > max_exr_pixels)
+        throw InputError(file, "data window",
+                         std::to_string(width) + "x" + std::to_string(height) +
+                             " pixels are not a sensible size; the file seems damaged");
+    constexpr int copies = 3;  // packed, unpacked, put in order
+    const auto lines = height + copies * std::min(lines_of_block(header), height);
+    const auto values = static_cast<std::uint64_t>(width * lines * channel_count(header));
+    if (values > left / sizeof(float))
+        throw InputError(file, "data window",
+                         "its pixels take far more memory than the file has bytes; it seems damaged");
+    left -= values * sizeof(float);
 }
 
 void require_whole_header(const std::filesystem::path& file) {

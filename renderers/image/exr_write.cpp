@@ -153,7 +153,7 @@ std::vector<std::string> standard_channels(int channels, bool vector_valued) {
     }
 }
 
-void compress_exr_in_threads() {
+void use_threads_for_exr() {
     Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency()));
 }
 

@@ -12,8 +12,7 @@ struct Image {
     std::vector<float> pixels;  ///< width * height * channels
 
     Image() = default;
-    Image(int w, int h, int c, float value = 0)
-        : width(w), height(h), channels(c), pixels(static_cast<std::size_t>(w) * h * c, value) {}
+    Image(int w, int h, int c, float value = 0);
     bool empty() const { return pixels.empty(); }
     std::size_t index(int x, int y, int c = 0) const {
         return (static_cast<std::size_t>(y) * width + x) * channels + c;

@@ -17,6 +17,10 @@ struct DecodedImage {
     std::string error;  ///< empty where all went well
 };
 
+/// What is wrong with a file that would take too much memory.
+inline constexpr const char* no_sensible_size =
+    "has no sensible size for a file of its length; it seems damaged";
+
 struct EncodedImage {
     std::vector<unsigned char> bytes;
     std::string error;  ///< empty where all went well
@@ -28,7 +32,7 @@ struct DecodedTexels {
     std::string error;               ///< empty where all went well
 };
 
-/// What the module image_codecs does, with OpenImageIO and libwebp.
+/// What the module image_codecs does, with OpenImageIO, libpng and libwebp.
 struct ImageCodecs {
     /// A file in HDR, PNG, JPEG, TIFF or WebP, told by its first bytes. Refuses more than `max_pixels` and
     /// what takes more than `max_bytes` while it is read.

@@ -1,4 +1,4 @@
-// The only file that knows OpenImageIO. It is a module of its own.
+// The only file that knows OpenImageIO. It is of a module of its own.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "renderers/image/codecs/codecs.h"
+#include "renderers/image/codecs/png.h"
 #include "renderers/image/codecs/webp.h"
 
 namespace ir {
@@ -41,34 +42,6 @@ std::string format_of(const std::string& file) {
     return starts("RIFF") && starts("WEBP", 8) ? "webp" : "";
 }
 
-/// A PNG file without compressed texts and colour profiles. No pixel needs them, and each of them may become
-/// 8 MB, a thousand times its length.
-std::vector<unsigned char> png_without_texts(const std::string& file) {
-    std::vector<unsigned char> bytes(std::filesystem::file_size(file));
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
-    constexpr std::size_t signature = 8, frame = 12;  // of a chunk: length, name, checksum
-    std::size_t kept = std::min(bytes.size(), signature);
-    for (std::size_t at = kept; at < bytes.size();) {
-        std::size_t end = bytes.size();
-        std::string_view name;
-        if (end - at >= frame) {
-            std::size_t length = 0;
-            for (std::size_t i = 0; i < 4; ++i) length = length << 8 | bytes[at + i];
-            name = {reinterpret_cast<const char*>(&bytes[at + 4]), 4};
-            end = at + std::min(end - at, frame + length);
-        }
-        if (name != "zTXt" && name != "iTXt" && name != "iCCP") {
-            std::copy(bytes.data() + at, bytes.data() + end, bytes.data() + kept);
-            kept += end - at;
-        }
-        at = end;
-    }
-    bytes.resize(kept);
-    return bytes;
-}
-
 /// Steps from 0 to 1 that integers have; 0 for all else.
 int levels_of(OIIO::TypeDesc format) {
     if (format == OIIO::TypeDesc::UINT8) return UINT8_MAX;
@@ -84,11 +57,7 @@ DecodedImage read(const std::string& file, std::int64_t max_pixels, std::uint64_
         result.error = "is not a readable image (none in EXR, HDR, PNG, JPEG, TIFF or WebP)";
         return result;
     }
-    std::vector<unsigned char> bytes;
-    if (format == "png") bytes = png_without_texts(file);
-    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-    void* proxy = &memory;
-    if (format == "png") config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    if (format == "png") return read_png(file, max_pixels, max_bytes);
     const auto input = OIIO::ImageInput::create(format);
     if (!input || !input->open(file, spec, config)) {
         result.error =
@@ -99,7 +68,7 @@ DecodedImage read(const std::string& file, std::int64_t max_pixels, std::uint64_
     const auto held = sizeof(float) + 2 * spec.format.size();
     if (spec.width < 1 || spec.height < 1 || std::int64_t(spec.width) * spec.height > max_pixels ||
         spec.nchannels < 1 || spec.image_pixels() * spec.nchannels > max_bytes / held) {
-        result.error = "has no sensible size for a file of its length; it seems damaged";
+        result.error = no_sensible_size;
         return result;
     }
     result.image = Image(spec.width, spec.height, spec.nchannels);

@@ -1,5 +1,6 @@
 #include "tests/fuzz/projects/attempts.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -10,7 +11,9 @@
 #include "projects/results.h"
 #include "projects/store.h"
 #include "projects/sweep.h"
+#include "renderers/core/changed_shaders.h"
 #include "renderers/core/error.h"
+#include "renderers/core/line_diff.h"
 #include "tests/fuzz/require.h"
 
 namespace ir::fuzz {
@@ -151,6 +154,44 @@ bool reads_light(const std::string& text) {
         require(std::string(error.what()).find('\n') == std::string::npos, error.what());
         return false;
     }
+}
+
+bool changes_shaders(const std::string& texts) {
+    const auto first_end = std::min(texts.find('\0'), texts.size());
+    const auto second_end = std::min(texts.find('\0', first_end + 1), texts.size());
+    const auto part = [&](std::size_t begin, std::size_t end) {
+        return begin < end ? texts.substr(begin, end - begin) : std::string();
+    };
+    const auto before = part(0, first_end), after = part(first_end + 1, second_end);
+    const auto require_changes = [&](const std::string& to) {
+        const auto hunks = line_diff(before, to);
+        require(apply_line_diff(before, hunks) == to, "what was compared does not come out again");
+        count_lines(hunks);
+    };
+    require_changes(after);
+    bool is_changed = false;
+    const auto may_refuse = [](const auto& act) {
+        try {
+            act();
+        } catch (const Error& error) {
+            require(std::string(error.what()).find('\n') == std::string::npos, error.what());
+        }
+    };
+    const auto diff = part(second_end + 1, texts.size());
+    may_refuse([&] {
+        for (const auto& file : hunks_by_file(diff))
+            may_refuse([&] {
+                const auto changed = apply_line_diff(before, file.second);
+                count_lines(file.second);
+                require_changes(changed);
+                is_changed = true;
+            });
+    });
+    may_refuse([&] {
+        for (const auto& [file, hunks] : read_changes(diff))
+            require(problem_with_change(file, hunks).empty(), "a change that was read is wrong");
+    });
+    return is_changed;
 }
 
 }  // namespace ir::fuzz

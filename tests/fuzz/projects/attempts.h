@@ -22,5 +22,8 @@ bool reads_results(const std::string& text);
 bool reads_session(const std::string& text);
 /// What --light takes.
 bool reads_light(const std::string& text);
+/// A text, another one and a diff, with zeros between them: both are compared, and the diff changes the
+/// first.
+bool changes_shaders(const std::string& texts);
 
 }  // namespace ir::fuzz

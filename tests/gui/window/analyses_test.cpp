@@ -160,7 +160,7 @@ TEST_F(AnalysesWindowTest, CancelsAndFailsInALine) {
     ask("sensitivity");
     holds = true;
     press("run");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text() == "counting beads"; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text() == "counting beads"; }, 60000));
     EXPECT_EQ(find<QToolButton>("run")->text(), "Cancel");
     EXPECT_FALSE(window.is_settled());
     press("run");
@@ -198,7 +198,7 @@ TEST_F(AnalysesWindowTest, AnswersAreThereAgainAndGoStale) {
     ASSERT_TRUE(window.open_path(QString::fromStdString(project_file())));
     ASSERT_TRUE(settle());
     window.docks().raise("analyses");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return bars() == 3; }, 5000)) << "read from the project's folder";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bars() == 3; }, 60000)) << "read from the project's folder";
     EXPECT_EQ(panel().view().image().width, 8);
     EXPECT_EQ(panel().shown(), "grain") << "as it was left";
     EXPECT_EQ(runs, 1);

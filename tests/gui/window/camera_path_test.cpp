@@ -14,7 +14,7 @@ class CameraPathTest : public WindowTest {
     void SetUp() override {
         WindowTest::SetUp();
         open_scene();
-        ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().camera().pose().has_value(); }, 5000));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().camera().pose().has_value(); }, 60000));
     }
     /// A gesture of a hand in the view.
     void look_from(const glm::dvec3& eye) {

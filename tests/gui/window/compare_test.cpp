@@ -19,7 +19,7 @@ class CompareWindowTest : public WindowTest {
     ViewModel& views() { return window.views(); }
     widgets::CompareView& compare() { return window.workspace().active_pane().compare(); }
     bool wait_for_difference() {
-        return QTest::qWaitFor([this] { return compare().difference_picture() != nullptr; }, 3000);
+        return QTest::qWaitFor([this] { return compare().difference_picture() != nullptr; }, 60000);
     }
 };
 
@@ -41,7 +41,7 @@ TEST_F(CompareWindowTest, TheKindOfDifferenceIsChosenInTheHeader) {
     choose(header("difference"), "|A − B|");
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return compare().difference_picture() && compare().difference_picture()->image->at(0, 0) > 0; },
-        3000));
+        60000));
     EXPECT_FLOAT_EQ(compare().difference_picture()->image->at(0, 0), 0.5f);
 }
 
@@ -55,7 +55,7 @@ TEST_F(CompareWindowTest, SwapExchangesAAndB) {
     EXPECT_EQ(views().active_state().b, before.a);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return compare().difference_picture() && compare().difference_picture()->image->at(0, 0) > 0; },
-        3000));
+        60000));
 }
 
 TEST_F(CompareWindowTest, AForeignImageTakesPart) {
@@ -72,7 +72,7 @@ TEST_F(CompareWindowTest, AForeignImageTakesPart) {
         [&] {
             return compare().compared().pictures.size() == 2 && compare().compared().pictures[1]->has_image();
         },
-        5000));
+        60000));
     EXPECT_FLOAT_EQ(compare().compared().pictures[1]->image->at(0, 0), 0.125f);
     EXPECT_TRUE(compare().compared().refusal().isEmpty());
 }
@@ -95,7 +95,7 @@ TEST_F(CompareWindowTest, AForeignImageMeansWhatItIsComparedWithOnEitherSide) {
                 return compare().compared().pictures[0]->has_image() &&
                        compare().compared().pictures[1]->has_image();
             },
-            5000));
+            60000));
         const int ours = turn == 0 ? 1 : 0;
         EXPECT_EQ(compare().compared().pictures[1 - ours]->semantic, Semantic::depth);
         const auto automatic =
@@ -113,7 +113,7 @@ TEST_F(CompareWindowTest, UnequalSizesAreRefusedWithAReason) {
         return projects::edits::set_size(project, second, {40, 30});
     });
     trigger("mode-difference");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare().compared().refusal().isEmpty(); }, 3000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare().compared().refusal().isEmpty(); }, 60000));
     EXPECT_TRUE(compare().compared().refusal().contains("40"))
         << compare().compared().refusal().toStdString();
 }

@@ -200,7 +200,7 @@ TEST(DraftsOption, TurnedOffNobodyAsksForDrafts) {
     FakeRenderer renderer;
     MainWindow window(renderer, fake_registry(), {.remember = false, .surface = painted, .drafts = false});
     ASSERT_TRUE(window.open_path("builtin:cornell"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.requests.empty(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.requests.empty(); }, 60000));
     EXPECT_FALSE(renderer.requests.back().drafts);
     window.session().files().close();
 }

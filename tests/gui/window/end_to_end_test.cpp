@@ -82,7 +82,7 @@ TEST(EndToEnd, ChangeSaveReopenFindsTheSameStateAndPicture) {
         picture = real.window.view().image();
         EXPECT_NE(picture.pixels, before.pixels);
         QTest::keyClick(&real.window, Qt::Key_S, Qt::ControlModifier);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !real.window.isWindowModified(); }, 5000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !real.window.isWindowModified(); }, 60000));
         saved = real.window.session().document();
     }
     RealWindow again;

@@ -30,7 +30,7 @@ class FigureTest : public WindowTest {
     }
     bool drawn() {
         QApplication::processEvents();
-        return QTest::qWaitFor([&] { return !dialog().is_drawing(); }, 10000);
+        return QTest::qWaitFor([&] { return !dialog().is_drawing(); }, 60000);
     }
     QSize preview() { return find<QLabel>("preview")->pixmap().size(); }
     QString problem() { return find<QLabel>("problem")->text(); }

@@ -22,7 +22,7 @@ class FilmTest : public WindowTest {
     }
     FilmController& films() { return *window.findChild<FilmController*>(); }
     bool wait() {
-        return QTest::qWaitFor([this] { return !films().is_making(); }, 10000);
+        return QTest::qWaitFor([this] { return !films().is_making(); }, 60000);
     }
 };
 

@@ -290,7 +290,7 @@ TEST_F(FramesTest, KeptFramesBecomeAVideo) {
     const auto film = folder.filePath("film.mp4");
     dock().save_film(FramesDock::Film::video, film);
     EXPECT_TRUE(dock().is_saving());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !dock().is_saving(); }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !dock().is_saving(); }, 60000));
     qputenv("PATH", path);
     EXPECT_TRUE(QFile::exists(film)) << window.banners().text("file").toStdString();
     QFile said(words);
@@ -301,7 +301,7 @@ TEST_F(FramesTest, KeptFramesBecomeAVideo) {
 TEST_F(FramesTest, KeptFramesBecomeFiles) {
     edit_level(0.5);
     edit_level(0.75);
-    const auto wait = [&] { return QTest::qWaitFor([&] { return !dock().is_saving(); }, 10000); };
+    const auto wait = [&] { return QTest::qWaitFor([&] { return !dock().is_saving(); }, 60000); };
     const QTemporaryDir folder;
     dock().save_film(FramesDock::Film::values, folder.path());
     ASSERT_TRUE(wait());

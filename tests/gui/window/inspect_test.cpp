@@ -53,9 +53,9 @@ class InspectWindowTest : public WindowTest {
 TEST_F(InspectWindowTest, ThePixelUnderTheCursorIsReadFromAllImages) {
     raise("inspector");
     move_to({12, 7});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.probes.empty(); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.probes.empty(); }, 60000));
     auto& model = window.inspector().panel().model();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return model.readings().cursor == QPoint(12, 7); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model.readings().cursor == QPoint(12, 7); }, 60000));
     const QString text = window.inspector().panel().csv();
     EXPECT_TRUE(text.contains("712")) << text.toStdString();
     EXPECT_TRUE(text.contains("depth"));
@@ -90,10 +90,10 @@ TEST_F(InspectWindowTest, ShiftClickExplainsAPixelAndDrawsItInSpace) {
     ASSERT_TRUE(settle());
     ASSERT_TRUE(window.inspector().explained().has_value());
     EXPECT_EQ(*window.inspector().explained(), QPoint(20, 10));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.workspace().area().open_views().size() == 2; }, 3000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.workspace().area().open_views().size() == 2; }, 60000));
     const auto& state = window.views().state(1);
     EXPECT_EQ(state.a.output, "why");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 3000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 60000));
     EXPECT_EQ(renderer.views.back().view.layers[0].key, "why");
     EXPECT_EQ(renderer.requests.back().inspection.x, 20);
     EXPECT_EQ(renderer.requests.back().inspection.y, 10);

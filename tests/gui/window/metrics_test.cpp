@@ -208,7 +208,7 @@ TEST_F(MetricsWindowTest, EveryKindOfDifferenceIsChosenInTheHeader) {
     for (const auto kind : widgets::all_differences()) {
         choose(header("difference"), widgets::difference_name(kind));
         ASSERT_TRUE(settle());
-        ASSERT_TRUE(QTest::qWaitFor([&] { return compare().difference_picture() != nullptr; }, 5000))
+        ASSERT_TRUE(QTest::qWaitFor([&] { return compare().difference_picture() != nullptr; }, 60000))
             << widgets::to_key(kind) << ' ' << compare().compared().refusal().toStdString();
         EXPECT_EQ(views().active_state().difference, kind);
         EXPECT_EQ(widgets::difference_from_key(widgets::to_key(kind)), kind);
@@ -226,7 +226,7 @@ TEST_F(MetricsWindowTest, SignificanceAsksForTheVariancesOfBoth) {
         for (const auto& part : request.parts) EXPECT_NE(part.key, "noise");  // nobody wanted it
     choose(header("difference"), widgets::difference_name(DifferenceKind::significant));
     ASSERT_TRUE(settle());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return compare().difference_picture() != nullptr; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return compare().difference_picture() != nullptr; }, 60000));
     ASSERT_TRUE(compare().compared().pictures[0]->variance && compare().compared().pictures[1]->variance);
     EXPECT_FLOAT_EQ(compare().compared().pictures[0]->variance->at(1, 1), 0.01f);
     auto& view = compare().main_view();
@@ -249,7 +249,7 @@ TEST_F(MetricsWindowTest, AMaskLimitsWhatIsMeasured) {
     ASSERT_TRUE(settle());
     const auto size = window.session().experiment()->size;
     const auto half = QStringLiteral("%1 pixels compared").arg(size.x * size.y / 2);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("pixels")->text() == half; }, 5000))
+    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("pixels")->text() == half; }, 60000))
         << find<QLabel>("pixels")->text().toStdString() << find<QLabel>("refusal")->text().toStdString();
     EXPECT_NEAR(value("mae"), 0.5, 1e-6);
 }

@@ -99,7 +99,7 @@ TEST_F(MissingTest, AnExplanationWithoutElementsSaysWhyInViewAndPanel) {
     renderer.finds_none = true;
     window.inspector().explain({3, 4});
     show_output("why");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().picture().layers.empty(); }, 3000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().picture().layers.empty(); }, 60000));
     const std::string none = "None for pixel 3, 4. Empty where nothing is in its way.";
     EXPECT_EQ(space().picture().layers[0].note, none);
     EXPECT_EQ(missing(), none);
@@ -155,7 +155,7 @@ TEST_F(MissingTest, ABufferThatIsNotThereYetIsRenderingAndNotUnknown) {
     ViewState state;
     state.a = {first, "cloud"};
     views().set_state(0, state);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().picture().layers.empty(); }, 3000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().picture().layers.empty(); }, 60000));
     EXPECT_EQ(space().picture().layers[0].note, "Rendering …");
 }
 
@@ -199,13 +199,13 @@ TEST_F(MissingTest, ADrawingThatNobodyWaitsForAnyMoreKeepsNothingBusy) {
     ViewState state;
     state.a = {first, "cloud"};
     views().set_state(0, state);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 3000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 60000));
     EXPECT_FALSE(window.is_settled());
     renderer.failure = "out of memory";  // the copy will never be drawn
     window.action("experiment-duplicate")->trigger();
     state.a.owner = window.session().document().experiments[1].id;
     views().set_state(0, state);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window.is_settled(); }, 3000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.is_settled(); }, 60000));
 }
 
 TEST_F(MissingTest, ADifferenceInAViewBesideIsWaitedFor) {

@@ -53,7 +53,7 @@ class NamesWindowTest : public WindowTest {
         dock->raise();
         const int before = results().rowCount();
         trigger("keep");
-        ASSERT_TRUE(QTest::qWaitFor([&] { return results().rowCount() > before; }, 3000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return results().rowCount() > before; }, 60000));
     }
     QString cell(int column) { return results().index(0, column).data().toString(); }
     std::string kept_name() {

@@ -21,7 +21,7 @@ class PipelineWindowTest : public WindowTest {
         trigger("dock-pipeline");
         window.findChild<QDockWidget*>("pipeline")->setFloating(true);
         window.findChild<QDockWidget*>("pipeline")->resize(700, 600);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return view().place_of("fade").isValid(); }, 5000));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return view().place_of("fade").isValid(); }, 60000));
         ASSERT_TRUE(settle());
     }
     widgets::PipelinePanel& panel() { return *window.findChild<widgets::PipelinePanel*>(); }
@@ -46,7 +46,7 @@ TEST_F(PipelineWindowTest, AClickOnABufferShowsIt) {
     click("picture");
     EXPECT_EQ(window.views().shown_key(), "picture");
     QTest::mouseClick(panel().findChild<QCheckBox*>("skipped"), Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return view().place_of("cover").isValid(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return view().place_of("cover").isValid(); }, 60000));
     click("look");
     EXPECT_EQ(step(), "") << "a pass that did not run leaves nothing";
 }
@@ -99,7 +99,7 @@ TEST_F(PipelineWindowTest, WhatPassesDidToAPixelIsListed) {
     EXPECT_EQ(rows[2].cells[3].text, "1  1  1");
     // A row leads to the buffer as the pass left it.
     auto* tree = panel().changes().view();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return tree->isVisible() && tree->height() > 60; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return tree->isVisible() && tree->height() > 60; }, 60000));
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
                       tree->visualRect(panel().changes().model().index(1, 1)).center());
     ASSERT_TRUE(settle());
@@ -111,10 +111,10 @@ TEST_F(PipelineWindowTest, WhatPassesDidToAPixelIsListed) {
 }
 
 TEST_F(PipelineWindowTest, APanelThatIsNotSeenAsksForNoPictures) {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return renderer.requests.back().thumbnails; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return renderer.requests.back().thumbnails; }, 60000));
     window.docks().hide("buffers");
     window.docks().hide("pipeline");
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !renderer.requests.back().thumbnails; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !renderer.requests.back().thumbnails; }, 60000));
 }
 
 TEST_F(PipelineWindowTest, ItZoomsAndTellsWhatThingsAre) {
@@ -128,7 +128,7 @@ TEST_F(PipelineWindowTest, ItZoomsAndTellsWhatThingsAre) {
         EXPECT_TRUE(frame.contains(view().place_of(key))) << key;
     QHelpEvent help(QEvent::ToolTip, view().place_of("paint").center(), QPoint());
     QApplication::sendEvent(view().viewport(), &help);
-    ASSERT_TRUE(QTest::qWaitFor([] { return QToolTip::isVisible(); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([] { return QToolTip::isVisible(); }, 60000));
     EXPECT_TRUE(QToolTip::text().contains("on the host"));
 }
 
@@ -136,7 +136,7 @@ TEST_F(PipelineWindowTest, WithoutAFrameItSaysSo) {
     window.session().files().close();
     QApplication::processEvents();
     const auto* empty = panel().findChild<QLabel*>("empty");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return empty->text().contains("shows no experiment"); }, 2000))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return empty->text().contains("shows no experiment"); }, 60000))
         << empty->text().toStdString();
 }
 

@@ -103,10 +103,10 @@ class PlotsWindowTest : public WindowTest {
         });
     }
     bool wait_for_points(std::size_t count) {
-        return QTest::qWaitFor([&] { return panel().data().count() == count; }, 4000);
+        return QTest::qWaitFor([&] { return panel().data().count() == count; }, 60000);
     }
     bool finish() {
-        return QTest::qWaitFor([&] { return plots().is_settled(); }, 4000);
+        return QTest::qWaitFor([&] { return plots().is_settled(); }, 60000);
     }
     void run_to_end() {
         press("plot-run");

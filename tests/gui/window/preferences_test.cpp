@@ -43,7 +43,7 @@ class PreferencesWindowTest : public testing::Test {
     }
     void open_scene() {
         ASSERT_TRUE(window->open_path("builtin:cornell"));
-        ASSERT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 5000));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 60000));
     }
     void open_by_key() {
         QTest::keyClick(window.get(), Qt::Key_Comma, Qt::ControlModifier);
@@ -84,7 +84,7 @@ TEST_F(PreferencesWindowTest, OpensOnceWithItsKeyAndClosesWithEscape) {
     EXPECT_TRUE(dialog()->findChild<QDialogButtonBox*>()->buttons().front()->icon().isNull())
         << "a black picture on dark grey";
     QTest::keyClick(dialog(), Qt::Key_Escape);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !dialog(); }, 3000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !dialog(); }, 60000));
 }
 
 TEST_F(PreferencesWindowTest, AFontSizeCountsAtOnceAndIsKept) {
@@ -93,7 +93,7 @@ TEST_F(PreferencesWindowTest, AFontSizeCountsAtOnceAndIsKept) {
     open_by_key();
     type("font_size", "15");
     EXPECT_EQ(QApplication::font().pointSize(), 15);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return window->menuBar()->font().pointSize() == 15; }, 3000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window->menuBar()->font().pointSize() == 15; }, 60000));
     type("font_size", "1");
     EXPECT_EQ(QApplication::font().pointSize(), 6) << "what can be read";
     type("font_size", "15");
@@ -135,7 +135,7 @@ TEST_F(PreferencesWindowTest, AnotherProcessorMakesShownPicturesAnewAndIsKept) {
     EXPECT_EQ(renderer->machine.processor, Body::gl);
     EXPECT_EQ(renderer->releases.back(), window->session().experiment()->id) << "nothing is taken over";
     EXPECT_EQ(renderer->requests.size(), before + 1);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 60000));
     EXPECT_EQ(window->session().open_project().is_dirty(), was_dirty) << "it is no part of the project";
     start();
     EXPECT_EQ(renderer->machine.processor, Body::gl);
@@ -161,7 +161,7 @@ TEST_F(PreferencesWindowTest, MemoryThreadsAndDraftsCountAtOnce) {
     QTest::mouseClick(editor("drafts")->findChild<QCheckBox*>(), Qt::LeftButton, {}, QPoint(8, 8));
     window->action("rerun")->trigger();
     EXPECT_FALSE(renderer->requests.back().drafts);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 60000));
 }
 
 TEST_F(PreferencesWindowTest, WhatTheCommandLineSetsIsShownAndStays) {

@@ -49,8 +49,8 @@ TEST_F(ProfileWindowTest, ADrawnLineBringsTheProfileOfAllViewsAndTakesItAway) {
     draw(0, {10, 8}, {40, 20});
     ASSERT_TRUE(is_seen());
     const auto* dock = window.findChild<QDockWidget*>("profile");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return dock->height() > 200; }, 5000)) << "its plot can be read";
-    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().profile().data().series.size() == 2; }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dock->height() > 200; }, 60000)) << "its plot can be read";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().profile().data().series.size() == 2; }, 60000));
     const auto& series = panel().profile().data().series;
     EXPECT_EQ(series[0].points.size(), 31u);
     EXPECT_NEAR(series[0].points[3].y, 0.25, 1e-6);
@@ -88,13 +88,13 @@ TEST_F(ProfileWindowTest, APanelThatSomebodyOpenedStays) {
     EXPECT_EQ(panel().profile().data().series.size(), 2u);
     QTest::keyClick(&view(0), Qt::Key_Escape);
     EXPECT_TRUE(is_seen());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().histograms().data().series.size() == 2; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().histograms().data().series.size() == 2; }, 60000));
     // So does one behind another tab.
     window.docks().raise("results");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.docks().is_seen("profile"); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.docks().is_seen("profile"); }, 60000));
     ASSERT_TRUE(settle());
     QTest::keyClick(&view(0), Qt::Key_Right);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.docks().is_seen("profile"); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.docks().is_seen("profile"); }, 60000));
     ASSERT_TRUE(settle());
     QTest::keyClick(&view(0), Qt::Key_Escape);
     EXPECT_TRUE(is_seen());
@@ -117,8 +117,8 @@ TEST_F(ProfileWindowTest, ARectangleIsMeasuredUnlessMetricsDo) {
     trigger("rectangle");
     draw(0, {10, 8}, {19, 12});
     ASSERT_TRUE(is_seen());
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return panel().histograms().data().title == "10 × 5 pixels at 10, 8"; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().histograms().data().title == "10 × 5 pixels at 10, 8"; },
+                                60000));
     QTest::keyClick(&view(0), Qt::Key_Escape);
     EXPECT_FALSE(is_seen());
     window.findChild<QDockWidget*>("metrics")->raise();
@@ -136,7 +136,7 @@ TEST_F(ProfileWindowTest, PicturesOfAnotherSizeAreLeftOutAndSaid) {
     trigger("line");
     draw(0, {10, 8}, {40, 20});
     ASSERT_TRUE(is_seen());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().profile().data().series.size() == 1; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().profile().data().series.size() == 1; }, 60000));
     EXPECT_EQ(panel().fields().note, "One picture has another size");
 }
 

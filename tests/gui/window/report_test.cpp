@@ -40,7 +40,7 @@ class ReportTest : public WindowTest {
     QString path(const char* name) const { return folder.filePath(QLatin1String(name)); }
     ReportController& reports() { return window.reports(); }
     bool wait() {
-        return QTest::qWaitFor([this] { return !reports().is_writing(); }, 10000);
+        return QTest::qWaitFor([this] { return !reports().is_writing(); }, 60000);
     }
 
     QTemporaryDir folder;

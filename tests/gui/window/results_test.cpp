@@ -68,11 +68,11 @@ class ResultsWindowTest : public WindowTest {
     void keep() {
         const int before = model().rowCount();
         trigger("keep");
-        ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() > before; }, 3000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() > before; }, 60000));
     }
     bool wait_for_state(ResultRow::State state) {
         return QTest::qWaitFor([&] { return model().rowCount() > 0 && model().rows()[0].state == state; },
-                               3000);
+                               60000);
     }
     std::string owner() { return "result:" + model().rows()[0].key.toStdString(); }
 
@@ -106,7 +106,7 @@ TEST_F(ResultsWindowTest, AFailureIsShownAndMayBeTriedAgain) {
         return engine::KeepResult{request.tag, request.experiment, "", "the disk is full"};
     };
     trigger("keep");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banners().names().contains("results"); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banners().names().contains("results"); }, 60000));
     EXPECT_TRUE(window.banners().text("results").contains("the disk is full"));
     EXPECT_TRUE(window.action("keep")->isEnabled());
     EXPECT_TRUE(window.session().experiment()->last_kept_key.empty());
@@ -148,7 +148,7 @@ TEST_F(ResultsWindowTest, AKeptResultIsBInEveryMode) {
                 return compare().compared().pictures.size() > 1 &&
                        compare().compared().pictures[1]->has_image();
             },
-            3000))
+            60000))
             << action;
         EXPECT_FLOAT_EQ(compare().compared().pictures[0]->image->at(0, 0), 0.75f) << action;
         EXPECT_FLOAT_EQ(compare().compared().pictures[1]->image->at(0, 0), 0.25f) << action;
@@ -192,11 +192,11 @@ TEST_F(ResultsWindowTest, AViewRemembersAResultAndSaysWhenItIsGone) {
         [&] {
             return compare().compared().pictures.size() > 1 && compare().compared().pictures[1]->has_image();
         },
-        3000));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 1; }, 3000));
+        60000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 1; }, 60000));
     window.results().set_confirm([](int) { return true; });
     emit window.results().panel().delete_wanted({model().rows()[0].key});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 0; }, 3000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 0; }, 60000));
     EXPECT_EQ(views().active_state(), shown);
     EXPECT_FALSE(compare().compared().pictures[1]->has_image());
     EXPECT_TRUE(compare().compared().pictures[1]->note.contains("deleted"));
@@ -214,7 +214,7 @@ TEST_F(ResultsWindowTest, DeletingAsksFirstAndTakesTheFiles) {
     EXPECT_TRUE(fs::exists(files));
     window.results().set_confirm([](int) { return true; });
     emit window.results().panel().delete_wanted({model().rows()[0].key});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 0; }, 3000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 0; }, 60000));
     EXPECT_FALSE(fs::exists(files));
 }
 

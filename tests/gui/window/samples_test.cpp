@@ -83,7 +83,7 @@ TEST_F(SamplesTest, AChangedCopyComesBackAndAFreshOneIsOffered) {
     auto* banner = window.banners().findChild<QWidget*>("banner:sample");
     ASSERT_TRUE(banner);
     banner->findChild<QPushButton*>()->click();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banners().text("sample").isEmpty(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banners().text("sample").isEmpty(); }, 60000));
     ASSERT_TRUE(settle());
     EXPECT_EQ(opened(), copy);
     EXPECT_FLOAT_EQ(pixel(), 0.25f);

@@ -95,8 +95,8 @@ TEST_F(SessionTest, LocatingASceneThatIsGoneDoesNothing) {
         if (button->text().startsWith("Locate")) locate = button;
     ASSERT_NE(locate, nullptr);
     locate->click();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return steps().can_redo(); }, 5000));
-    ASSERT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return steps().can_redo(); }, 60000));
+    ASSERT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, 60000));
     EXPECT_EQ(session().document().scenes.size(), 1u);
     EXPECT_TRUE(steps().can_redo()) << "nothing was edited";
 }

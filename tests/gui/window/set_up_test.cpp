@@ -33,7 +33,7 @@ TEST_F(SetUpWindowTest, AllMethodsAndTheTruthStandInOneRowAndGoWithOneUndo) {
     EXPECT_EQ(window.session().experiment(state.a.owner)->reference, state.more.back().owner);
     EXPECT_EQ(window.session().experiment(state.more.back().owner)->method, "truth");
     EXPECT_EQ(state.pair, (widgets::StagePair{widgets::StagePair::none, 1})) << "all with the truth";
-    ASSERT_TRUE(QTest::qWaitFor([this] { return window.is_settled(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.is_settled(); }, 60000));
     for (const auto& picture : window.workspace().active_pane().compare().compared().pictures)
         EXPECT_FALSE(picture->label.contains(" · ")) << picture->label.toStdString();
     ASSERT_EQ(window.session().document().experiments.size(), before + 2);

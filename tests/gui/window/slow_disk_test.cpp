@@ -77,8 +77,10 @@ class SlowDisk : public WindowTest {
 
 TEST_F(SlowDisk, TheWindowDrawsWhileItSaves) {
     write_notes("new");
+    reads_are_slow = true;
     trigger("save");
     EXPECT_GE(syncs, 4) << "two files and their folder";
+    EXPECT_GE(reads, 1) << "the lock";
     EXPECT_EQ(unheard, 0);
     EXPECT_FALSE(window.isWindowModified());
     EXPECT_EQ(saved_notes(), "new");

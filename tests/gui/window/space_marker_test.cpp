@@ -11,7 +11,7 @@ class SpaceMarkerTest : public WindowTest {
     void SetUp() override {
         WindowTest::SetUp();
         open_scene();
-        ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().camera().pose().has_value(); }, 5000));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().camera().pose().has_value(); }, 60000));
     }
     widgets::SpaceView& space() { return window.workspace().active_pane().space().view(); }
     std::string owner() { return window.session().experiment()->id; }
@@ -26,7 +26,7 @@ TEST_F(SpaceMarkerTest, PinsAndPathsStandInSpace) {
     EXPECT_TRUE(renderer.surfaces.empty()) << "nobody looks";
     window.views().show_output("cloud");
     ASSERT_TRUE(settle());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return space().marks().pins.size() == 2; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return space().marks().pins.size() == 2; }, 60000));
     EXPECT_EQ(space().marks().pins[1].number, 2);
     EXPECT_EQ(space().marks().pins[1].place, renderer.surface->position);
     EXPECT_EQ(space().marks().pins[1].colour, widgets::pin_colour(1));
@@ -48,7 +48,7 @@ TEST_F(SpaceMarkerTest, FliesToPinsAsOneStepAndThePinFollows) {
     const auto before = pose();
     const auto undo_steps = steps();
     QTest::keyClick(&window, Qt::Key_P, Qt::ShiftModifier);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return pose().target == renderer.surface->position; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return pose().target == renderer.surface->position; }, 60000));
     EXPECT_LT(glm::length(pose().eye - pose().target), glm::length(before.eye - pose().target));
     EXPECT_EQ(steps(), undo_steps + 1);
     const auto size = window.session().experiment()->size;
@@ -64,13 +64,13 @@ TEST_F(SpaceMarkerTest, WhatShowsNoSurfaceOrLiesOutsideIsSaid) {
     window.inspector().pin({60000, 2});
     marker().fly_to(0);
     ASSERT_TRUE(
-        QTest::qWaitFor([&] { return label("state").find("no surface") != std::string::npos; }, 5000));
+        QTest::qWaitFor([&] { return label("state").find("no surface") != std::string::npos; }, 60000));
     marker().fly_to(1);
     EXPECT_NE(label("state").find("outside"), std::string::npos) << label("state");
     renderer.surface_error = "nothing is rendered";
     marker().fly_to(0);
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return label("state").find("nothing is rendered") != std::string::npos; }, 5000));
+        [&] { return label("state").find("nothing is rendered") != std::string::npos; }, 60000));
     marker().fly_to(7);
     EXPECT_EQ(pose().eye, before.eye);
     EXPECT_FALSE(marker().place(owner(), {3, 2}));
@@ -97,7 +97,7 @@ TEST_F(SpaceMarkerTest, FromAPastFrameNobodyFliesThenOrLater) {
     EXPECT_TRUE(window.live().past().is_elsewhere());
     window.live().past().show_now();
     window.views().show_output("cloud");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().marks().pins.empty(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().marks().pins.empty(); }, 60000));
     EXPECT_EQ(pose().eye, before.eye);
     EXPECT_FALSE(space().is_free());
 }
@@ -107,7 +107,7 @@ TEST_F(SpaceMarkerTest, InA3DViewItsOwnCameraFlies) {
     window.views().show_output("cloud");
     ASSERT_TRUE(settle());
     const auto undo_steps = steps();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().marks().pins.empty(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space().marks().pins.empty(); }, 60000));
     marker().fly_to(0);
     ASSERT_TRUE(settle());
     EXPECT_EQ(steps(), undo_steps) << "the document does not change";

@@ -53,16 +53,16 @@ TEST_F(SweepsWindowTest, ColumnsAreChosenAndRemembered) {
         button->menu()->close();
     });
     QTest::mouseClick(button, Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return table.isColumnHidden(column("seed")); }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return table.isColumnHidden(column("seed")); }, 60000));
     EXPECT_FALSE(table.isColumnHidden(column("level")));
     projects::Json memory;
     dock().save(memory);
     panel().hide_columns({});
     EXPECT_FALSE(table.isColumnHidden(column("seed")));
     dock().load(memory);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return table.isColumnHidden(column("seed")); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return table.isColumnHidden(column("seed")); }, 60000));
     dock().load(projects::Json::parse(R"({"sweeps": {"hidden": [3, {"a": 1}]}})"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !table.isColumnHidden(column("seed")); }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !table.isColumnHidden(column("seed")); }, 60000));
 }
 
 TEST_F(SweepsWindowTest, PlotsAreDrawnAndTheirPointsLoad) {
@@ -99,7 +99,7 @@ TEST_F(SweepsWindowTest, ResultsAreThereAgainAndThoseOfOtherFoldersOpen) {
     window.session().files().close();
     ASSERT_TRUE(settle());
     ASSERT_TRUE(window.open_path(QString::fromStdString(project_file())));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().model().rowCount() == 6 && count_done() == 4; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().model().rowCount() == 6 && count_done() == 4; }, 60000));
     ASSERT_TRUE(settle());
     EXPECT_EQ(panel().tab(), widgets::SweepPanel::table_tab);
     EXPECT_EQ(panel().sorted_by(), "RMSE");
@@ -176,7 +176,7 @@ TEST_F(SweepsWindowTest, AnotherWindowOpensAtTheSamePlot) {
     other.docks().apply("sweeps");
     ASSERT_TRUE(other.open_path(QString::fromStdString(project_file())));
     auto& plot = other.findChild<SweepsDock*>()->panel().plot();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return plot.data().count() == 6; }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return plot.data().count() == 6; }, 60000));
     EXPECT_EQ(other.findChild<SweepsDock*>()->panel().tab(), widgets::SweepPanel::plot_tab);
     other.session().files().close();
 }

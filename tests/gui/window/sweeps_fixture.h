@@ -133,7 +133,7 @@ class SweepsWindowTest : public WindowTest {
     }
     std::string project_file() { return folder.path().toStdString() + "/swept.interreflect"; }
     bool finish() {
-        return QTest::qWaitFor([&] { return dock().is_settled(); }, 8000);
+        return QTest::qWaitFor([&] { return dock().is_settled(); }, 60000);
     }
     void run_to_end() {
         press("run");

@@ -38,7 +38,7 @@ TEST_F(SweepsWindowTest, ASweepThatCannotRunSaysWhy) {
             const auto* empty = find<QLabel>("empty");
             return empty->isVisible() && empty->text().contains("level");
         },
-        5000));
+        60000));
 }
 
 TEST_F(SweepsWindowTest, TheGridIsThereBeforeItRunsAndRowsAppearAsTheyEnd) {
@@ -49,8 +49,8 @@ TEST_F(SweepsWindowTest, TheGridIsThereBeforeItRunsAndRowsAppearAsTheyEnd) {
     EXPECT_EQ(count_done(), 0);
     fake.allowed = 2;
     press("run");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return count_done() == 2; }, 5000));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text().startsWith("3 of 6"); }, 5000))
+    ASSERT_TRUE(QTest::qWaitFor([&] { return count_done() == 2; }, 60000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text().startsWith("3 of 6"); }, 60000))
         << find<QLabel>("doing")->text().toStdString();
     EXPECT_EQ(panel().model().line(2).state, widgets::SweepLine::State::running);
     EXPECT_FALSE(window.is_settled());
@@ -59,7 +59,7 @@ TEST_F(SweepsWindowTest, TheGridIsThereBeforeItRunsAndRowsAppearAsTheyEnd) {
     EXPECT_EQ(count_done(), 6);
     EXPECT_EQ(cell(0, column("RMSE")), "0.25");
     EXPECT_TRUE(find<QLabel>("foot")->text().contains("6 of 6"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return sheet().pictures().read_count() >= 1 && finish(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return sheet().pictures().read_count() >= 1 && finish(); }, 60000));
 }
 
 TEST_F(SweepsWindowTest, PausesBetweenVariationsGoesOnAndCancels) {
@@ -68,16 +68,16 @@ TEST_F(SweepsWindowTest, PausesBetweenVariationsGoesOnAndCancels) {
     fake.allowed = 1;
     press("run");
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return panel().model().line(1).state == widgets::SweepLine::State::running; }, 5000));
+        [&] { return panel().model().line(1).state == widgets::SweepLine::State::running; }, 60000));
     press("pause");
     EXPECT_EQ(find<QToolButton>("pause")->text(), "Resume");
     EXPECT_TRUE(find<QLabel>("doing")->text().startsWith("Pauses after"));
     fake.allowed = 1000;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text() == "Paused"; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text() == "Paused"; }, 60000));
     EXPECT_EQ(fake.rendered, 2) << "the one that was under way is whole";
     fake.allowed = 3;
     press("pause");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return count_done() == 3; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return count_done() == 3; }, 60000));
     sheet().setFocus();
     QTest::keyClick(&sheet(), Qt::Key_Escape);
     ASSERT_TRUE(finish());
@@ -97,10 +97,10 @@ TEST_F(SweepsWindowTest, PausesBetweenVariationsGoesOnAndCancels) {
     EXPECT_EQ(count_done(), 6);
     fake.allowed = 6;
     press("run");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return fake.runs == 3; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return fake.runs == 3; }, 60000));
     press("pause");
     fake.allowed = 1000;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text() == "Paused"; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text() == "Paused"; }, 60000));
     press("run");
     ASSERT_TRUE(finish());
     EXPECT_LT(count_done(), 8);
@@ -123,11 +123,11 @@ TEST_F(SweepsWindowTest, AnotherSweepIsSeenWhileOneRuns) {
     QSignalSpy said(&dock(), &SweepsDock::said);
     fake.allowed = 1;
     press("run");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return count_done() == 1; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return count_done() == 1; }, 60000));
     dock().show_sweep(second);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().model().rowCount() == 2; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().model().rowCount() == 2; }, 60000));
     fake.allowed = 2;
-    EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text().startsWith("3 of 3"); }, 5000))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("doing")->text().startsWith("3 of 3"); }, 60000))
         << find<QLabel>("doing")->text().toStdString();
     EXPECT_EQ(count_done(), 0);
     dock().show_sweep(first);
@@ -178,7 +178,7 @@ TEST_F(SweepsWindowTest, AnotherProjectEndsTheRun) {
     add_sweep();
     fake.allowed = 1;
     press("run");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return fake.rendered == 1; }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return fake.rendered == 1; }, 60000));
     window.session().files().save();
     window.session().files().close();
     EXPECT_TRUE(finish()) << "nobody waits for beads";

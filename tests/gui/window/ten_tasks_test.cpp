@@ -114,7 +114,7 @@ TEST_F(TenTasks, ReadAProfileAlongALine) {
     drag({10, 8}, {40, 20});
     EXPECT_TRUE(is_seen("profile"));
     EXPECT_TRUE(
-        QTest::qWaitFor([&] { return window.profile().panel().profile().data().series.size() == 1; }, 5000));
+        QTest::qWaitFor([&] { return window.profile().panel().profile().data().series.size() == 1; }, 60000));
     EXPECT_LE(count, 2);
 }
 
@@ -147,7 +147,7 @@ TEST_F(TenTasks, AskWhichNumbersMatter) {
     ASSERT_TRUE(settle());
     window.docks().raise("analyses");
     click(panel->findChild<QToolButton*>("run"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return is_asked && window.is_settled(); }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return is_asked && window.is_settled(); }, 60000));
     EXPECT_LE(count, 4);
 }
 
@@ -185,7 +185,7 @@ TEST_F(TenTasks, ShareAComparison) {
     EXPECT_TRUE(window.action("report")->isEnabled());
     count += 2;  // its keys, and Enter in the file dialog
     window.reports().write_to(folder.filePath("shared.html"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.reports().is_writing(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.reports().is_writing(); }, 60000));
     EXPECT_GT(std::filesystem::file_size(folder.filePath("shared.html").toStdString()), 1000u);
     EXPECT_LE(count, 4);
 }

@@ -178,7 +178,7 @@ TEST_F(ViewsTest, EachKindOfOutputHasItsViewer) {
 
 TEST_F(ViewsTest, ABufferInSpaceIsDrawnAndCanBeReadAsATable) {
     choose(header("output-a"), "Cloud");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 60000));
     const auto& view = renderer.views.back();
     ASSERT_EQ(view.view.layers.size(), 1u);
     EXPECT_EQ(view.view.layers[0].key, "cloud");
@@ -186,7 +186,7 @@ TEST_F(ViewsTest, ABufferInSpaceIsDrawnAndCanBeReadAsATable) {
     EXPECT_EQ(view.execution, window.session().experiment()->id);
     EXPECT_NE(std::find(request().kept.begin(), request().kept.end(), "cloud"), request().kept.end());
     auto& space = workspace().active_pane().space().view();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 60000));
     auto* table = workspace().active_pane().header().findChild<QToolButton*>("table");
     ASSERT_TRUE(table->isVisible());
     QTest::mouseClick(table, Qt::LeftButton);
@@ -200,14 +200,14 @@ TEST_F(ViewsTest, ABufferInSpaceIsDrawnAndCanBeReadAsATable) {
 TEST_F(ViewsTest, AFreeCameraAsksForAPictureAndRendersNothingAgain) {
     choose(header("output-a"), "Cloud");
     auto& space = workspace().active_pane().space().view();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 60000));
     const auto requests = renderer.requests.size();
     const auto views = renderer.views.size();
     const QPoint middle = space.picture_area().center();
     QTest::mousePress(&space, Qt::LeftButton, {}, middle);
     QTest::mouseMove(&space, middle + QPoint(30, 10));
     QTest::mouseRelease(&space, Qt::LeftButton, {}, middle + QPoint(30, 10));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return renderer.views.size() > views; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return renderer.views.size() > views; }, 60000));
     EXPECT_TRUE(renderer.views.back().view.camera.has_value());
     EXPECT_EQ(renderer.requests.size(), requests);
 }
@@ -215,7 +215,7 @@ TEST_F(ViewsTest, AFreeCameraAsksForAPictureAndRendersNothingAgain) {
 TEST_F(ViewsTest, AClickOnTheSphereChoosesTheItemThatTheRegionStandsFor) {
     choose(header("output-a"), "Ball");
     auto& space = workspace().active_pane().space().view();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 60000));
     const QRect area = space.picture_area();
     QTest::mouseClick(&space, Qt::LeftButton, {}, QPoint(area.left() + area.width() / 4, area.center().y()));
     ASSERT_TRUE(settle());

@@ -40,7 +40,7 @@ class WindowTest : public testing::Test {
     }
     void open_scene() {
         ASSERT_TRUE(window.open_path("builtin:cornell"));
-        ASSERT_TRUE(QTest::qWaitFor([this] { return state() == LivePictures::State::done; }, 5000));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return state() == LivePictures::State::done; }, 60000));
     }
     LivePictures::State state() {
         const auto* chosen = window.session().experiment();
@@ -48,7 +48,7 @@ class WindowTest : public testing::Test {
     }
     bool settle() {
         QApplication::processEvents();
-        return QTest::qWaitFor([this] { return window.is_settled(); }, 5000);
+        return QTest::qWaitFor([this] { return window.is_settled(); }, 60000);
     }
     widgets::NumberField* level() {
         return window.findChild<QWidget*>("editor:level")->findChild<widgets::NumberField*>();

@@ -6,6 +6,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/line_diff.h"
+#include "tests/own_folder.h"
 
 namespace ir {
 namespace {
@@ -45,7 +46,7 @@ TEST(ChangedShaders, FoldersInFrontOfADiffsNamesDoNotCount) {
 }
 
 TEST(ChangedShaders, AChangeThatDoesNotFitNamesFileAndHunk) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / "interreflect-changed-shaders";
+    const auto folder = own_folder("changed-shaders");
     std::filesystem::create_directories(folder / "lib");
     std::ofstream(folder / "lib/a.glsl") << "a\n";
     EXPECT_EQ(changed_shader(folder, "lib/a.glsl", hunks), "b\n");

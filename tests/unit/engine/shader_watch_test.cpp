@@ -1,11 +1,16 @@
 #include "app/engine/shader_watch.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <condition_variable>
 #include <fstream>
 #include <mutex>
+#include <set>
+
+#include "tests/own_folder.h"
 
 namespace ir::engine {
 namespace {
@@ -15,7 +20,7 @@ namespace fs = std::filesystem;
 class ShaderWatchTest : public testing::Test {
   protected:
     void SetUp() override {
-        folder = fs::path(testing::TempDir()) / "interreflect-shader-watch";
+        folder = own_folder("shader-watch");
         fs::remove_all(folder);
         fs::create_directories(folder / "lib");
     }
@@ -55,6 +60,33 @@ TEST_F(ShaderWatchTest, HearsOfFilesInNewFolders) {
     const ShaderWatch watch(folder, [this] { hear(); });
     EXPECT_TRUE(is_heard([&] { fs::create_directories(folder / "methods/new"); }));
     EXPECT_TRUE(is_heard([&] { write("methods/new/a.comp"); }));
+}
+
+/// Descriptors of this process that hear of files.
+std::set<int> watching() {
+    std::set<int> found;
+    for (const auto& entry : fs::directory_iterator("/proc/self/fd")) {
+        std::error_code ignored;
+        if (fs::read_symlink(entry, ignored) == "anon_inode:inotify")
+            found.insert(std::stoi(entry.path().filename()));
+    }
+    return found;
+}
+
+TEST_F(ShaderWatchTest, BeginsAnewWhereItsDescriptorFails) {
+    const auto others = watching();
+    const ShaderWatch watch(folder, [this] { hear(); });
+    auto own = watching();
+    for (const int other : others) own.erase(other);
+    ASSERT_EQ(own.size(), 1u);
+    int ends[2];
+    ASSERT_EQ(::pipe2(ends, O_CLOEXEC | O_NONBLOCK), 0);
+    ASSERT_EQ(::dup2(ends[0], *own.begin()), *own.begin());
+    for (const int end : ends)
+        ::close(end);  // what is left of the pipe is ready for ever, with nothing to read
+    EXPECT_TRUE(is_heard([&] { write("lib/a.glsl"); }));
+    EXPECT_TRUE(is_heard([&] { write("lib/b.glsl"); }));
+    EXPECT_EQ(watching().size(), others.size() + 1) << "it is woken for ever and hears nothing";
 }
 
 TEST_F(ShaderWatchTest, EndsAtOnceAlsoWithoutAFolder) {

@@ -1,4 +1,7 @@
 // States on disk, bit by bit, and executions that go on from them.
+#include <ImfChannelList.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -117,6 +120,19 @@ TEST_F(StateTest, DamagedFilesAreOneLine) {
         bytes.replace(at, from.size(), to);
         std::ofstream(folder / "false.exr", std::ios::binary) << bytes;
         EXPECT_THROW(read_state(folder / "false.exr"), InputError) << from;
+    }
+}
+
+TEST_F(StateTest, BlocksOfLinesCountInTheLimit) {
+    Imf::Header header(1 << 22, 16);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    Imf::OutputFile((folder / "wide.exr").c_str(), header);  // without pixels
+    try {
+        read_state(folder / "wide.exr");
+        ADD_FAILURE() << "it is read";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("far more memory"), std::string::npos) << error.what();
     }
 }
 

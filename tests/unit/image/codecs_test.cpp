@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "renderers/core/error.h"
 #include "renderers/image/codecs/jpeg.h"
+#include "renderers/image/colour_map.h"
 #include "renderers/image/exr.h"
 #include "temporary_folder.h"
 #include "tests/jpeg_of_scans.h"
@@ -116,6 +118,84 @@ std::string chunk(const std::string& name_and_data) {
         for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (sum & 1 ? 0xedb88320 : 0);
     }
     return big_endian(name_and_data.size() - 4) + name_and_data + big_endian(~sum);
+}
+
+/// Packed, but not compressed [RFC 1950, RFC 1951].
+std::string stored(const std::string& bytes) {
+    constexpr std::uint32_t base = 65521;
+    std::uint32_t a = 1, b = 0;
+    for (const char c : bytes) {
+        a = (a + static_cast<unsigned char>(c)) % base;
+        b = (b + a) % base;
+    }
+    std::string packed = "\x78\x01\x01";
+    for (const std::size_t length : {bytes.size(), ~bytes.size()})
+        for (const int shift : {0, 8}) packed += static_cast<char>(length >> shift);
+    return packed + bytes + big_endian(b << 16 | a);
+}
+
+struct SmallPng {
+    int width = 1, height = 1, depth = 8, colour = 0;  ///< grey; 2: RGB, 3: palette, 4: grey and alpha
+    std::string rows;                                  ///< each after the number of its filter
+    std::string more_chunks = {};
+    bool is_interlaced = false;
+
+    std::string bytes() const {
+        std::string header = "IHDR" + big_endian(std::size_t(width)) + big_endian(std::size_t(height));
+        for (const int byte : {depth, colour, 0, 0, int(is_interlaced)}) header += static_cast<char>(byte);
+        return "\x89PNG\r\n\x1a\n" + chunk(header) + more_chunks + chunk("IDAT" + stored(rows)) +
+               chunk("IEND");
+    }
+};
+
+TEST(ImageCodecs, PngFilesOfAllKindsAreWhatTheyShow) {
+    using namespace std::string_literals;
+    TemporaryFolder folder;
+    const auto pixels = [&](const SmallPng& png) {
+        std::ofstream(folder / "a.png", std::ios::binary) << png.bytes();
+        return read_image(folder / "a.png").pixels;
+    };
+    using Pixels = std::vector<float>;
+    const float part = float(0x80) * (1.0f / 255), linear = linear_from_srgb(part);
+    const auto gamma = chunk("gAMA" + big_endian(100000)), srgb = chunk("sRGB\0"s);
+    EXPECT_EQ(pixels({.width = 2, .depth = 1, .rows = "\0\x40"s}), (Pixels{0, 1}));
+    EXPECT_EQ(pixels({.rows = "\0\x80"s}), (Pixels{linear}));
+    EXPECT_EQ(pixels({.rows = "\0\x80"s, .more_chunks = gamma}), (Pixels{part}));
+    EXPECT_EQ(pixels({.rows = "\0\x80"s, .more_chunks = gamma + srgb}), (Pixels{linear}));
+    EXPECT_EQ(pixels({.colour = 2, .rows = "\0\xff\0\x80"s}), (Pixels{1, 0, linear}));
+    EXPECT_EQ(pixels({.width = 2,
+                      .colour = 3,
+                      .rows = "\0\0\1"s,
+                      .more_chunks = chunk("PLTE\xff\0\0\0\xff\0"s) + chunk("tRNS\x80"s)}),
+              (Pixels{1, 0, 0, part, 0, 1, 0, 1}));
+    EXPECT_EQ(pixels({.depth = 16, .colour = 4, .rows = "\0\xff\xff\x01\x02"s}),
+              (Pixels{1, float(0x102) * (1.0f / 65535)}));
+    EXPECT_EQ(pixels({.width = 2,
+                      .height = 2,
+                      .rows = "\0\xff\0\0\0\0\xff"s,
+                      .more_chunks = gamma,
+                      .is_interlaced = true}),
+              (Pixels{1, 0, 0, 1}));
+}
+
+/// libpng would print by itself.
+TEST(ImageCodecs, BrokenPngFilesAreOneLineOfOurs) {
+    using namespace std::string_literals;
+    const auto whole = SmallPng{.width = 2, .colour = 2, .rows = "\0\1\2\3\4\5\6"s}.bytes();
+    testing::internal::CaptureStderr();
+    std::string refusals;
+    for (std::size_t i = 8; i < whole.size(); ++i) {
+        auto broken = whole;
+        broken[i] = static_cast<char>(broken[i] ^ 0x55);
+        for (const auto& bytes : {broken, whole.substr(0, i)}) {
+            const auto refusal = refusal_of("a.png", bytes);
+            EXPECT_EQ(std::count(refusal.begin(), refusal.end(), '\n'), 0) << refusal;
+            refusals += refusal + "\n";
+        }
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    for (const auto* problem : {"CRC error", "it ends too soon", "IHDR"})
+        EXPECT_NE(refusals.find(problem), std::string::npos) << problem << " in " << refusals;
 }
 
 /// Texts that become a thousand times as long: 135 of them in 1 MB took 4.7 s and 1.2 GB.

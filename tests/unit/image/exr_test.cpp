@@ -217,6 +217,25 @@ TEST(Exr, RefusesSizesThatTheFileCannotHold) {
     }
 }
 
+/// OpenEXR holds what is packed as one beside the pixels: 0.4 GB of 16 long lines took 1.2 GB and 5 s.
+TEST(Exr, BlocksOfLinesCountInTheLimit) {
+    TemporaryFolder folder;
+    const auto refusal = [&](int width, int height, Imf::Compression compression) {
+        Imf::Header header(width, height);
+        header.compression() = compression;
+        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+        Imf::OutputFile((folder / "a.exr").c_str(), header);  // without pixels
+        return message_of<InputError>([&] { read_exr(folder / "a.exr"); });
+    };
+    const auto is_too_large = [&](const std::string& text) {
+        return text.find("take far more memory than the file has bytes") != std::string::npos;
+    };
+    for (const auto compression : {Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION})
+        EXPECT_TRUE(is_too_large(refusal(1 << 22, 16, compression))) << compression;
+    EXPECT_FALSE(is_too_large(refusal(1 << 20, 16, Imf::ZIP_COMPRESSION)));
+    EXPECT_FALSE(is_too_large(refusal(1 << 12, 1 << 12, Imf::ZIP_COMPRESSION)));
+}
+
 /// OpenEXR would take two gigabytes for what a file of 400 bytes claims.
 TEST(Exr, RefusesAttributesThatAreLongerThanTheFile) {
     TemporaryFolder folder;

@@ -54,7 +54,7 @@ inline void show(CompareView& view) {
 }
 
 inline void wait_for_differences(CompareView& view) {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_computing(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_computing(); }, 60000));
 }
 
 /// The newest difference, once there is one.

@@ -109,12 +109,12 @@ TEST(StagesOfAView, APairStaysThatOfItsPictures) {
 
 TEST_P(StagesTest, WrapWhereThatShowsThemLarger) {
     view->resize(500, 900);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() > view->views()[0]->y(); }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() > view->views()[0]->y(); }, 60000));
     EXPECT_EQ(view->views()[1]->y(), view->views()[0]->y());
     EXPECT_EQ(view->difference_views()[0]->x(), view->views()[0]->x()) << "below the first of its two";
     EXPECT_GT(view->views()[2]->y(), view->difference_views()[0]->geometry().bottom());
     view->resize(1200, 400);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() == view->views()[0]->y(); }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() == view->views()[0]->y(); }, 60000));
 }
 
 TEST_P(StagesTest, PicturesShownAlikeStandAlike) {

@@ -149,7 +149,7 @@ TEST_F(HistogramViewTest, BigImagesAreCountedElsewhereAndTheLastOneWins) {
         view.set_image(shared(Image(1024, 1024, 1, float(i))), Semantic::generic, -1);
     EXPECT_EQ(view.current(), nullptr);
     EXPECT_EQ(view.summary(), "Counting …");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.current() != nullptr; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.current() != nullptr; }, 60000));
     EXPECT_EQ(view.current()->max, 5);
     EXPECT_EQ(counted.count(), 1) << "only the newest is told";
     // A small one right after a big one is not overwritten when the big one is done.
@@ -159,7 +159,7 @@ TEST_F(HistogramViewTest, BigImagesAreCountedElsewhereAndTheLastOneWins) {
     view.set_image(shared(Image(4, 4, 1, 9.0f)), Semantic::generic, -1);
     EXPECT_EQ(view.current()->max, 9);
     view.set_image(shared(Image(1024, 1024, 1, 8.0f)), Semantic::generic, -1);  // counted after the first
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.current() != nullptr; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.current() != nullptr; }, 60000));
     EXPECT_EQ(told, (std::vector<double>{9, 8}));
 }
 

@@ -59,7 +59,7 @@ inline void drag_mouse(QWidget& view, QPoint first, QPoint last, Qt::KeyboardMod
 }
 
 inline void wait_for(MetricsPanel& panel) {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.is_computing(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.is_computing(); }, 60000));
     QApplication::processEvents();
 }
 

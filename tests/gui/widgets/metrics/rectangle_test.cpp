@@ -134,7 +134,7 @@ TEST(RectangleInModes, IsTheSamePlaceEverywhere) {
     for (const Mode mode :
          {Mode::single, Mode::side_by_side, Mode::wipe, Mode::flip, Mode::difference, Mode::stages}) {
         compare.set_mode(mode);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !compare.is_computing(); }, 20000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !compare.is_computing(); }, 60000));
         compare.active_view().fit();
         auto panes = compare.views();
         for (auto* each : compare.difference_views()) panes.push_back(each);

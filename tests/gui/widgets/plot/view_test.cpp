@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <QElapsedTimer>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QToolTip>
@@ -9,6 +8,7 @@
 #include <limits>
 
 #include "tests/gui/widgets/plot/sample.h"
+#include "tests/processor_time.h"
 #include "widgets/plot/plot_painter.h"
 #include "widgets/plot/plot_view.h"
 
@@ -99,11 +99,11 @@ TEST_F(PlotViewTest, AClickOnAPointSelectsAndActivatesIt) {
 
 TEST_F(PlotViewTest, HoveringTellsWhatAPointIs) {
     QTest::mouseMove(&view, at("f2"));
-    ASSERT_TRUE(QTest::qWaitFor([] { return QToolTip::isVisible(); }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([] { return QToolTip::isVisible(); }, 60000));
     EXPECT_EQ(QToolTip::text(), "point f2\n10 ms");
     EXPECT_EQ(view.cursor().shape(), Qt::PointingHandCursor);
     QTest::mouseMove(&view, {view.width() - 30, 100});
-    EXPECT_TRUE(QTest::qWaitFor([this] { return view.cursor().shape() == Qt::ArrowCursor; }, 2000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return view.cursor().shape() == Qt::ArrowCursor; }, 60000));
 }
 
 TEST_F(PlotViewTest, KeysWalkThroughPointsAndEnterTakesOne) {
@@ -174,12 +174,11 @@ TEST_F(PlotViewTest, ThousandsOfPointsAreQuick) {
     for (int i = 0; i < 5000; ++i)
         data.series[std::size_t(i % 2)].points.push_back(
             sample_point(std::to_string(i), 1 + i, 0.01 + 0.1 / (1 + i)));
-    QElapsedTimer timer;
-    timer.start();
+    const double start = processor_seconds();
     view.set_data(data);
     grab();
     QTest::mouseMove(&view, {300, 200});
-    EXPECT_LT(timer.elapsed(), 3000);  // far below on an idle machine
+    EXPECT_LT(processor_seconds() - start, 3);
     EXPECT_EQ(view.marks().size(), 5005u);
 }
 

@@ -29,7 +29,7 @@ class ProfilePanelTest : public testing::Test {
     }
     void set(const ProfileFields& fields) {
         panel.set_fields(fields);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.is_computing(); }, 20000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.is_computing(); }, 60000));
         QApplication::processEvents();
     }
     QString cell(int row, int column) {
@@ -45,7 +45,7 @@ class ProfilePanelTest : public testing::Test {
         ASSERT_GE(index, 0) << text.toStdString();
         box->setCurrentIndex(index);
         emit box->activated(index);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.is_computing(); }, 20000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.is_computing(); }, 60000));
     }
     void trigger(const char* name) {
         auto* action = find<QAction>(name);
@@ -141,7 +141,7 @@ TEST_F(ProfilePanelTest, HistogramsShareAnAxisAndEachSumsToOne) {
     EXPECT_EQ(series[0].points.front().x, series[1].points.front().x);
     EXPECT_FALSE(panel.histograms().data().y.log);
     panel.set_logarithmic(true);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.histograms().data().y.log; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.histograms().data().y.log; }, 60000));
 }
 
 TEST_F(ProfilePanelTest, AllPicturesAreProfiledAndCopied) {
@@ -219,7 +219,7 @@ TEST_F(ProfilePanelTest, CanBecomeNarrowAndTurnsBeforeItsPartsDoNotFit) {
     EXPECT_EQ(split->orientation(), Qt::Horizontal);
     panel.resize(split->minimumSizeHint().width(), 260);
     EXPECT_EQ(split->orientation(), Qt::Vertical);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.minimumSizeHint().width() < 400; }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.minimumSizeHint().width() < 400; }, 60000));
     panel.resize(1000, 260);
     EXPECT_EQ(split->orientation(), Qt::Horizontal);
 }

@@ -54,7 +54,7 @@ TEST(WaveformTest, ThePanelShowsThemOnRequestWithTheirNumbers) {
     ProfilePanel panel;
     show(panel, {1300, 260});
     const auto a = radiance(ramp(), "A"), b = radiance(with_error(ramp()), "B");
-    const auto wait = [&] { return QTest::qWaitFor([&] { return !panel.is_computing(); }, 20000); };
+    const auto wait = [&] { return QTest::qWaitFor([&] { return !panel.is_computing(); }, 60000); };
     panel.set_fields({.within = {{"A", a}, {"B", b}}});
     ASSERT_TRUE(wait());
     EXPECT_FALSE(panel.waveforms().isVisible());
@@ -62,7 +62,7 @@ TEST(WaveformTest, ThePanelShowsThemOnRequestWithTheirNumbers) {
     auto* box = panel.findChild<QCheckBox*>("waveforms");
     QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
     ASSERT_TRUE(wait());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.waveforms().waveforms().size() == 2; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.waveforms().waveforms().size() == 2; }, 60000));
     EXPECT_TRUE(panel.waveforms().isVisible());
     EXPECT_TRUE(panel.shows_waveforms());
     EXPECT_EQ(panel.waveforms().waveforms()[0].axis, panel.waveforms().waveforms()[1].axis);
@@ -76,10 +76,10 @@ TEST(WaveformTest, ThePanelShowsThemOnRequestWithTheirNumbers) {
             const auto& waves = panel.waveforms().waveforms();
             return waves.size() == 1 && waves[0].columns == 4;
         },
-        20000));
+        60000));
     Image nothing(4, 4, 3, std::numeric_limits<float>::quiet_NaN());
     panel.set_fields({.within = {{"N", radiance(nothing, "N")}}});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.waveforms().waveforms().empty(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.waveforms().waveforms().empty(); }, 60000));
     EXPECT_FALSE(panel.waveforms().grab().isNull());
 }
 

@@ -210,7 +210,7 @@ TEST_F(SpaceViewTest, OnlyOneRequestIsUnderWay) {
     EXPECT_LE(wanted_.size(), 2 + overdue);  // the newest, not all between
     // Without an answer the next one follows after a while.
     move(70);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return wanted_.back().camera == view_.pose(); }, 2000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return wanted_.back().camera == view_.pose(); }, 60000));
     QTest::mouseRelease(&view_, Qt::LeftButton, {}, middle() + QPoint(70, 0));
     EXPECT_FALSE(view_.picture().colour.empty());  // never blank
 }
@@ -238,15 +238,15 @@ TEST_F(SpaceViewTest, SlowPicturesAreCoarseOnlyWhileTheCameraMoves) {
 TEST_F(SpaceViewTest, APictureThatStandsStillBecomesSmoothOnce) {
     if (view_.devicePixelRatioF() >= 1.5) GTEST_SKIP() << "fine screens need no smoother edges";
     EXPECT_EQ(oversamplings_.back(), 1);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return oversamplings_.back() == 2; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return oversamplings_.back() == 2; }, 60000));
     const std::size_t count = wanted_.size();
     const auto* refine = view_.findChild<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
     ASSERT_TRUE(refine);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !refine->isActive(); }, 2000)) << "another one is to come";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !refine->isActive(); }, 60000)) << "another one is to come";
     EXPECT_EQ(wanted_.size(), count);
     drag(Qt::LeftButton, {}, {30, 0});
     EXPECT_EQ(oversamplings_.back(), 1);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return oversamplings_.back() == 2; }, 2000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return oversamplings_.back() == 2; }, 60000));
 }
 
 TEST_F(SpaceViewTest, AClickPicksTheElementUnderIt) {

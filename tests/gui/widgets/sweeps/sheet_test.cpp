@@ -28,7 +28,7 @@ class SheetTest : public testing::Test {
     }
     static bool read(SheetPictures& pictures, const std::vector<SheetRequest>& requests) {
         pictures.want(requests);
-        return QTest::qWaitFor([&] { return !pictures.is_reading(); }, 5000);
+        return QTest::qWaitFor([&] { return !pictures.is_reading(); }, 60000);
     }
     static SweepRows rows(int count, const QString& picture) {
         SweepRows rows;
