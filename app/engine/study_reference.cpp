@@ -10,7 +10,6 @@
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
 #include "renderers/image/channels.h"
-#include "renderers/image/exr.h"
 
 namespace ir::engine {
 namespace {
@@ -55,6 +54,7 @@ StudyReference rendered(Machine& machine, const projects::Project& project,
         result.notes.push_back(std::string("the reference was not kept: ") + error.what());
     }
     result.image = main_result(execution);
+    result.attributes = attributes(execution);
     result.valid = execution.graph().read_image("valid").value_or(Image());
     const auto variance = key.empty() ? std::nullopt : execution.graph().read_image(key);
     if (variance) result.noise = noise_of(*variance, result.valid);
@@ -73,7 +73,7 @@ std::optional<StudyReference> kept_picture(const projects::Project& now,
     Image variance;
     for (const auto& file : kept->files) {
         if (file.role != projects::main_role) continue;
-        for (auto& layer : read_exr(folder / "results" / file.path)) {
+        for (auto& layer : read_exr(folder / "results" / file.path, &result.attributes)) {
             if (layer.name.empty()) result.image = std::move(layer.image);
             if (layer.name == "valid") result.valid = std::move(layer.image);
             if (!layer.name.empty() && layer.name == variance_key(experiment))

@@ -7,6 +7,7 @@
 
 #include "app/engine/execution.h"
 #include "projects/document.h"
+#include "renderers/image/exr.h"
 #include "renderers/image/image.h"
 
 namespace ir::engine {
@@ -15,6 +16,7 @@ namespace ir::engine {
 struct StudyReference {
     Image image, valid;              ///< valid: empty where nothing marks pixels
     double noise = 0;                ///< RMSE that it has left itself; 0: unknown
+    ImageAttributes attributes;      ///< how it was made; of a foreign image none
     std::string kept_on;             ///< date of the kept result that it was read from; empty: of none
     std::vector<std::string> notes;  ///< where it comes from, what is not known of it
 };

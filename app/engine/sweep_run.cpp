@@ -33,7 +33,9 @@ void store_reference(const fs::path& file, const StudyReference& reference) {
     if (!reference.valid.empty())
         layers.push_back({"valid", standard_channels(reference.valid.channels), Image(reference.valid)});
     real_file_system().create_directories(file.parent_path());
-    write_exr(file, layers, {{noise_attribute, to_string(Value{reference.noise})}});
+    auto attributes = reference.attributes;
+    attributes[noise_attribute] = to_string(Value{reference.noise});
+    write_exr(file, layers, attributes);
 }
 
 /// Nothing where none is there.
@@ -41,10 +43,9 @@ std::optional<StudyReference> load_reference(const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return {};
     StudyReference reference;
-    ImageAttributes attributes;
-    for (auto& layer : read_exr(file, &attributes))
+    for (auto& layer : read_exr(file, &reference.attributes))
         (layer.name.empty() ? reference.image : reference.valid) = std::move(layer.image);
-    const auto& noise = attributes[noise_attribute];
+    const auto& noise = reference.attributes[noise_attribute];
     std::from_chars(noise.data(), noise.data() + noise.size(), reference.noise);
     return reference;
 }

@@ -9,14 +9,13 @@
 #include "app/gui/redraw.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::gui {
 namespace {
 
 using widgets::BenchmarkLine;
-
-constexpr int max_repeats = 1000;
 
 const QString own_place = QStringLiteral("own"), experiments_place = QStringLiteral("experiment");
 

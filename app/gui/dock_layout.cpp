@@ -209,7 +209,9 @@ void DockLayout::arrange() {
     tabify("pipeline", "shaders");
     for (auto* each : docks()) each->show();
     for (const char* front : {"display", "buffers", "parameters", "messages"}) dock(front)->raise();
-    window_.resizeDocks({dock("parameters"), dock("buffers")}, {300, 340}, Qt::Horizontal);
+    // On a large screen a few words more are read; the views have the most of it in any case.
+    const int more = std::clamp(window_.width() / 12 - 110, 0, 160);
+    window_.resizeDocks({dock("parameters"), dock("buffers")}, {300 + more / 2, 340 + more}, Qt::Horizontal);
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.

@@ -166,6 +166,7 @@ class Drawing {
         for (const auto& inset : figure.insets) aspects += double(inset.width) / inset.height;
         const double room = column_ - inset_gap * (double(figure.insets.size()) - 1);
         if (aspects > 0) inset_ = std::min(room / aspects, highest_inset * column_);
+        margin_ = (room - inset_ * aspects) / 2;
         if (column_ < min_column || (aspects > 0 && inset_ < 2 * frame_width))
             throw UsageError(
                 "the figure is too narrow for so many pictures and insets in a row; choose fewer "
@@ -204,7 +205,7 @@ class Drawing {
             frame(cairo,
                   {x + inset.x * scale, y + inset.y * scale, inset.width * scale, inset.height * scale}, k);
         }
-        double below = y + picture_ + inset_gap, left = x;
+        double below = y + picture_ + inset_gap, left = x + margin_;
         for (std::size_t k = 0; k < figure_.insets.size(); ++k) {
             const auto& inset = figure_.insets[k];
             const Box box{left, below, inset_ * inset.width / inset.height, inset_};
@@ -278,6 +279,7 @@ class Drawing {
     bool has_labels_ = false;
     int columns_ = 1, rows_ = 1;
     double width_ = 0, height_ = 0, column_ = 0, picture_ = 0, inset_ = 0, line_ = 0, labels_ = 0, row_ = 0;
+    double margin_ = 0;  ///< beside insets that are narrower than their picture
 };
 
 void draw_on(cairo_surface_t* surface, const Drawing& drawing, double scale) {

@@ -19,7 +19,6 @@
 #include "widgets/panels/empty_tree_view.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/style/icons.h"
-#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 
@@ -89,11 +88,6 @@ void BenchmarkPanel::make_view() {
     view_->setAllColumnsShowFocus(true);
     view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    // The style's own box is as dark as the rows.
-    set_themed_sheet(view_, [](const ThemeColours& colours) {
-        return QStringLiteral("QTreeView::indicator:unchecked { border: 1px solid %1; border-radius: 2px; }")
-            .arg(colours.dim.name());
-    });
     auto* header = view_->header();
     header->setSortIndicatorClearable(true);  // the third click brings back the benchmark's order
     header->setSortIndicator(-1, Qt::AscendingOrder);

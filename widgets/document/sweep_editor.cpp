@@ -168,6 +168,8 @@ void SweepEditor::add_axis() {
                 axes.push_back({key, {value}});
             },
             false);
+        values_->setFocus(Qt::OtherFocusReason);  // others are typed over the one that is there
+        values_->selectAll();
         return;
     }
 }

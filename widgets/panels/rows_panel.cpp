@@ -27,6 +27,7 @@ RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWi
     view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view_->header()->setSectionResizeMode(0, QHeaderView::Interactive);
     view_->header()->setMinimumSectionSize(36);
+    view_->header()->setResizeContentsPrecision(-1);  // rows that are scrolled away count
     view_->viewport()->installEventFilter(this);
     connect(view_->header(), &QHeaderView::sectionResized, this, [this](int section, int, int) {
         if (section > 0) fit_columns();
@@ -39,8 +40,14 @@ RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWi
     const auto remember = [this](const QModelIndex& at, bool open) {
         if (!restoring_) open_[at.data(RowsModel::key_role).toString()] = open;
     };
-    connect(view_, &QTreeView::expanded, this, [remember](const QModelIndex& at) { remember(at, true); });
-    connect(view_, &QTreeView::collapsed, this, [remember](const QModelIndex& at) { remember(at, false); });
+    const auto follow_folding = [this, remember](const QModelIndex& at, bool open) {
+        remember(at, open);
+        fit_columns();
+    };
+    connect(view_, &QTreeView::expanded, this,
+            [follow_folding](const QModelIndex& at) { follow_folding(at, true); });
+    connect(view_, &QTreeView::collapsed, this,
+            [follow_folding](const QModelIndex& at) { follow_folding(at, false); });
     connect(model_, &QAbstractItemModel::modelReset, this, [this] {
         restoring_ = true;
         restore_folding({});
@@ -137,10 +144,14 @@ bool RowsPanel::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
+/// The first column gives way to the others, and is no wider than it needs: values stand beside their names
+/// in a wide panel.
 void RowsPanel::fit_columns() {
     int others = 0;
     for (int c = 1; c < model_->columnCount(); ++c) others += view_->header()->sectionSize(c);
-    view_->setColumnWidth(0, std::max(name_width_, view_->viewport()->width() - others));
+    const QAbstractItemView* view = view_;
+    const int needed = std::max(view->sizeHintForColumn(0), view_->header()->sectionSizeHint(0));
+    view_->setColumnWidth(0, std::max(name_width_, std::min(needed, view_->viewport()->width() - others)));
 }
 
 void RowsPanel::restore_folding(const QModelIndex& parent) {

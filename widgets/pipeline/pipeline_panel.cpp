@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -65,6 +66,15 @@ class HeatLegend : public QWidget {
     const PlotStyle* style_;
 };
 
+/// The pixel's lines have half of it at most, and the graph what they do not need.
+void share_room(RowsPanel& changes) {
+    auto& split = *static_cast<QSplitter*>(changes.parentWidget()->parentWidget());
+    const int line = changes.view()->header()->sizeHint().height();
+    const int needed = (changes.model().rowCount() + 3) * line;  // the pixel's name, headings, a margin
+    const int all = split.height(), below = std::min(needed, all / 2);
+    split.setSizes({all - below, below});
+}
+
 }  // namespace
 
 PipelinePanel::PipelinePanel(QWidget* parent)
@@ -82,8 +92,6 @@ PipelinePanel::PipelinePanel(QWidget* parent)
     auto* split = new QSplitter(Qt::Vertical);
     split->addWidget(view_);
     split->addWidget(make_changes());
-    split->setStretchFactor(0, 3);
-    split->setStretchFactor(1, 2);
     split->setCollapsible(0, false);
     pages_->addWidget(split);
     pages_->addWidget(empty.page);
@@ -200,7 +208,10 @@ void PipelinePanel::set_fields(const PipelineFields& fields) {
     if (fields.traced)
         pixel_->setText(
             tr("What passes did to pixel %1, %2").arg(fields.traced->x()).arg(fields.traced->y()));
-    changes_->set_rows(change_rows(fields.changes));
+    auto rows = change_rows(fields.changes);
+    const bool has_other_count = int(rows.size()) != changes_->model().rowCount();
+    changes_->set_rows(std::move(rows));
+    if (has_other_count) share_room(*changes_);
 }
 
 }  // namespace ir::widgets

@@ -1,31 +1,18 @@
 #include <QAction>
-#include <QDesktopServices>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QTemporaryDir>
-#include <QTextBrowser>
-#include <QUrl>
 #include <atomic>
 #include <chrono>
 #include <fstream>
 #include <iterator>
 #include <thread>
 
+#include "tests/gui/window/opened_files.h"
 #include "tests/gui/window/window_fixture.h"
 
 namespace ir::gui {
 namespace {
-
-/// What the window opens, in the browser's place: any object with a slot that takes an address.
-class OpenedFiles {
-  public:
-    OpenedFiles() { QDesktopServices::setUrlHandler(QStringLiteral("file"), &shown_, "setSource"); }
-    ~OpenedFiles() { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); }
-    QString file() const { return shown_.source().toLocalFile(); }
-
-  private:
-    QTextBrowser shown_;
-};
 
 class ReportTest : public WindowTest {
   protected:

@@ -74,6 +74,19 @@ TEST_F(SizesTest, OnASmallScreenPanelsOfBothSidesStandBehindEachOther) {
     EXPECT_EQ(window.dockWidgetArea(buffers), Qt::RightDockWidgetArea);
 }
 
+TEST_F(SizesTest, PanelsBesideTheViewsAreWiderOnALargeScreen) {
+    const auto* buffers = window.findChild<QDockWidget*>("buffers");
+    window.resize(1280, 770);
+    window.docks().restore_default();
+    ASSERT_TRUE(settle());
+    EXPECT_NEAR(buffers->width(), 340, 10);
+    window.resize(3840, 2160);
+    window.docks().restore_default();
+    ASSERT_TRUE(settle());
+    EXPECT_NEAR(buffers->width(), 500, 10);
+    EXPECT_GT(window.workspace().area().width(), 2 * 3840 / 3);
+}
+
 TEST_F(WindowTest, ASmallScreenHasAnArrangementOfItsOwn) {
     const QRect small(0, 0, 960, 600), large(0, 0, 1920, 1200);
     const auto dock = [](MainWindow& of, const char* name) { return of.findChild<QDockWidget*>(name); };

@@ -55,6 +55,22 @@ class FigureCommand : public CommandTest {
     mutable std::string files_;
 };
 
+TEST_F(FigureCommand, InsetsThatAreNarrowerThanTheirPictureStandInItsMiddle) {
+    Figure figure;
+    figure.pictures = {picture("")};
+    figure.insets = {{4, 6, 8, 8}};
+    figure.width = 100;
+    figure.dots_per_inch = 254;  // ten a millimetre
+    const auto image = drawn(figure);
+    const double side = 600, left = (1000 - side) / 2;  // no higher than 0.6 of the picture's width
+    const double y = image.height - side / 2;
+    const std::array<float, 3> white{1, 1, 1};
+    expect_colour(image, left + 2, y, colour_of_frame(0), "the inset's frame at its left");
+    expect_colour(image, left + side - 3, y, colour_of_frame(0), "and at its right");
+    expect_colour(image, left / 2, y, white, "beside it");
+    expect_colour(image, 1000 - left / 2, y, white, "on both sides");
+}
+
 TEST_F(FigureCommand, PixelsStayPixelsAndInsetsAreZoomed) {
     Figure figure;
     figure.pictures = {picture("")};

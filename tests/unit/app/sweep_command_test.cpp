@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "renderers/image/exr.h"
 #include "renderers/image/metrics.h"
 #include "tests/child_process.h"
 #include "tests/unit/app/outcome.h"
@@ -93,6 +94,13 @@ TEST_F(SweepCommand, MeasuresAndTimesEveryVariation) {
     const auto lines = lines_of(read(file("out/sweep.jsonl")));
     ASSERT_EQ(lines.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(Json::parse(lines[i]), points[i]);
+
+    // Whoever gets the folder, or a report of it, is told how the ground truth was made.
+    const auto truth = points[0]["reference"].get<std::string>();
+    auto made = read_exr_attributes(file("out/references/" + truth + ".exr"));
+    EXPECT_EQ(made["interreflect.method"], "reference");
+    EXPECT_EQ(made["interreflect.samples"], "16");
+    EXPECT_NE(made["interreflect.device"], "");
 
     const auto rows = lines_of(read(file("t.csv")));
     ASSERT_EQ(rows.size(), 4u);

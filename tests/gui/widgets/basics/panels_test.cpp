@@ -21,6 +21,7 @@
 #include "widgets/panels/cards.h"
 #include "widgets/panels/messages_panel.h"
 #include "widgets/panels/notes_strip.h"
+#include "widgets/panels/rows_panel.h"
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/panels/value_strip.h"
 #include "widgets/panels/welcome_page.h"
@@ -344,6 +345,24 @@ TEST(ValueStrip, SaysNothingOfPixelsThatASmallerPictureLacks) {
         strip.show_pixel(picture, outside);
         EXPECT_EQ(strip.text(), summary);
     }
+}
+
+TEST(RowsPanelTest, ValuesStandBesideTheirNamesInAWidePanel) {
+    RowsPanel panel({"Pass", "Time"}, {});
+    panel.resize(900, 200);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    Row row{"a", {}};
+    row.cells = {{"G-buffer"}, {"0.5 ms"}};
+    panel.set_rows({row});
+    const int wide = panel.view()->columnWidth(0);
+    EXPECT_LT(wide, 200);
+    row.cells = {{"a pass whose name is longer than others"}, {"0.5 ms"}};
+    panel.set_rows({row});
+    EXPECT_GT(panel.view()->columnWidth(0), wide);
+    panel.resize(180, 200);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.view()->viewport()->width() <= 180; }));
+    EXPECT_LE(panel.view()->columnWidth(0) + panel.view()->columnWidth(1), 180) << "long names are cut";
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <QApplication>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QPalette>
+#include <QStyleOption>
 #include <algorithm>
 
 #include "renderers/image/colour_map.h"
@@ -55,6 +57,23 @@ TEST_P(ThemeTest, TextCanBeReadOnItsGround) {
         EXPECT_GT(contrast(colour(QPalette::WindowText), ground), 5) << ground.name().toStdString();
     EXPECT_GT(contrast(colour(QPalette::HighlightedText), colour(QPalette::Highlight)), 4);
     EXPECT_GT(contrast(colour(QPalette::ButtonText), themed.pressed), 3.5);
+}
+
+TEST_P(ThemeTest, EmptyBoxesAreSeen) {
+    for (const auto box : {QStyle::PE_IndicatorCheckBox, QStyle::PE_IndicatorItemViewItemCheck,
+                           QStyle::PE_IndicatorRadioButton})
+        for (const auto ground : {QPalette::Window, QPalette::Base}) {
+            QStyleOptionButton option;
+            option.rect = {2, 2, 14, 14};
+            option.palette = QApplication::palette();
+            option.state = QStyle::State_Enabled | QStyle::State_Off;
+            QImage drawn(18, 18, QImage::Format_RGB32);
+            const auto behind = option.palette.color(ground);
+            drawn.fill(behind);
+            QPainter painter(&drawn);
+            QApplication::style()->drawPrimitive(box, &option, &painter);
+            EXPECT_GT(contrast(drawn.pixelColor(9, 2), behind), 2.5) << int(box) << " " << int(ground);
+        }
 }
 
 /// Of lists that were made under the other one and are shown later.

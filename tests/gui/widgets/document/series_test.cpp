@@ -30,6 +30,8 @@ TEST_F(SeriesTest, SweepsAreEditedByAxes) {
     EXPECT_EQ(count(), "3 points");
     list_key("axes", Qt::Key_Insert);
     ASSERT_EQ(sweep().axes.size(), 2u);
+    EXPECT_EQ(QApplication::focusWidget(), field<QLineEdit>("axis-values"));
+    EXPECT_EQ(field<QLineEdit>("axis-values")->selectedText(), field<QLineEdit>("axis-values")->text());
     choose("axis-key", "size");
     type_text("axis-values", "64x64, 128x96");
     EXPECT_EQ(sweep().axes[1].values, (std::vector<projects::Json>{{64, 64}, {128, 96}}));
