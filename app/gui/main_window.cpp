@@ -319,6 +319,9 @@ void MainWindow::join_panels() {
         document_->select(light);
     });
     connect(&lists_, &FrameLists::export_wanted, action("export-buffer"), &QAction::trigger);
+    lists_.add_actions({action("pin"), action("explain")});
+    connect(&pipeline_, &PipelineDock::shader_wanted, &shader_copies_, &ShaderController::open);
+    connect(&pipeline_, &PipelineDock::copy_wanted, &shader_copies_, &ShaderController::edit_copy);
     connect(&pipeline_, &PipelineDock::wanted, &joins_, [this] { docks_.raise("pipeline"); });
     connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise("profile"); });
     connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });

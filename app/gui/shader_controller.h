@@ -15,6 +15,11 @@ class ShaderController : public QObject {
     ShaderController(QWidget& window, Session& session, LivePictures& live, ShaderDock& dock,
                      Notices& notices, Actions& actions);
 
+  public slots:
+    /// A file of the shaders itself, and a copy for the experiment that is worked on.
+    void open(const QString& file);
+    void edit_copy(const QString& file);
+
   private:
     void choose();
     void edit(const std::string& experiment, const std::string& file, int line);
