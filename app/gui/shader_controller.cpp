@@ -12,7 +12,7 @@
 namespace ir::gui {
 
 ShaderController::ShaderController(QWidget& window, Session& session, LivePictures& live, ShaderDock& dock,
-                                   Notices& notices, Actions& actions)
+                                   PipelineDock& pipeline, Notices& notices, Actions& actions)
     : window_(window),
       session_(session),
       live_(live),
@@ -26,6 +26,8 @@ ShaderController::ShaderController(QWidget& window, Session& session, LivePictur
     connect(&panel, &widgets::ShaderPanel::copy_wanted, action_, &QAction::trigger);
     connect(&panel, &widgets::ShaderPanel::edit_wanted, this, &ShaderController::edit_copy);
     connect(&panel, &widgets::ShaderPanel::removal_wanted, this, &ShaderController::remove_change);
+    connect(&pipeline, &PipelineDock::shader_wanted, this, &ShaderController::open);
+    connect(&pipeline, &PipelineDock::copy_wanted, this, &ShaderController::edit_copy);
     connect(&dock_, &ShaderDock::copy_wanted, this, &ShaderController::edit_fault);
     follow(session_, this, &ShaderController::update);
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
