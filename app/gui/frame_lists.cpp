@@ -1,6 +1,7 @@
 #include "app/gui/frame_lists.h"
 
 #include <QAction>
+#include <QMenu>
 #include <QTabWidget>
 #include <QTreeView>
 
@@ -69,9 +70,8 @@ void FrameLists::add_buffer_actions() {
         actions << action;
     };
     add("buffer-show", tr("Show"), [this](const std::string& chosen) { views_.show_output(chosen); });
-    add("buffer-beside", tr("Show in another view"), [this](const std::string& chosen) {
-        show_beside(views_, workspace_.area(), session_.experiment()->id, chosen);
-    });
+    add("buffer-beside", tr("Show in another view"),
+        [this](const std::string& chosen) { show_in_another_view(chosen); });
     add("buffer-compare", tr("Compare with what is shown"),
         [this](const std::string& chosen) { compare_with(chosen); });
     add("buffer-export", tr("Export (EXR) …"), [this](const std::string& chosen) {
@@ -85,6 +85,25 @@ void FrameLists::add_buffer_actions() {
     connect(view->selectionModel(), &QItemSelectionModel::currentChanged, this, update);
     connect(view->model(), &QAbstractItemModel::modelReset, this, update);
     update();
+}
+
+void FrameLists::add_actions(const QList<QAction*>& actions) {
+    auto* view = buffers_->view();
+    view->insertActions(view->actions().back(), actions);  // copying is the last
+}
+
+void FrameLists::show_menu(const std::string& key, QPoint global_position) {
+    const auto row = buffers_->model().index_of(key);
+    if (!row.isValid()) return;
+    buffers_->view()->setCurrentIndex(row);
+    auto* menu = new QMenu(buffers_);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions(buffers_->view()->actions());
+    menu->popup(global_position);
+}
+
+void FrameLists::show_in_another_view(const std::string& key) {
+    show_beside(views_, workspace_.area(), session_.experiment()->id, key);
 }
 
 void FrameLists::compare_with(const std::string& key) {

@@ -8,6 +8,8 @@
 #include "app/gui/workspace.h"
 #include "widgets/panels/rows_panel.h"
 
+class QAction;
+
 namespace ir::gui {
 
 /// What the newest frame of the chosen experiment consists of: its buffers, and times and counters of its
@@ -18,6 +20,11 @@ class FrameLists : public QObject {
     FrameLists(Session& session, LivePictures& live, Workspace& workspace);
     widgets::RowsPanel& buffers() { return *buffers_; }
     QWidget& timings() { return *timings_and_counters_; }
+    /// More of them in the menu of buffers.
+    void add_actions(const QList<QAction*>& actions);
+    /// The menu of a buffer, wherever it is seen.
+    void show_menu(const std::string& key, QPoint global_position);
+    void show_in_another_view(const std::string& key);
     /// Small pictures of the frame's images, by their keys, as far as somebody wants them.
     const std::map<std::string, QImage>& thumbnails() const { return thumbnails_; }
 

@@ -205,7 +205,7 @@ void FramesDock::save_film(Film film, const QString& file) {
     });
 }
 
-/// As it asked for the frame, with the camera that saw it.
+/// As it asked for the frame, with the camera that saw it: a new one where that has moved since.
 void FramesDock::add_experiment() {
     const auto* frame = chosen();
     if (!frame) return;
@@ -213,12 +213,17 @@ void FramesDock::add_experiment() {
     copy.last_kept_key.clear();
     const auto pose = engine::pose_of(frame->result->camera);
     copy.name += tr(", frame %1").arg(frame->number).toStdString();
+    const auto now = session_.camera().pose();
+    const bool has_moved = !now || copy.camera != session_.experiment()->camera ||
+                           engine::seen_by(engine::camera_of(*now)) != engine::seen_by(frame->result->camera);
     const bool done = session_.edit([&](const projects::Project& project) {
         copy.id = projects::free_experiment_id(project, copy.name);
-        const auto view = new_view(project, pose, "View");
-        copy.camera = view.id;
         projects::EditSteps steps(project);
-        steps.add(projects::edits::add(project, view));
+        if (has_moved) {
+            const auto view = new_view(project, pose, "View");
+            copy.camera = view.id;
+            steps.add(projects::edits::add(project, view));
+        }
         steps.add(projects::edits::add(steps.after(), copy));
         return steps.as_one("Add experiment of a past frame");
     });

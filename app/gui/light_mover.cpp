@@ -128,7 +128,7 @@ bool LightMover::shows_lit(const widgets::ViewSource& source, const widgets::Pic
 /// Where a pane shows one place of the scene at each pixel, as one camera sees it.
 bool LightMover::has_handles(const widgets::ViewState& state, widgets::ViewPane& pane, int number) const {
     if (pane.content() != widgets::ViewPane::Content::picture) return false;
-    const auto sources = workspace_.views().rules().sources(state);
+    const auto sources = workspace_.views().rules().pictures(state);
     const auto is_lit = [&](std::size_t i) { return shows_lit(sources[i], pane.picture_at(int(i)).get()); };
     const auto i = std::size_t(number);
     switch (state.mode) {

@@ -74,8 +74,8 @@ LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& im
     });
     connect(&session_, &Session::document_changed, this, [this] {
         ++revision_;
-        // Nobody finds a removed experiment again, and another method's pictures are no past of this one's.
-        past_.forget([this](const PastFrame& frame) {
+        // Another method's pictures are no past of this one's.
+        past_.set_aside([this](const PastFrame& frame) {
             const auto* experiment = session_.experiment(frame.result->tag);
             return !experiment || experiment->method != frame.experiment.method;
         });

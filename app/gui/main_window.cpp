@@ -92,7 +92,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
                     notices_, actions_),
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
       pipeline_(session_, live_, views(), inspector_, lists_, notices_, actions_),
-      shader_copies_(*this, session_, live_, *shaders_, notices_, actions_),
+      shader_copies_(*this, session_, live_, *shaders_, pipeline_, notices_, actions_),
       preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
       project_banners_(*this, session_, live_, *banners_),
       lights_(session_, live_, renderer_, scenes_, workspace_, inspector_, actions_),
@@ -319,6 +319,7 @@ void MainWindow::join_panels() {
         document_->select(light);
     });
     connect(&lists_, &FrameLists::export_wanted, action("export-buffer"), &QAction::trigger);
+    lists_.add_actions({action("pin"), action("explain")});
     connect(&pipeline_, &PipelineDock::wanted, &joins_, [this] { docks_.raise("pipeline"); });
     connect(&profile_, &ProfileDock::drawn, &joins_, [this] { docks_.raise("profile"); });
     connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });

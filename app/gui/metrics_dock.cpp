@@ -18,6 +18,12 @@ std::string source_text(const ViewSource& source) {
            std::to_string(source.layer);
 }
 
+std::string key_of(const auto& pairs) {
+    std::string key;
+    for (const auto& pair : pairs) key += (key.empty() ? "" : " ") + pair.key();
+    return key;
+}
+
 /// Stands for a refusal that is found while measuring.
 const QString turned = QStringLiteral("turned");
 
@@ -67,26 +73,32 @@ void MetricsDock::set_visible(bool visible) {
     update();
 }
 
-/// A and B of the active view; absent where it shows one picture, space or a table.
-std::optional<MetricsDock::Pair> MetricsDock::pair() const {
-    const int active = workspace_.area().active();
-    if (!session_.has_project() || !workspace_.pane(active)) return {};
+/// None where the active view shows one picture, space or a table.
+MetricsDock::Pairs MetricsDock::pairs() const {
+    if (!session_.has_project() || !workspace_.pane(workspace_.area().active())) return {};
     const auto& pane = workspace_.active_pane();
     const auto& state = views_.active_state();
-    const auto& shown = workspace_.active_pane().compare().compared().pictures;
-    if (pane.content() != widgets::ViewPane::Content::picture || !widgets::compares(state.mode) ||
-        shown.size() < 2)
+    const auto& compared = workspace_.active_pane().compare().compared();
+    auto sources = views_.rules().pictures(state);
+    if (pane.content() != widgets::ViewPane::Content::picture || compared.mode != state.mode ||
+        compared.count() != int(sources.size()))
         return {};
-    const bool row = state.mode == widgets::ViewMode::stages;
-    if (row && state.more.empty()) return {};
-    return Pair{state.a, row ? state.more.front() : state.b, shown[0], shown[1]};
+    const auto right = views_.rules().references(state);
+    sources.insert(sources.end(), right.begin(), right.end());  // as their places are
+    Pairs all;
+    for (const auto& [a, b] : compared.pairs())
+        all.push_back({sources[std::size_t(a)], sources[std::size_t(b)], compared.picture(a),
+                       compared.picture(b), compared.name(a), compared.name(b)});
+    return all;
 }
 
-std::vector<widgets::Option> MetricsDock::masks(const Pair& pair) const {
+std::vector<widgets::Option> MetricsDock::masks(const Pairs& pairs) const {
     std::vector<widgets::Option> options;
     auto& pictures = views_.pictures();
-    std::vector<std::string> owners = {pair.a.owner};
-    if (pair.b.owner != pair.a.owner) owners.push_back(pair.b.owner);
+    std::vector<std::string> owners;
+    for (const auto& pair : pairs)
+        for (const auto& owner : {pair.a.owner, pair.b.owner})
+            if (std::find(owners.begin(), owners.end(), owner) == owners.end()) owners.push_back(owner);
     for (const auto& owner : owners) {
         if (!session_.experiment(owner)) continue;
         for (const auto& output : pictures.outputs(owner))
@@ -104,8 +116,8 @@ std::vector<widgets::Option> MetricsDock::masks(const Pair& pair) const {
     return options;
 }
 
-std::optional<ViewSource> MetricsDock::chosen_mask(const Pair& pair) const {
-    const auto found = masks_.find(pair.key());
+std::optional<ViewSource> MetricsDock::chosen_mask(const Pairs& pairs) const {
+    const auto found = masks_.find(key_of(pairs));
     if (found == masks_.end()) return {};
     const auto source = mask_of(found->second);
     return views_.pictures().has_owner(source.owner) ? std::optional(source) : std::nullopt;
@@ -115,9 +127,9 @@ std::string MetricsDock::generation(const Pair& pair) const {
     return live_.computed_from(pair.a.owner) + "\n" + live_.computed_from(pair.b.owner);
 }
 
-void MetricsDock::send_wants(const std::optional<Pair>& pair) {
+void MetricsDock::send_wants(const Pairs& pairs) {
     std::map<std::string, Want> wants;
-    const auto mask = visible_ && pair ? chosen_mask(*pair) : std::nullopt;
+    const auto mask = visible_ ? chosen_mask(pairs) : std::nullopt;
     if (mask && session_.experiment(mask->owner))
         wants[mask->owner].parts.insert({mask->output, mask->level, mask->layer});
     if (wants == sent_) return;
@@ -125,60 +137,71 @@ void MetricsDock::send_wants(const std::optional<Pair>& pair) {
     views_.set_panel_wants(std::move(wants), "metrics");
 }
 
-void MetricsDock::update() {
-    const auto now = pair();
-    send_wants(now);
-    if (!visible_ || !now) {
-        panel_->set_fields(
-            {.why_empty = tr("Choose two pictures: mode side by side, wipe, flip or difference "
-                             "(Alt+2 … Alt+5).")});
-        return panel_->clear();
-    }
-    widgets::MetricsFields fields;
-    fields.label_a = now->image->label;
-    fields.label_b = now->reference->label;
-    const bool comparable = widgets::have_difference(*now->image, *now->reference);
-    fields.size = comparable ? now->image->size().expandedTo(now->reference->size()) : now->image->size();
-    fields.rectangle = workspace_.tools().region(fields.size);
-    fields.drawing = workspace_.tools().tool() == widgets::ImageView::Tool::rectangle;
-    fields.masks = masks(*now);
-    const auto mask = chosen_mask(*now);
-    if (mask) fields.mask = text_of(mask_id(mask->owner, mask->output));
-    const QString mismatch = views_.pictures().mismatch().of(now->a, now->b);
-    if (!mismatch.isEmpty() && !is_accepted(*now, mismatch)) {
-        fields.refusal = mismatch;
-        fields.may_override = true;
-    }
-    fields.warning = views_.pictures().warning(now->a, now->b);
-    const auto picture = mask ? views_.pictures().picture(*mask) : nullptr;
-    for (const auto& [letter, each] : {std::pair(tr("A"), now->image), std::pair(tr("B"), now->reference),
-                                       std::pair(tr("The mask"), picture)}) {
+QSize MetricsDock::size_of(const Pair& pair) const {
+    const bool comparable = widgets::have_difference(*pair.image, *pair.reference);
+    return comparable ? pair.image->size().expandedTo(pair.reference->size()) : pair.image->size();
+}
+
+widgets::MetricsPair MetricsDock::fields_of(const Pair& pair, const MaskPicture& mask) const {
+    widgets::MetricsPair fields{pair.name_a, pair.name_b, pair.image->label, pair.reference->label};
+    fields.warning = views_.pictures().warning(pair.a, pair.b);
+    for (const auto& [name, each] :
+         {std::pair(pair.name_a, pair.image), std::pair(pair.name_b, pair.reference),
+          std::pair(tr("The mask"), mask)}) {
         const bool is_draft = each && !each->draft.isEmpty();
         if (!each || (each->has_image() && !is_draft)) continue;
         fields.refusal = is_draft               ? widgets::full_picture_awaited()
-                         : each->note.isEmpty() ? tr("%1 has no picture yet.").arg(letter)
-                                                : tr("%1: %2").arg(letter, each->note);
-        fields.may_override = false;
-        break;
+                         : each->note.isEmpty() ? tr("%1 has no picture yet.").arg(name)
+                                                : tr("%1: %2").arg(name, each->note);
+        return fields;
+    }
+    const QString mismatch = views_.pictures().mismatch().of(pair.a, pair.b);
+    fields.may_override = !mismatch.isEmpty() && !is_accepted(pair, mismatch);
+    if (fields.may_override) fields.refusal = mismatch;
+    return fields;
+}
+
+void MetricsDock::update() {
+    const auto now = pairs();
+    send_wants(now);
+    if (!visible_ || now.empty()) {
+        panel_->set_fields(
+            {.why_empty = tr("Choose two pictures: mode side by side, wipe, flip or difference "
+                             "(Alt+2 … Alt+5).")});
+        return panel_->measure({});
+    }
+    widgets::MetricsFields fields;
+    fields.size = size_of(now.front());
+    fields.rectangle = workspace_.tools().region(fields.size);
+    fields.drawing = workspace_.tools().tool() == widgets::ImageView::Tool::rectangle;
+    fields.masks = masks(now);
+    const auto chosen = chosen_mask(now);
+    if (chosen) fields.mask = text_of(mask_id(chosen->owner, chosen->output));
+    const auto mask = chosen ? views_.pictures().picture(*chosen) : nullptr;
+    std::vector<std::optional<widgets::MetricsRequest>> requests;
+    for (const auto& pair : now) {
+        fields.pairs.push_back(fields_of(pair, mask));
+        auto& request = requests.emplace_back();
+        if (!fields.pairs.back().refusal.isEmpty()) continue;
+        request = {.image = pair.image,
+                   .reference = pair.reference,
+                   .mask = mask,
+                   .rectangle = workspace_.tools().region(size_of(pair)),
+                   .pair = pair.key() + " " + fields.mask.toStdString(),
+                   .generation = generation(pair),
+                   .anyway = is_accepted(pair, turned)};
     }
     panel_->set_fields(fields);
-    if (!fields.refusal.isEmpty()) return panel_->clear();
-    panel_->measure({.image = now->image,
-                     .reference = now->reference,
-                     .mask = picture,
-                     .rectangle = fields.rectangle,
-                     .pair = now->key() + " " + fields.mask.toStdString(),
-                     .generation = generation(*now),
-                     .anyway = is_accepted(*now, turned)});
+    panel_->measure(requests);
 }
 
 void MetricsDock::choose_mask(const QString& id) {
-    const auto now = pair();
-    if (!now) return;
+    const auto key = key_of(pairs());
+    if (key.empty()) return;
     if (id.isEmpty())
-        masks_.erase(now->key());
+        masks_.erase(key);
     else
-        masks_[now->key()] = id.toStdString();
+        masks_[key] = id.toStdString();
     update();
 }
 
@@ -187,11 +210,13 @@ bool MetricsDock::is_accepted(const Pair& pair, const QString& refusal) const {
     return accepted_.count(pair.key() + "\n" + refusal.toStdString()) > 0;
 }
 
-void MetricsDock::compare_anyway() {
-    const auto now = pair();
-    if (!now) return;
-    const auto& refusal = panel_->fields().refusal;
-    accepted_.insert(now->key() + "\n" + (refusal.isEmpty() ? turned : refusal).toStdString());
+void MetricsDock::compare_anyway(int pair) {
+    const auto now = pairs();
+    const auto& shown = panel_->fields().pairs;
+    if (pair >= int(std::min(now.size(), shown.size()))) return;
+    const auto& refusal = shown[std::size_t(pair)].refusal;
+    accepted_.insert(now[std::size_t(pair)].key() + "\n" +
+                     (refusal.isEmpty() ? turned : refusal).toStdString());
     update();
 }
 

@@ -1,6 +1,7 @@
 #include "app/gui/past_frames.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace ir::gui {
@@ -56,28 +57,36 @@ void PastFrames::add(PastFrame frame) {
 }
 
 void PastFrames::make_room() {
-    while (bytes_ > limit_ && !frames_.empty()) {
-        if (shown_ && frames_.back().number == *shown_) return;
-        const auto gone = shown_ ? std::prev(frames_.end()) : frames_.begin();
+    while (bytes_ > limit_ && !(frames_.empty() && aside_.empty())) {
+        if (aside_.empty() && shown_ && frames_.back().number == *shown_) return;
+        auto& of = aside_.empty() ? frames_ : aside_;
+        const auto gone = shown_ && aside_.empty() ? std::prev(of.end()) : of.begin();
         bytes_ -= bytes_of(*gone->result);
-        frames_.erase(gone);
+        of.erase(gone);
     }
 }
 
-void PastFrames::forget(const std::function<bool(const PastFrame&)>& is_gone) {
-    const auto goes = [&](const PastFrame& each) {
-        const bool gone = is_gone(each);
-        if (gone) bytes_ -= bytes_of(*each.result);
-        return gone;
-    };
-    if (std::erase_if(frames_, goes) == 0) return;
+void PastFrames::set_aside(const std::function<bool(const PastFrame&)>& is_gone) {
+    const auto stays = [&](const PastFrame& each) { return !is_gone(each); };
+    const auto going = std::stable_partition(frames_.begin(), frames_.end(), stays);
+    const auto coming = std::stable_partition(aside_.begin(), aside_.end(), is_gone);
+    if (going == frames_.end() && coming == aside_.end()) return;
+    std::deque<PastFrame> gone(std::make_move_iterator(going), std::make_move_iterator(frames_.end()));
+    frames_.erase(going, frames_.end());
+    frames_.insert(frames_.end(), std::make_move_iterator(coming), std::make_move_iterator(aside_.end()));
+    aside_.erase(coming, aside_.end());
+    aside_.insert(aside_.end(), std::make_move_iterator(gone.begin()), std::make_move_iterator(gone.end()));
+    for (auto* list : {&frames_, &aside_})
+        std::sort(list->begin(), list->end(),
+                  [](const PastFrame& a, const PastFrame& b) { return a.number < b.number; });
     leave_if_past_no_more();
     emit kept_changed();
 }
 
 void PastFrames::clear() {
-    if (frames_.empty()) return;
+    if (frames_.empty() && aside_.empty()) return;
     frames_.clear();
+    aside_.clear();
     bytes_ = 0;
     leave_if_past_no_more();
     emit kept_changed();

@@ -32,10 +32,11 @@ class PastFrames : public QObject {
     /// The same frame with other pictures, read back because views show something else, takes the place of
     /// the one before.
     void add(PastFrame frame);
-    void forget(const std::function<bool(const PastFrame&)>& is_gone);
+    /// Frames of what is gone are out of the way, and are back where undo brings it back.
+    void set_aside(const std::function<bool(const PastFrame&)>& is_gone);
     void clear();
-    /// Bytes of pictures, buffers and reports. The oldest frames go first. While an older frame is shown none
-    /// goes: what then does not fit is not kept.
+    /// Bytes of pictures, buffers and reports, also of those set aside. These, then the oldest frames go
+    /// first. While an older frame is shown none goes: what then does not fit is not kept.
     void set_limit(std::uint64_t bytes);
     std::uint64_t limit() const { return limit_; }
     std::uint64_t bytes() const { return bytes_; }
@@ -60,7 +61,7 @@ class PastFrames : public QObject {
     void make_room();
     void leave_if_past_no_more();
 
-    std::deque<PastFrame> frames_;
+    std::deque<PastFrame> frames_, aside_;  ///< oldest first
     std::uint64_t limit_ = standard_limit, bytes_ = 0, arrived_ = 0;
     std::optional<std::uint64_t> shown_;  ///< number of a kept frame
 };

@@ -65,15 +65,14 @@ void PicturePresenter::update(int view, ViewPane& pane) {
     const auto& state = views_.state(view);
     auto& compare = pane.compare();
     std::vector<PicturePtr> shown;
-    for (const auto& source : views_.rules().sources(state)) shown.push_back(with_meaning(view, source));
+    for (const auto& source : views_.rules().pictures(state)) shown.push_back(with_meaning(view, source));
     if (state.difference == DifferenceKind::significant)
         compare.set_noise_hint(views_.pictures().variance_hint());
-    if (views_.rules().compares_reference(state)) shown.pop_back();  // it stands beside the row
     name_stages(view, shown);
     const auto& before = compare.compared().pictures;
     for (std::size_t i = 0; i < std::min(before.size(), shown.size()); ++i)
         shown[i] = unless_equal(before[i], shown[i]);
-    update_reference(view, compare);
+    update_references(view, compare);
     pane.show_pictures(state, std::move(shown));
     update_displays(view, compare);
     for (auto* each : compare.views()) link_.add(each);
@@ -89,14 +88,28 @@ void PicturePresenter::name_stages(int view, std::vector<PicturePtr>& pictures) 
         pictures[i] = changed(*pictures[i], [&](Picture& named) { named.label = chain[i].label; });
 }
 
-void PicturePresenter::update_reference(int view, CompareView& compare) {
+void PicturePresenter::update_references(int view, CompareView& compare) {
     const auto& state = views_.state(view);
-    const auto source = reference_of(session_, state.a.owner);
-    auto picture = views_.rules().compares_reference(state) ? views_.pictures().picture(source) : nullptr;
-    // Of the experiment's size it is compared like its own pictures, with stages of smaller sizes, too.
-    if (picture && picture->size() == views_.rules().main_size(state.a.owner))
-        picture = changed(*picture, [&](Picture& named) { named.origin = state.a.owner; });
-    compare.set_reference(!source.owner.empty(), unless_equal(compare.compared().reference, picture));
+    const auto& rules = views_.rules();
+    const auto is_none = [](const ViewSource& source) { return source.owner.empty(); };
+    const auto known = rules.references(state);
+    const auto shown = rules.pictures(state);
+    const auto& before = compare.compared().references;
+    std::vector<PicturePtr> references;
+    for (const auto& source : rules.compared_references(state)) {
+        const auto i = references.size();
+        references.emplace_back();
+        if (is_none(source)) continue;
+        const auto picture = views_.pictures().picture(source);
+        const auto named = changed(*picture, [&](Picture& right) {
+            right.label = QString::fromStdString(views_.pictures().owner_name(source.owner));
+            // Of the experiment's size it is compared like its own pictures, with stages of smaller sizes,
+            // too.
+            if (right.size() == rules.main_size(shown[i].owner)) right.origin = shown[i].owner;
+        });
+        references.back() = i < before.size() ? unless_equal(before[i], named) : named;
+    }
+    compare.set_references(!std::all_of(known.begin(), known.end(), is_none), std::move(references));
 }
 
 widgets::Display PicturePresenter::display_of(const ViewSource& source, int view) const {
@@ -132,7 +145,7 @@ void PicturePresenter::update_displays(int view, CompareView& compare) {
     const auto& rules = views_.rules();
     const auto& shown = views_.state(view);
     std::vector<widgets::Display> displays;
-    for (const auto& source : rules.sources(shown)) {
+    for (const auto& source : rules.pictures(shown)) {
         const auto picture = views_.pictures().picture(source);
         displays.push_back(picture->is_preview ? widgets::Display()
                                                : display_of(rules.meaning_of(shown, source), view));

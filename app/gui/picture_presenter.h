@@ -29,7 +29,7 @@ class PicturePresenter {
     using PicturePtr = std::shared_ptr<const widgets::Picture>;
     PicturePtr with_meaning(int view, const widgets::ViewSource& source) const;
     void name_stages(int view, std::vector<PicturePtr>& pictures) const;
-    void update_reference(int view, widgets::CompareView& compare);
+    void update_references(int view, widgets::CompareView& compare);
     widgets::Display display_of(const widgets::ViewSource& source, int view) const;
     double shared_exposure(int view, Semantic semantic) const;
     /// The pixel of a pane's picture that shows one of the main result, and that picture's size.

@@ -1,5 +1,6 @@
 #include "app/gui/pipeline_dock.h"
 
+#include <QMenu>
 #include <algorithm>
 
 #include "app/gui/dialog_folder.h"
@@ -18,6 +19,7 @@ PipelineDock::PipelineDock(Session& session, LivePictures& live, ViewModel& view
       inspector_(inspector),
       lists_(lists),
       notices_(notices),
+      actions_(actions),
       panel_(new widgets::PipelinePanel) {
     connect(&session_, &Session::project_replaced, this, &PipelineDock::update);
     connect(&session_, &Session::experiment_selected, this, &PipelineDock::update);
@@ -31,7 +33,11 @@ PipelineDock::PipelineDock(Session& session, LivePictures& live, ViewModel& view
     connect(panel_, &Panel::trace_ended, this, [this] { trace({}); });
     connect(panel_, &Panel::skipped_chosen, this, &PipelineDock::update);
     connect(panel_, &Panel::export_wanted, this, &PipelineDock::write_svg);
-    connect(&panel_->view(), &widgets::PipelineView::failed, this, [this](const QString& error) {
+    using View = widgets::PipelineView;
+    connect(&panel_->view(), &View::pass_menu_wanted, this, &PipelineDock::show_pass_menu);
+    connect(&panel_->view(), &View::buffer_menu_wanted, this,
+            [this](const QString& key, QPoint position) { lists_.show_menu(key.toStdString(), position); });
+    connect(&panel_->view(), &View::failed, this, [this](const QString& error) {
         notices_.add({Severity::error, "graph", error.toStdString()});
     });
     using K = QKeySequence;
@@ -110,6 +116,58 @@ void PipelineDock::update() {
         fields.changes = result->report;
     }
     panel_->set_fields(fields);
+}
+
+void PipelineDock::show_pass_menu(const QString& name, QPoint global_position) {
+    const auto result = live_.result(experiment());
+    if (!result) return;
+    const auto& passes = result->report.passes;
+    const auto pass = std::find_if(passes.begin(), passes.end(),
+                                   [&](const auto& each) { return text_of(each.name) == name; });
+    if (pass == passes.end()) return;
+    auto* menu = new QMenu(panel_);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    auto* step = menu->addAction(tr("Show buffers after this pass"), this,
+                                 [this, name] { show_step(name.toStdString()); });
+    step->setObjectName(QStringLiteral("pass-step"));
+    step->setEnabled(!pass->culled);
+    add_buffers(*menu, result->report, *pass);
+    menu->addSeparator();
+    add_shaders(*menu, *pass);
+    menu->popup(global_position);
+}
+
+void PipelineDock::add_buffers(QMenu& menu, const FrameReport& report, const PassReport& pass) {
+    auto* list = menu.addMenu(tr("Show in another view"));
+    list->menuAction()->setObjectName(QStringLiteral("pass-buffers"));
+    for (const auto& key : pass.writes) {
+        const auto* buffer = find_resource(report, key);
+        if (buffer && buffer->available)
+            list->addAction(text_of(buffer->label), this, [this, key] { lists_.show_in_another_view(key); });
+    }
+    list->menuAction()->setData(tr("A buffer that this pass writes"));
+    set_reason(*list->menuAction(), list->isEmpty() ? tr("It has written none.") : QString());
+}
+
+void PipelineDock::add_shaders(QMenu& menu, const PassReport& pass) {
+    const auto none = pass.shaders.empty() ? tr("This pass used no shader when it last ran.") : QString();
+    const auto* edit = actions_.find(QStringLiteral("edit-shader"));
+    const auto add = [&](const char* name, const QString& text, const QString& help, const QString& why_not,
+                         auto signal) {
+        auto* list = menu.addMenu(text);
+        list->menuAction()->setObjectName(QLatin1String(name));
+        for (const auto& file : pass.shaders)
+            list->addAction(text_of(file), this,
+                            [this, file, signal] { emit(this->*signal)(text_of(file)); });
+        list->menuAction()->setData(help);
+        set_reason(*list->menuAction(), why_not);
+    };
+    add("pass-open", tr("Open a shader"), tr("In your editor, as the program has it"), none,
+        &PipelineDock::shader_wanted);
+    add("pass-copy", tr("Edit copy of a shader"), edit->data().toString(),
+        edit->isEnabled() ? none : edit->toolTip().section(QLatin1Char('\n'), -1),
+        &PipelineDock::copy_wanted);
 }
 
 void PipelineDock::write_svg() {

@@ -8,6 +8,8 @@
 #include "app/gui/pixel_inspector.h"
 #include "widgets/pipeline/pipeline_panel.h"
 
+class QMenu;
+
 namespace ir::gui {
 
 /// Keeps the panel of the frame's passes at the newest frame of the active view's experiment, and leads the
@@ -26,7 +28,9 @@ class PipelineDock : public QObject {
     void load(const projects::Json& memory);
 
   signals:
-    void wanted();  ///< a pixel is traced: somebody wants to see the panel
+    void wanted();                            ///< a pixel is traced: somebody wants to see the panel
+    void shader_wanted(const QString& file);  ///< to be opened
+    void copy_wanted(const QString& file);    ///< likewise, a copy for the experiment
 
   private:
     void update();
@@ -34,6 +38,9 @@ class PipelineDock : public QObject {
     /// Pictures are those of the whole frame again.
     void leave_frame();
     void trace(std::optional<QPoint> pixel);
+    void show_pass_menu(const QString& pass, QPoint global_position);
+    void add_shaders(QMenu& menu, const PassReport& pass);
+    void add_buffers(QMenu& menu, const FrameReport& report, const PassReport& pass);
     void write_svg();
     std::string experiment() const;  ///< of the active view; empty: none
     Pipeline pipeline() const;
@@ -44,6 +51,7 @@ class PipelineDock : public QObject {
     PixelInspector& inspector_;
     FrameLists& lists_;
     Notices& notices_;
+    Actions& actions_;
     widgets::PipelinePanel* panel_;
     bool visible_ = false;
 };

@@ -184,7 +184,14 @@ void PixelInspector::show_pins() {
 }
 
 void PixelInspector::pin_cursor() {
+    if (says_none()) return;
     pin(pointed());
+}
+
+bool PixelInspector::says_none() {
+    const bool is_none = pointed().x() < 0;
+    if (is_none) emit said(tr("Mark a pixel first: click it with Inspect (I)."));
+    return is_none;
 }
 
 void PixelInspector::move_pin(int number, QPoint pixel) {
@@ -211,6 +218,7 @@ void PixelInspector::explain(QPoint pixel) {
 }
 
 void PixelInspector::explain_cursor() {
+    if (says_none()) return;
     explain(pointed());
 }
 

@@ -51,6 +51,7 @@ class PixelInspector : public QObject {
     void said(const QString& text);
 
   private:
+    bool says_none();  ///< whether no pixel is pointed at
     void update();
     void show_pins();
     void update_explain();

@@ -1,7 +1,6 @@
 #include "app/gui/set_up_controller.h"
 
 #include <QAction>
-#include <algorithm>
 
 #include "app/gui/beside.h"
 #include "projects/set_up.h"
@@ -94,11 +93,7 @@ void SetUpController::show_methods(const std::string& paths) {
     state.mode = widgets::ViewMode::stages;
     state.a.owner = shown.front();
     for (std::size_t i = 1; i < shown.size(); ++i) state.more.push_back({shown[i], {}});
-    // Methods that see less far than others have another truth, and are not judged by theirs.
-    const bool is_one_truth = std::all_of(shown.begin(), shown.end() - 1, [&](const std::string& id) {
-        return session_.experiment(id)->reference == shown.back();
-    });
-    if (is_one_truth) state.pair.b = int(shown.size()) - 1;
+    state.pair.b = widgets::StagePair::reference;  // those that see less far than others have another truth
     workspace_.views().set_active_state(state);
 }
 

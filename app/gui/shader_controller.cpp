@@ -12,7 +12,7 @@
 namespace ir::gui {
 
 ShaderController::ShaderController(QWidget& window, Session& session, LivePictures& live, ShaderDock& dock,
-                                   Notices& notices, Actions& actions)
+                                   PipelineDock& pipeline, Notices& notices, Actions& actions)
     : window_(window),
       session_(session),
       live_(live),
@@ -24,10 +24,10 @@ ShaderController::ShaderController(QWidget& window, Session& session, LivePictur
     action_->setData(tr("For this experiment alone; the project keeps what you change"));
     auto& panel = dock_.panel();
     connect(&panel, &widgets::ShaderPanel::copy_wanted, action_, &QAction::trigger);
-    connect(&panel, &widgets::ShaderPanel::edit_wanted, this, [this](const QString& file) {
-        if (const auto* chosen = session_.experiment()) edit(chosen->id, file.toStdString(), 1);
-    });
+    connect(&panel, &widgets::ShaderPanel::edit_wanted, this, &ShaderController::edit_copy);
     connect(&panel, &widgets::ShaderPanel::removal_wanted, this, &ShaderController::remove_change);
+    connect(&pipeline, &PipelineDock::shader_wanted, this, &ShaderController::open);
+    connect(&pipeline, &PipelineDock::copy_wanted, this, &ShaderController::edit_copy);
     connect(&dock_, &ShaderDock::copy_wanted, this, &ShaderController::edit_fault);
     follow(session_, this, &ShaderController::update);
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
@@ -56,6 +56,14 @@ void ShaderController::choose() {
     dialog->setWindowTitle(tr("Edit copy of a shader for %1").arg(text_of(chosen->name)));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
+}
+
+void ShaderController::open(const QString& file) {
+    dock_.open(text_of((dock_.folder() / file.toStdString()).string()), 1);
+}
+
+void ShaderController::edit_copy(const QString& file) {
+    if (const auto* chosen = session_.experiment()) edit(chosen->id, file.toStdString(), 1);
 }
 
 void ShaderController::edit(const std::string& experiment, const std::string& file, int line) {

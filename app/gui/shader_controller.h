@@ -3,6 +3,7 @@
 #include "app/gui/actions.h"
 #include "app/gui/live_pictures.h"
 #include "app/gui/notices.h"
+#include "app/gui/pipeline_dock.h"
 #include "app/gui/shader_copies.h"
 #include "app/gui/shader_dock.h"
 
@@ -13,10 +14,12 @@ class ShaderController : public QObject {
     Q_OBJECT
   public:
     ShaderController(QWidget& window, Session& session, LivePictures& live, ShaderDock& dock,
-                     Notices& notices, Actions& actions);
+                     PipelineDock& pipeline, Notices& notices, Actions& actions);
 
   private:
     void choose();
+    void open(const QString& file);  ///< as the program has it
+    void edit_copy(const QString& file);
     void edit(const std::string& experiment, const std::string& file, int line);
     void edit_fault(const ShaderFault& fault);
     void remove_change(const QString& file);

@@ -66,6 +66,17 @@ bool SpaceMarker::shows_space(int view) const {
     return pane && pane->content() == widgets::ViewPane::Content::space;
 }
 
+/// What a view shows, or is a picture of. Spheres of directions and maps have a space of their own.
+bool SpaceMarker::stands_in_scene(int view) const {
+    auto& views = workspace_.views();
+    const auto& shown = views.state(view).a;
+    const auto key = views.pictures().key_of(shown);
+    const auto buffers = views.rules().spatial_buffers(shown.owner);
+    return !shows_space(view) || std::any_of(buffers.begin(), buffers.end(), [&](const auto& buffer) {
+        return buffer.key == key && widgets::space_of(buffer.kind, buffer.fields) == widgets::Space::scene;
+    });
+}
+
 double SpaceMarker::aspect_of(const std::string& experiment) const {
     const auto size = workspace_.views().rules().main_size(experiment);
     return size.isEmpty() ? 1 : double(size.width()) / size.height();
@@ -186,6 +197,9 @@ void SpaceMarker::fly_to(int pin) {
     if (!session_.experiment(owner) || !live_.result(owner))
         return notices_.say(tr("Choose a view that shows a picture of an experiment."));
     if (live_.past().is_elsewhere()) return notices_.say(live_.past().why_not_now());
+    if (!stands_in_scene(workspace_.area().active()))
+        return notices_.say(
+            tr("Pins stand in the scene, which this view does not show. Choose a view of it, or a picture."));
     flown_to_ = pin;
     find_places(owner);
     if (const auto at = place(owner, pins[std::size_t(pin)])) return land(pin, *at);

@@ -39,6 +39,7 @@ class SpaceMarker : public QObject {
     widgets::SpaceMarks marks_of(const std::string& experiment) const;
     void add_path(widgets::SpaceMarks& marks, const std::string& experiment) const;
     bool shows_space(int view) const;
+    bool stands_in_scene(int view) const;
     double aspect_of(const std::string& experiment) const;
 
     Session& session_;

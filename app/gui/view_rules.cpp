@@ -27,6 +27,10 @@ Space space_of(const std::vector<widgets::AvailableBuffer>& buffers, const std::
     return Space::scene;
 }
 
+bool is_none(const ViewSource& source) {
+    return source.owner.empty();
+}
+
 bool is_picture(OutputKind kind) {
     return kind == OutputKind::image || kind == OutputKind::pyramid || kind == OutputKind::stack;
 }
@@ -78,7 +82,8 @@ void ViewRules::complete_stages(ViewState& state) const {
     auto& [a, b] = state.pair;
     if (a >= count) a = StagePair::none;
     if (b >= count || b == a) b = StagePair::none;
-    if (b == StagePair::reference && reference_of(session_, state.a.owner).owner.empty()) b = StagePair::none;
+    const auto right = compared_references(state);
+    if (b == StagePair::reference && std::all_of(right.begin(), right.end(), is_none)) b = StagePair::none;
     if (state.chain || !state.more.empty() || !live_.result(state.a.owner)) return;
     for (const auto& [source, label] : candidates(state))
         if (source.owner == state.a.owner && state.more.size() + 1 < max_stages) state.more.push_back(source);
@@ -117,12 +122,37 @@ ViewSource ViewRules::another_source(const ViewSource& a) const {
     return a;
 }
 
-std::vector<ViewSource> ViewRules::sources(const ViewState& state) const {
+std::vector<ViewSource> ViewRules::pictures(const ViewState& state) const {
     std::vector<ViewSource> all = {state.a};
     if (content_of(state) != ViewPane::Content::picture) return all;
     if (widgets::compares(state.mode) && state.mode != ViewMode::stages) all.push_back(state.b);
     if (widgets::takes_many(state.mode)) all.insert(all.end(), state.more.begin(), state.more.end());
-    if (compares_reference(state)) all.push_back(reference_of(session_, state.a.owner));
+    return all;
+}
+
+std::vector<ViewSource> ViewRules::references(const ViewState& state) const {
+    if (state.mode != ViewMode::stages) return {};
+    const auto shown = pictures(state);
+    std::vector<ViewSource> right;
+    for (const auto& picture : shown) right.push_back(reference_of(session_, picture.owner));
+    const auto first = std::find_if_not(right.begin(), right.end(), is_none);
+    const auto of_others = first == right.end() ? ViewSource() : *first;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (shown[i].is_file()) right[i] = of_others;
+    return right;
+}
+
+std::vector<ViewSource> ViewRules::compared_references(const ViewState& state) const {
+    auto right = state.pair.b == StagePair::reference ? references(state) : std::vector<ViewSource>();
+    for (std::size_t i = 0; i < right.size(); ++i)
+        if (state.pair.a != StagePair::none && state.pair.a != int(i)) right[i] = {};
+    return right;
+}
+
+std::vector<ViewSource> ViewRules::sources(const ViewState& state) const {
+    auto all = pictures(state);
+    for (const auto& right : compared_references(state))
+        if (!is_none(right) && std::find(all.begin(), all.end(), right) == all.end()) all.push_back(right);
     return all;
 }
 
@@ -234,11 +264,6 @@ std::string ViewRules::difference_key(const ViewState& state) const {
 std::string ViewRules::display_key(const ViewState& state) const {
     return state.mode == ViewMode::difference ? difference_key(state)
                                               : display_key(meaning_of(state, state.a));
-}
-
-bool ViewRules::compares_reference(const ViewState& state) const {
-    return state.mode == ViewMode::stages && state.pair.b == StagePair::reference &&
-           !reference_of(session_, state.a.owner).owner.empty();
 }
 
 QString ViewRules::missing_stages(const ViewState& state) const {

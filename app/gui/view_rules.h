@@ -18,6 +18,14 @@ class ViewRules {
 
     /// An owner or output that does not exist becomes one that does; what was left open is chosen.
     widgets::ViewState completed(widgets::ViewState state) const;
+    /// In their order.
+    std::vector<widgets::ViewSource> pictures(const widgets::ViewState& state) const;
+    /// In a row of stages the one that is right for each picture: the reference of its experiment, and for
+    /// what is of none that of the first that has one. An empty owner: none. Nothing in other modes.
+    std::vector<widgets::ViewSource> references(const widgets::ViewState& state) const;
+    /// Those of them that pictures are compared with; an empty owner stands for each other one.
+    std::vector<widgets::ViewSource> compared_references(const widgets::ViewState& state) const;
+    /// All that a view needs: its pictures, and what they are compared with.
     std::vector<widgets::ViewSource> sources(const widgets::ViewState& state) const;
     bool shows(const widgets::ViewState& state, const std::string& owner) const;
     widgets::ViewPane::Content content_of(const widgets::ViewState& state) const;
@@ -37,8 +45,6 @@ class ViewRules {
     std::string display_key(const widgets::ViewState& state) const;
     std::string difference_key(const widgets::ViewState& state) const;
 
-    /// Whether a row of stages has the reference beside it.
-    bool compares_reference(const widgets::ViewState& state) const;
     /// Why a row of stages is short, in one line; empty: it is not.
     QString missing_stages(const widgets::ViewState& state) const;
 

@@ -128,9 +128,7 @@ void Workspace::connect_table(int view, widgets::BufferTable& table) {
 
 void Workspace::swap(int view) {
     auto state = views_.state(view);
-    const bool row = state.mode == ViewMode::stages;
-    if (row && state.more.empty()) return;
-    std::swap(state.a, row ? state.more.front() : state.b);
+    widgets::swap_first(state);
     views_.set_state(view, state);
 }
 

@@ -34,6 +34,7 @@ struct PassReport {
     bool is_kept = false;                    ///< all that it writes stays valid while fingerprints stay equal
     std::vector<std::string> reads, writes;  ///< resource keys
     std::vector<std::string> reads_previous;  ///< of what the frame before left
+    std::vector<std::string> shaders;         ///< files of the programs that it used when it last ran
 };
 
 /// What a pass left in the texel of an image that covers a pixel.

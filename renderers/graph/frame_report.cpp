@@ -162,6 +162,9 @@ class Reporter {
             auto& row = report_.passes[pass];
             (access.write ? row.writes : access.previous ? row.reads_previous : row.reads).push_back(key);
         }
+        const auto& name = builder_.passes()[pass].name;
+        if (const auto used = cache_.shaders_of_passes.find(name); used != cache_.shaders_of_passes.end())
+            report_.passes[pass].shaders.assign(used->second.begin(), used->second.end());
     }
 
     void add_messages() {

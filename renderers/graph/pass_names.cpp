@@ -188,6 +188,7 @@ const gl::Program& PassContext::program(const gl::ProgramSource& source) const {
 }
 
 const gl::Program& PassContext::use(const gl::ProgramSource& source) const {
+    frame_.cache.shaders_of_passes[pass_.name].insert(source.files.begin(), source.files.end());
     const auto& wanted = frame_.cache.debug.choose(
         pass_.name, source, [this](const auto& each) -> const gl::Program& { return program(each); });
     use(wanted);

@@ -70,27 +70,50 @@ class SideBySide : public CompareMode {
     bool keeps_first() const override { return true; }
 };
 
-/// All pictures, below them the differences of neighbours or from one, and behind them a pair of choice.
+/// Where the pictures of a row stand in columns and rows; the last one is that of the pair, if there is one.
+/// Each has its difference in the cell below. Those at the end that have none stand one below the other, or
+/// in rows of their own, so that no cells stay empty.
+struct RowPlan {
+    std::vector<QPoint> places;
+    int rows = 0;
+
+    RowPlan(const ComparedPictures& all, int columns) {
+        const int count = std::max(1, all.count()) + all.has_pair();
+        int single = 0;
+        while (!all.has_pair() && single + 1 < count && !all.is_compared(count - 1 - single)) ++single;
+        const int compared = count - single, lines = (compared + columns - 1) / columns;
+        rows = 2 * lines;
+        for (int i = 0; i < compared; ++i) places.emplace_back(i % columns, 2 * (i / columns));
+        const int free = lines * columns - compared;
+        for (int i = 0; i < single; ++i)
+            places.push_back(single <= 2 * free ? QPoint((compared + i % free) % columns, rows - 2 + i / free)
+                                                : QPoint(i % columns, rows + i / columns));
+        if (single > 2 * free) rows += (single + columns - 1) / columns;
+    }
+};
+
+/// All pictures, below them the differences of neighbours or from what is right, and behind them a pair of
+/// choice.
 class Stages : public SideBySide {
   public:
     std::vector<PaneContent> contents(const ComparedPictures& all) const override {
         auto contents = SideBySide::contents(all);
-        for (int i = 0; i < all.difference_count(); ++i) contents.push_back({i, true, i});
+        for (int i = 0; i < all.count(); ++i)
+            if (all.is_compared(i)) contents.push_back({i, true, i});
         if (all.has_pair()) {
-            contents.push_back({all.pair.b, false, ComparedPictures::pair_slot});
-            contents.push_back({all.pair.a, true, ComparedPictures::pair_slot});
+            const auto [a, b] = all.ends_of(ComparedPictures::pair_slot);
+            contents.push_back({b, false, ComparedPictures::pair_slot});
+            contents.push_back({a, true, ComparedPictures::pair_slot});
         }
         return contents;
     }
     QString refusal(const ComparedPictures& all) const override {
         // Of three or more each difference says for itself whether there is one.
-        return all.count() > 2 || all.has_difference(0) ? QString() : CompareMode::refusal(all);
+        const bool is_more = all.count() > 2 || all.has_difference(all.pairs().front());
+        return is_more ? QString() : CompareMode::refusal(all);
     }
-    /// One row of pictures and one of differences, or more where these show them clearly larger, or all at
-    /// once.
+    /// As few rows as can be, or more where these show pictures clearly larger, or all at once.
     QSize grid(const ComparedPictures& all, int, const SizeIn& size_in) const override {
-        const int count = std::max(1, all.count()) + (all.has_pair() ? 1 : 0);
-        const QSize row(count, 2);
         const auto zoom = [&](QSize grid) {
             const QSize pane = size_in(grid);
             const QSizeF picture = all.pictures.front()->size();
@@ -98,22 +121,25 @@ class Stages : public SideBySide {
                        ? 0.0
                        : std::min(pane.width() / picture.width(), pane.height() / picture.height());
         };
+        int columns = std::max(1, all.count()) + all.has_pair();
+        const int fewest = RowPlan(all, columns).rows;
+        while (columns > 1 && RowPlan(all, columns - 1).rows == fewest) --columns;
+        const QSize row(columns, fewest);
         QSize best = row;
-        for (int columns = count - 1; columns > 0; --columns) {
-            const QSize rows(columns, 2 * ((count + columns - 1) / columns));
+        while (--columns > 0) {
+            const QSize rows(columns, RowPlan(all, columns).rows);
             if (zoom(rows) > (best == row ? clearly : 1) * zoom(best)) best = rows;
         }
         return best;
     }
     QPointF place(const ComparedPictures& all, const PaneContent& content, int, QSize grid) const override {
-        const auto at = [&](int picture) {
-            return QPointF(picture % grid.width(), 2 * (picture / grid.width()) + content.difference);
-        };
-        if (content.slot == ComparedPictures::pair_slot) return at(all.count());
-        if (!content.difference) return at(content.picture);
+        const auto places = RowPlan(all, grid.width()).places;
+        const bool is_pair = content.slot == ComparedPictures::pair_slot;
+        const QPointF at = is_pair ? places.back() : places[std::size_t(content.picture)];
+        if (!content.difference) return at;
         // Between neighbours in one row, else below the first of them.
-        const bool is_between = grid.height() == 2 && !all.are_compared_with_one();
-        return at(all.ends_of(content.slot).a) + QPointF(is_between ? 0.5 : 0, 0);
+        const bool is_between = !is_pair && grid.height() == 2 && !all.are_compared_with_one();
+        return at + QPointF(is_between ? 0.5 : 0, 1);
     }
     bool is_row() const override { return true; }
     bool keeps_first() const override { return false; }

@@ -89,10 +89,10 @@ void CompareView::set_stage_pair(StagePair pair) {
     refresh();
 }
 
-void CompareView::set_reference(bool exists, std::shared_ptr<const Picture> picture) {
-    if (exists == all_.has_reference && picture == all_.reference) return;
-    all_.has_reference = exists;
-    all_.reference = std::move(picture);
+void CompareView::set_references(bool exist, std::vector<std::shared_ptr<const Picture>> pictures) {
+    if (exist == all_.has_reference && pictures == all_.references) return;
+    all_.has_reference = exist;
+    all_.references = std::move(pictures);
     refresh();
 }
 
@@ -125,6 +125,8 @@ void CompareView::swap() {
     std::swap(all_.pictures[0], all_.pictures[1]);
     std::swap(all_.displays[0], all_.displays[1]);
     std::swap(all_.poses[0], all_.poses[1]);
+    if (all_.references.size() > 1) std::swap(all_.references[0], all_.references[1]);
+    if (rules().is_row()) all_.pair = with_swapped(all_.pair);
     refresh();
     emit swapped();
 }
@@ -211,8 +213,7 @@ int CompareView::picture_of(int pane, QPoint pixel) const {
     if (pane >= int(contents_.size())) return 0;
     const PaneContent& content = contents_[std::size_t(pane)];
     if (content.difference) return -1;
-    if (is_of_second(pane, pixel)) return 1;
-    return content.picture == StagePair::reference ? all_.count() : content.picture;
+    return is_of_second(pane, pixel) ? 1 : content.picture;
 }
 
 void CompareView::refresh() {
@@ -236,8 +237,10 @@ void CompareView::arrange() {
 
 void CompareView::request_differences() {
     for (const auto& content : contents_) {
-        if (!content.difference || all_.count() < 2 || !all_.has_difference(content.slot)) continue;
-        const auto [a, b] = all_.ends_of(content.slot);
+        if (!content.difference || all_.count() < 2) continue;
+        const auto ends = all_.ends_of(content.slot);
+        if (!all_.has_difference(ends)) continue;
+        const auto [a, b] = ends;
         worker_->request(content.slot,
                          {all_.picture(a), all_.picture(b), all_.kind, all_.name(a), all_.name(b)});
     }
@@ -256,7 +259,7 @@ void CompareView::fill(ImageView& view, const PaneContent& content, const QStrin
     const bool has_second = (rules().has_divider() || rules().has_lens()) && all_.held < 0 &&
                             all_.count() >= 2 && refusal.isEmpty();
     if (!has_second) view.set_second(nullptr);
-    if (content.picture >= all_.count()) {
+    if (all_.count() == 0) {
         view.set_picture(nullptr);
         return view.set_labels({});
     }
@@ -270,7 +273,7 @@ void CompareView::fill(ImageView& view, const PaneContent& content, const QStrin
         return view.set_labels(title);
     }
     if (content.difference) return fill_difference(view, content.slot);
-    view.set_display(all_.shown_display(std::max(content.picture, 0)));
+    view.set_display(all_.shown_display(content.picture));
     view.set_picture(all_.picture(content.picture));
     view.set_labels(title);
     if (const auto* pose = all_.pose(content.picture)) view.camera().set_pose(*pose);
@@ -284,7 +287,7 @@ void CompareView::fill_difference(ImageView& view, int slot) {
     const auto* result = worker_->result(slot);
     const auto [a, b] = all_.ends_of(slot);
     const Picture &left = *all_.picture(a), &right = *all_.picture(b);
-    const bool possible = all_.has_difference(slot);
+    const bool possible = all_.has_difference({a, b});
     if (!result || !possible) {
         view.set_labels({});
         return view.set_picture(
@@ -342,10 +345,9 @@ PaneBoard::Cell CompareView::cell_of(int pane, QSize grid) const {
         cell.tip = tip_of(content.slot);
         return cell;
     }
-    const bool reference = content.picture == StagePair::reference;
-    cell.caption = reference ? all_.name(content.picture) : all_.title(content.picture);
-    cell.clickable = !reference;
-    if (!reference) cell.tip = tr("Click two stages to see their difference (1 … 9; 0: none)");
+    cell.caption = all_.title(content.picture);
+    cell.clickable = content.picture < all_.count();
+    if (cell.clickable) cell.tip = tr("Click two stages to see their difference (1 … 9; 0: none)");
     cell.chosen = content.picture == all_.pair.a || content.picture == all_.pair.b;
     return cell;
 }
@@ -353,7 +355,8 @@ PaneBoard::Cell CompareView::cell_of(int pane, QSize grid) const {
 /// What stands under a difference of a row.
 QString CompareView::number_of(int slot) const {
     const auto* result = worker_->result(slot);
-    if (!result || !std::isfinite(result->rmse) || !all_.refusal().isEmpty() || !all_.has_difference(slot))
+    if (!result || !std::isfinite(result->rmse) || !all_.refusal().isEmpty() ||
+        !all_.has_difference(all_.ends_of(slot)))
         return {};
     const QString& unit = result->request.a->unit;
     return tr("RMSE %1").arg(result->rmse, 0, 'g', 4) +
@@ -361,10 +364,11 @@ QString CompareView::number_of(int slot) const {
 }
 
 QString CompareView::tip_of(int slot) const {
-    if (!all_.has_difference(slot)) return {};
     const auto [a, b] = all_.ends_of(slot);
-    return tr("Root mean square of the difference over all valid pixels.\n%1")
-        .arg(size_rule(all_.name(a), *all_.picture(a), all_.name(b), *all_.picture(b)))
+    if (!all_.has_difference({a, b})) return {};
+    return tr("%1\nagainst %2\nRoot mean square of the difference over all valid pixels.\n%3")
+        .arg(all_.title(a), all_.title(b),
+             size_rule(all_.name(a), *all_.picture(a), all_.name(b), *all_.picture(b)))
         .trimmed();
 }
 

@@ -38,7 +38,8 @@ class CompareView : public QWidget {
     void set_mode(Mode mode);
     void set_difference(DifferenceKind kind);
     void set_stage_pair(StagePair pair);
-    void set_reference(bool exists, std::shared_ptr<const Picture> picture);
+    /// One for each picture, as far as they are compared with them (null: none), and whether they may be.
+    void set_references(bool exist, std::vector<std::shared_ptr<const Picture>> pictures);
     void set_wipe(double fraction);
     void set_noise_hint(const QString& hint);
     /// Of one picture; without it, of all.
@@ -51,7 +52,7 @@ class CompareView : public QWidget {
     ImageView& main_view() { return panes_->pane(0); }
     /// Views of this mode in the order of the pictures.
     std::vector<ImageView*> views() const { return views_where(false); }
-    /// Stages: between picture i and i + 1, and last that of the chosen pair.
+    /// Stages: those of the pictures in their order, and last that of the chosen pair.
     std::vector<ImageView*> difference_views() const { return views_where(true); }
     /// What the cursor was over last: a picture, a difference, or a note; null: nothing.
     std::shared_ptr<const Picture> pointed_picture() const;
@@ -63,15 +64,15 @@ class CompareView : public QWidget {
     bool is_computing() const;
 
   public slots:
-    /// Exchanges A and B with their displays. The owner exchanges its own record when `swapped` comes.
+    /// Exchanges A and B with all that belongs to them. The owner exchanges its own record when `swapped`
+    /// comes.
     void swap();
     void set_linked(bool linked);
     /// Flip: the next picture stays on.
     void flip_next();
 
   signals:
-    /// Pixel under the cursor and the picture (-1: a difference; as many as there are: the reference); (-1,
-    /// -1) outside.
+    /// Pixel under the cursor and the picture by its place (-1: a difference); (-1, -1) outside.
     void cursor_moved(QPoint pixel, int picture);
     void picked_changed(QPoint pixel);
     void zoom_changed(double zoom);

@@ -11,32 +11,39 @@
 namespace ir::widgets {
 
 const std::shared_ptr<const Picture>& ComparedPictures::picture(int place) const {
-    return place == StagePair::reference ? reference : pictures[std::size_t(place)];
+    return place < count() ? pictures[std::size_t(place)] : references[std::size_t(in_row(place))];
 }
 
 const CameraPose* ComparedPictures::pose(int place) const {
     if (poses.empty()) return nullptr;
-    return &poses[std::min<std::size_t>(std::size_t(std::max(place, 0)), poses.size() - 1)];
+    return &poses[std::min<std::size_t>(std::size_t(in_row(place)), poses.size() - 1)];
 }
 
 QString ComparedPictures::name(int place) const {
-    if (place == StagePair::reference) return tr("Reference");
-    return place < 26 ? QString(QChar('A' + place)) : QString::number(place + 1);
+    if (place < count()) return place < 26 ? QString(QChar('A' + place)) : QString::number(place + 1);
+    const auto& right = picture(place);
+    const auto is_it = [&](const auto& each) { return each && each->image == right->image; };
+    if (right->has_image())
+        if (const auto found = std::find_if(pictures.begin(), pictures.end(), is_it); found != pictures.end())
+            return name(int(found - pictures.begin()));
+    const bool is_only = std::all_of(references.begin(), references.end(),
+                                     [&](const auto& each) { return !each || is_it(each); });
+    return is_only || right->label.isEmpty() ? tr("Reference") : right->label;
 }
 
 QString ComparedPictures::title(int place) const {
-    const QString& label = picture(place)->label;
-    return label.isEmpty() ? name(place) : name(place) + QStringLiteral("   ") + label;
+    const QString &label = picture(place)->label, named = name(place);
+    return label.isEmpty() || label == named ? named : named + QStringLiteral("   ") + label;
 }
 
 Display ComparedPictures::shown_display(int place) const {
-    if (place < 0 || place >= count()) return {};
+    if (place < 0 || in_row(place) >= int(displays.size())) return {};
     const auto kind_of = [](const Picture& each) {
         return std::tuple(each.semantic, each.unit,
                           each.has_image() ? value_channels(each.semantic, each.image->channels) : 0);
     };
     const bool alike = kind_of(*picture(place)) == kind_of(*pictures.front());
-    return displays[std::size_t(linked && alike ? 0 : place)];
+    return displays[std::size_t(linked && alike ? 0 : in_row(place))];
 }
 
 bool ComparedPictures::has_pair() const {
@@ -47,27 +54,43 @@ bool ComparedPictures::are_compared_with_one() const {
     return has_pair_end() && pair.a == StagePair::none;
 }
 
+bool ComparedPictures::has_reference_of(int picture) const {
+    return picture >= 0 && picture < std::min(count(), int(references.size())) &&
+           references[std::size_t(picture)];
+}
+
 /// Whether B of the pair is there.
 bool ComparedPictures::has_pair_end() const {
     if (mode != Mode::stages || count() < 2) return false;
-    return pair.b == StagePair::reference ? reference != nullptr : pair.b >= 0 && pair.b < count();
+    if (pair.b != StagePair::reference) return pair.b >= 0 && pair.b < count();
+    for (int i = 0; i < count(); ++i)
+        if ((pair.a == StagePair::none || pair.a == i) && has_reference_of(i)) return true;
+    return false;
 }
 
-int ComparedPictures::difference_count() const {
-    const bool is_apart = are_compared_with_one() && pair.b == StagePair::reference;
-    return is_apart ? count() : std::max(0, count() - 1);
+bool ComparedPictures::is_compared(int picture) const {
+    if (!are_compared_with_one()) return picture + 1 < count();
+    return pair.b == StagePair::reference ? has_reference_of(picture) : picture != pair.b;
 }
 
 StagePair ComparedPictures::ends_of(int slot) const {
-    if (slot == pair_slot) return pair;
-    if (!are_compared_with_one()) return {slot, slot + 1};
-    const bool is_before = pair.b == StagePair::reference || slot < pair.b;
-    return {is_before ? slot : slot + 1, pair.b};
+    const int a = slot == pair_slot ? pair.a : slot;
+    if (slot != pair_slot && !are_compared_with_one()) return {a, a + 1};
+    return {a, pair.b == StagePair::reference ? count() + a : pair.b};
 }
 
-bool ComparedPictures::has_difference(int slot) const {
-    const auto [a, b] = ends_of(slot);
-    return have_difference(*picture(a), *picture(b));
+std::vector<StagePair> ComparedPictures::pairs() const {
+    if (mode == Mode::single || count() < 2) return {};
+    if (mode != Mode::stages) return {{0, 1}};
+    std::vector<StagePair> all;
+    for (int i = 0; i < count(); ++i)
+        if (is_compared(i)) all.push_back(ends_of(i));
+    if (has_pair()) all.push_back(ends_of(pair_slot));
+    return all;
+}
+
+bool ComparedPictures::has_difference(StagePair ends) const {
+    return have_difference(*picture(ends.a), *picture(ends.b));
 }
 
 QString ComparedPictures::difference_text(const Picture* difference, QPoint pixel) const {

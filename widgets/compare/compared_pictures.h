@@ -14,7 +14,8 @@
 namespace ir::widgets {
 
 /// Two or more pictures against each other: what is compared, how, and what can be said of it. The first one
-/// is A, the second B. Where a picture is asked for by its place, StagePair::reference is the reference.
+/// is A, the second B. Behind the pictures, by their places, stand the references of rows: the one of picture
+/// i at count() + i.
 struct ComparedPictures {
     Q_DECLARE_TR_FUNCTIONS(ComparedPictures)
   public:
@@ -29,23 +30,24 @@ struct ComparedPictures {
     std::vector<CameraPose> poses;  ///< likewise
     /// How differences are shown; none: from the kind and the values (`display_for_difference`).
     std::optional<Display> difference_display;
-    StagePair pair;                            ///< stages: the two that are compared beside the row
-    bool has_reference = false;                ///< stages: whether they may be compared with one
-    std::shared_ptr<const Picture> reference;  ///< null while nobody asked for it
+    StagePair pair;              ///< stages: the two that are compared beside the row
+    bool has_reference = false;  ///< stages: whether any of them may be compared with one
+    /// Stages: of each picture the one that is right for it; null where there is none or nobody asked for it.
+    std::vector<std::shared_ptr<const Picture>> references;
     /// What the refusal of a significance without variances goes on with: which pictures have one.
     QString noise_hint;
     int flipped = 0;  ///< flip: the picture that is on
     int held = -1;    ///< the picture that is shown while its number is held down
 
-    /// Differences have slots: i is between the pictures i and i + 1, or of the i-th of the others where all
-    /// are compared with one or with the reference (a pair without A); this one is of the pair.
+    /// Differences have slots: that of the picture that is compared, and this one of the pair.
     static constexpr int pair_slot = 63;
 
     int count() const { return int(pictures.size()); }
     const std::shared_ptr<const Picture>& picture(int place) const;
     /// Of its camera; null where none is known.
     const CameraPose* pose(int place) const;
-    /// "A", "B", … "27" or "Reference".
+    /// "A", "B", … "27"; of a reference that of the picture that it is, else "Reference" or, of several, its
+    /// label.
     QString name(int place) const;
     /// With its label.
     QString title(int place) const;
@@ -53,14 +55,15 @@ struct ComparedPictures {
     Display shown_display(int place) const;
 
     bool has_pair() const;
-    bool has_pair_end() const;
-    /// Stages: one of them, or the reference, is compared with all others, in place of neighbours.
+    /// Stages: in place of neighbours all are compared with one of them, or each with its reference.
     bool are_compared_with_one() const;
-    /// Stages: how many differences stand below the pictures, without that of the pair.
-    int difference_count() const;
-    /// The two pictures that a difference is between.
+    /// Stages: whether a difference of the picture stands below it, other than that of the pair.
+    bool is_compared(int picture) const;
+    /// The two pictures that a difference is between, by their places.
     StagePair ends_of(int slot) const;
-    bool has_difference(int slot) const;
+    /// All that are shown as pairs, by their places; only those that may have a difference.
+    std::vector<StagePair> pairs() const;
+    bool has_difference(StagePair ends) const;
     /// What is said of a pixel of this difference of A and B (null: there is none) beside its value; empty:
     /// nothing.
     QString difference_text(const Picture* difference, QPoint pixel) const;
@@ -74,6 +77,12 @@ struct ComparedPictures {
     QString waits_for_full() const;
     QString sizes_differ(int pictures_compared) const;
     QString noise_unknown() const;
+
+  private:
+    bool has_pair_end() const;
+    bool has_reference_of(int picture) const;
+    /// The one that a reference is of.
+    int in_row(int place) const { return place < count() ? place : place - count(); }
 };
 
 }  // namespace ir::widgets

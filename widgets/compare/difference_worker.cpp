@@ -105,7 +105,8 @@ bool DifferenceRequest::same_as(const DifferenceRequest& other) const {
         (a->variance != other.a->variance || b->variance != other.b->variance))
         return false;
     return a->image == other.a->image && b->image == other.b->image && a->valid == other.a->valid &&
-           b->valid == other.b->valid && kind == other.kind;
+           b->valid == other.b->valid && kind == other.kind && name_a == other.name_a &&
+           name_b == other.name_b;
 }
 
 bool DifferenceRequest::continues(const DifferenceRequest& other) const {

@@ -18,6 +18,12 @@ StagePair with_chosen(StagePair pair, int picture) {
     return {pair.b >= 0 ? pair.b : pair.a, picture};
 }
 
+StagePair with_swapped(StagePair pair) {
+    for (int* end : {&pair.a, &pair.b})
+        if (*end == 0 || *end == 1) *end = 1 - *end;
+    return pair;
+}
+
 StageBar::StageBar(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 2, 6, 3);
@@ -27,7 +33,7 @@ StageBar::StageBar(QWidget* parent) : QWidget(parent) {
                    tr("All, or a stage of the row (1 … 9, or a click on its name)"));
     row->addWidget(a_);
     row->addWidget(new QLabel(tr("with"), this));
-    b_ = make_list(QStringLiteral("stage-b"), tr("Their neighbours, another stage, or the reference"));
+    b_ = make_list(QStringLiteral("stage-b"), tr("Their neighbours, another stage, or their references"));
     row->addWidget(b_);
     clear_ = new QToolButton(this);
     clear_->setObjectName(QStringLiteral("stage-clear"));
@@ -72,8 +78,8 @@ void StageBar::set_stages(const QStringList& labels, bool has_reference) {
     const int last = b_->count() - 1;
     b_->setItemData(last,
                     has_reference
-                        ? tr("The reference of this experiment")
-                        : tr("This experiment has no reference: Match reference (Ctrl+M) gives it one"),
+                        ? tr("The reference of the picture's experiment, each picture's own")
+                        : tr("No picture has a reference: Match reference (Ctrl+M) gives its experiment one"),
                     Qt::ToolTipRole);
     if (auto* model = qobject_cast<QStandardItemModel*>(b_->model()))
         model->item(last)->setEnabled(has_reference);

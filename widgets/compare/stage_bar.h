@@ -12,7 +12,7 @@ namespace ir::widgets {
 /// Two pictures of a row of stages that are compared beside the row, by their place in it.
 struct StagePair {
     static constexpr int none = -1;       ///< as `a`: with a `b` all others, else neighbours
-    static constexpr int reference = -2;  ///< as `b`: the picture that is known to be right
+    static constexpr int reference = -2;  ///< as `b`: what is right for `a`, or for each of all
     int a = none, b = none;
     bool operator==(const StagePair&) const = default;
 };
@@ -21,8 +21,11 @@ struct StagePair {
 /// place and B that of A; one that is chosen already is chosen no longer.
 StagePair with_chosen(StagePair pair, int picture);
 
-/// Below a row of stages: which of them are compared with each other, or with the reference, and the number
-/// of it.
+/// After the first two pictures of the row changed places: still the pair of these pictures.
+StagePair with_swapped(StagePair pair);
+
+/// Below a row of stages: which of them are compared with each other, or with their references, and the
+/// number of it.
 class StageBar : public QWidget {
     Q_OBJECT
   public:

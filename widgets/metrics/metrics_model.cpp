@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QGuiApplication>
 #include <QPalette>
+#include <algorithm>
 #include <cmath>
 
 namespace ir::widgets {
@@ -19,6 +20,11 @@ std::optional<double> value_in(const MetricsResult* result, const std::string& m
     if (!result || !result->refusal.isEmpty()) return {};
     if (!rectangle) return value_of(result->image, metric);
     return result->rectangle ? value_of(*result->rectangle, metric) : std::nullopt;
+}
+
+/// What a column shows, of whatever pair.
+int kind_of(int column) {
+    return column <= 0 ? MetricsModel::name_column : (column - 1) % (MetricsModel::columns - 1) + 1;
 }
 
 QString q(const std::string& text) {
@@ -47,14 +53,24 @@ int improvement(const MetricDescription& metric, double before, double now) {
     return change < 0 ? 1 : change > 0 ? -1 : 0;  // NaN is neither
 }
 
-void MetricsModel::show(const MetricsHistory& history) {
-    history_ = history;
-    emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
-    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+void MetricsModel::show(std::vector<Pair> pairs) {
+    if (pairs.empty()) pairs.resize(1);
+    const bool is_other_shape = pairs.size() != pairs_.size();
+    if (is_other_shape) beginResetModel();
+    pairs_ = std::move(pairs);
+    if (is_other_shape) return endResetModel();
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+}
+
+const MetricsModel::Pair& MetricsModel::pair_of(int column) const {
+    return pairs_[std::size_t(std::max(0, column - 1) / (columns - 1))];
 }
 
 bool MetricsModel::has_rectangle() const {
-    return history_.now && history_.now->rectangle.has_value();
+    return std::any_of(pairs_.begin(), pairs_.end(), [](const Pair& pair) {
+        return pair.history.now && pair.history.now->rectangle.has_value();
+    });
 }
 
 int MetricsModel::rowCount(const QModelIndex& parent) const {
@@ -62,32 +78,36 @@ int MetricsModel::rowCount(const QModelIndex& parent) const {
 }
 
 int MetricsModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : int(columns);
+    return parent.isValid() ? 0 : column_of(int(pairs_.size()), name_column) + 1;
 }
 
 std::optional<double> MetricsModel::value(int row, int column) const {
-    if (row < 0 || row >= rowCount() || !history_.now || !history_.now->refusal.isEmpty()) return {};
+    if (row < 0 || row >= rowCount() || column < 0 || column >= columnCount()) return {};
+    const auto& history = pair_of(column).history;
+    if (!history.now || !history.now->refusal.isEmpty()) return {};
     const auto& name = metrics()[std::size_t(row)].name;
-    const bool rectangle = column == rectangle_column || column == rectangle_before;
+    const int kind = kind_of(column);
+    const bool rectangle = kind == rectangle_column || kind == rectangle_before;
     const bool same_rectangle =
-        history_.before && history_.before->request.rectangle == history_.now->request.rectangle;
-    if (column == image_before || column == rectangle_before)
-        return rectangle && !same_rectangle ? std::nullopt : value_in(history_.before.get(), name, rectangle);
-    return value_in(history_.now.get(), name, rectangle);
+        history.before && history.before->request.rectangle == history.now->request.rectangle;
+    if (kind == image_before || kind == rectangle_before)
+        return rectangle && !same_rectangle ? std::nullopt : value_in(history.before.get(), name, rectangle);
+    return value_in(history.now.get(), name, rectangle);
 }
 
 std::optional<double> MetricsModel::last_value(int row, int column) const {
-    const auto *now = history_.now.get(), *last = history_.settled.get();
+    const auto& history = pair_of(column).history;
+    const auto *now = history.now.get(), *last = history.settled.get();
     if (!now || now->complete || !now->refusal.isEmpty() || !last || value(row, column)) return {};
-    const bool rectangle = column == rectangle_column;
-    if ((column != image_column && !rectangle) ||
+    const bool rectangle = kind_of(column) == rectangle_column;
+    if ((kind_of(column) != image_column && !rectangle) ||
         (rectangle && last->request.rectangle != now->request.rectangle))
         return {};
     return value_in(last, metrics()[std::size_t(row)].name, rectangle);
 }
 
 int MetricsModel::trend(int row, int column) const {
-    if (column != image_column && column != rectangle_column) return 0;
+    if (kind_of(column) != image_column && kind_of(column) != rectangle_column) return 0;
     const auto now = value(row, column), before = value(row, column + 1);
     return now && before ? improvement(metrics()[std::size_t(row)], *before, *now) : 0;
 }
@@ -113,16 +133,21 @@ QString MetricsModel::tooltip(int row, int column) const {
 QVariant MetricsModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) return {};
     const auto& metric = metrics()[std::size_t(index.row())];
-    const int column = index.column();
-    const bool before = column == image_before || column == rectangle_before;
+    const int column = index.column(), kind = kind_of(column);
+    const bool before = kind == image_before || kind == rectangle_before;
+    const auto& pair = pair_of(column);
+    const auto* now = pair.history.now.get();
+    // Of one pair the panel says it.
+    const bool is_refused = pairs_.size() > 1 && column != name_column && !pair.refusal.isEmpty();
     switch (role) {
         case Qt::DisplayRole: {
             if (column == name_column) return q(metric.label);
             const auto number = value(index.row(), column);
-            const bool coming = history_.now && !history_.now->complete && history_.now->refusal.isEmpty();
+            const bool coming = now && !now->complete && now->refusal.isEmpty();
             if (const auto last = last_value(index.row(), column)) return metric_text(metric, *last);
-            if (!number && coming && !before && (column == image_column || has_rectangle()))
+            if (!number && coming && !before && (kind == image_column || has_rectangle()))
                 return QStringLiteral("…");
+            if (!number && is_refused) return QStringLiteral("–");
             if (!number) return {};
             const QString mark = trend(index.row(), column) == 0             ? QString()
                                  : *number > *value(index.row(), column + 1) ? QStringLiteral("▲ ")
@@ -137,23 +162,31 @@ QVariant MetricsModel::data(const QModelIndex& index, int role) const {
             if (const int way = trend(index.row(), column)) return way > 0 ? better_colour : worse_colour;
             return {};
         case Qt::ToolTipRole:
-            return tooltip(index.row(), column);
+            return is_refused ? pair.refusal : tooltip(index.row(), column);
         default:
             return {};
     }
 }
 
 QVariant MetricsModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns) return {};
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
     if (role == Qt::TextAlignmentRole)
         return int((section == name_column ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    const auto& pair = pair_of(section);
+    const bool is_of_several = section > 0 && pairs_.size() > 1;
     const QString names[] = {tr("Metric"), tr("Image"), tr("before"), tr("Rectangle"), tr("before")};
     const QString tips[] = {
         tr("How the difference of A and B is measured; B is the reference"), tr("All compared pixels"),
         tr("Before the last change of a parameter, the scene or the camera"),
         tr("Compared pixels within the rectangle"), tr("Before the last change, in the same rectangle")};
-    if (role == Qt::DisplayRole) return names[section];
-    if (role == Qt::ToolTipRole) return tips[section];
+    const auto kind = std::size_t(kind_of(section));
+    if (role == Qt::DisplayRole)
+        return !is_of_several         ? names[kind]
+               : kind == image_column ? pair.name
+                                      : pair.name + QStringLiteral(", ") + names[kind].toLower();
+    if (role == Qt::ToolTipRole && is_of_several)
+        return QStringList{pair.doc, pair.refusal, tips[kind]}.join(QLatin1Char('\n')).trimmed();
+    if (role == Qt::ToolTipRole) return tips[kind];
     return {};
 }
 

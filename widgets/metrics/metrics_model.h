@@ -2,6 +2,7 @@
 
 #include <QAbstractTableModel>
 #include <memory>
+#include <vector>
 
 #include "widgets/metrics/metrics_worker.h"
 
@@ -17,15 +18,23 @@ struct MetricsHistory {
     void clear() { *this = {}; }
 };
 
-/// A row a metric, best known first: the whole picture, the rectangle, and both before the last change.
+/// A row a metric, best known first: of each pair the whole picture, the rectangle, and both before the last
+/// change.
 class MetricsModel : public QAbstractTableModel {
     Q_OBJECT
   public:
     enum Column { name_column, image_column, image_before, rectangle_column, rectangle_before, columns };
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(const MetricsHistory& history);
-    const MetricsHistory& history() const { return history_; }
+    struct Pair {
+        MetricsHistory history = {};
+        QString name = {}, doc = {};  ///< "A − B", and what that is
+        QString refusal = {};         ///< not empty: why it is not measured
+    };
+    /// One or more.
+    void show(std::vector<Pair> pairs);
+    /// Of a pair, from 0 on.
+    static int column_of(int pair, Column column) { return pair * (columns - 1) + column; }
     bool has_rectangle() const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -41,7 +50,8 @@ class MetricsModel : public QAbstractTableModel {
     int trend(int row, int column) const;
     /// Of an earlier frame, while the slower metrics of this one are still being measured.
     std::optional<double> last_value(int row, int column) const;
-    MetricsHistory history_;
+    const Pair& pair_of(int column) const;
+    std::vector<Pair> pairs_{1};
 };
 
 /// "0.01234", "34.1 dB", "∞" of equal pictures, "–" where no pixel was compared.

@@ -13,6 +13,7 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/metrics/metrics_text.h"
 #include "widgets/metrics/rectangle_fields.h"
@@ -65,25 +66,34 @@ QWidget* MetricsPanel::make_pair(QWidget* parent) {
     grid->setContentsMargins(8, 4, 4, 4);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(3);
+    two_ = new QWidget(head);
+    auto* names = new QGridLayout(two_);
+    names->setContentsMargins(0, 0, 0, 0);
+    names->setHorizontalSpacing(6);
+    names->setVerticalSpacing(3);
     const auto letter = [&](const QString& text) {
-        auto* label = new QLabel(text, head);
+        auto* label = new QLabel(text, two_);
         make_bold(label);
         return label;
     };
-    a_ = make_name(head, "picture-a");
-    b_ = make_name(head, "picture-b");
-    auto* swap = new QToolButton(head);
+    a_ = make_name(two_, "picture-a");
+    b_ = make_name(two_, "picture-b");
+    auto* swap = new QToolButton(two_);
     swap->setObjectName(QStringLiteral("swap"));
     swap->setIcon(icon("swap"));
     swap->setAutoRaise(true);
     swap->setToolTip(tr("Swap A and B (X): the other one becomes the reference"));
     swap->setAccessibleName(swap->toolTip());
     connect(swap, &QToolButton::clicked, this, &MetricsPanel::swap_wanted);
-    grid->addWidget(letter(tr("A")), 0, 0);
-    grid->addWidget(a_, 0, 1);
-    grid->addWidget(letter(tr("B")), 1, 0);
-    grid->addWidget(b_, 1, 1);
-    grid->addWidget(swap, 0, 2, 2, 1);
+    names->addWidget(letter(tr("A")), 0, 0);
+    names->addWidget(a_, 0, 1);
+    names->addWidget(letter(tr("B")), 1, 0);
+    names->addWidget(b_, 1, 1);
+    names->addWidget(swap, 0, 2, 2, 1);
+    names->setColumnStretch(1, 1);
+    several_ = make_name(head, "pairs");
+    grid->addWidget(two_, 0, 0, 1, 3);
+    grid->addWidget(several_, 1, 0, 1, 3);
     rectangle_ = new RectangleFields(head);
     connect(rectangle_, &RectangleFields::chosen, this, &MetricsPanel::rectangle_chosen);
     connect(rectangle_, &RectangleFields::drawing_toggled, this, &MetricsPanel::drawing_toggled);
@@ -119,7 +129,7 @@ QWidget* MetricsPanel::make_line(QWidget* parent) {
     override_ = new QPushButton(tr("Compare anyway"), line_);
     override_->setObjectName(QStringLiteral("override"));
     override_->setToolTip(tr("Measures this pair all the same, now and later"));
-    connect(override_, &QPushButton::clicked, this, &MetricsPanel::override_wanted);
+    connect(override_, &QPushButton::clicked, this, [this] { emit override_wanted(refused_); });
     row->addWidget(line_text_, 1);
     row->addWidget(override_);
     return line_;
@@ -128,7 +138,7 @@ QWidget* MetricsPanel::make_line(QWidget* parent) {
 void MetricsPanel::make_table() {
     table_ = new QTableView(this);
     table_->setObjectName(QStringLiteral("metrics"));
-    table_->setAccessibleName(tr("Metrics of A against B"));
+    table_->setAccessibleName(tr("Metrics of pictures against what they are compared with"));
     table_->setModel(model_);
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
@@ -139,9 +149,7 @@ void MetricsPanel::make_table() {
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->horizontalHeader()->setMinimumSectionSize(40);
-    table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setMinimumHeight(80);
     update_columns();
 }
@@ -175,15 +183,11 @@ void MetricsPanel::set_fields(const MetricsFields& fields) {
     fields_ = fields;
     pages_->setCurrentIndex(fields.why_empty.isEmpty() ? 1 : 0);
     empty_->setText(fields.why_empty);
-    a_->setText(fields.label_a);
-    a_->setToolTip(fields.label_a);
-    b_->setText(tr("%1 (reference)").arg(fields.label_b));
-    b_->setToolTip(tr("%1: what A is measured against").arg(fields.label_b));
+    show_pairs();
     rectangle_->show(fields.size, fields.rectangle, fields.drawing);
     if (other_masks) fill_masks();
     mask_->setCurrentIndex(std::max(0, mask_->findData(fields.mask)));
-    update_line();
-    update_foot();
+    show_numbers();
 }
 
 void MetricsPanel::fill_masks() {
@@ -195,73 +199,136 @@ void MetricsPanel::fill_masks() {
     }
 }
 
-void MetricsPanel::measure(const MetricsRequest& request) {
-    if (history_.now && history_.now->request.pair != request.pair) {
-        history_.clear();
-        model_->show(history_);
-        update_columns();
+void MetricsPanel::show_pairs() {
+    const auto& pairs = fields_.pairs;
+    two_->setVisible(pairs.size() == 1);
+    several_->setVisible(pairs.size() > 1);
+    if (pairs.size() == 1) {
+        a_->setText(pairs[0].label_a);
+        a_->setToolTip(pairs[0].label_a);
+        b_->setText(tr("%1 (reference)").arg(pairs[0].label_b));
+        b_->setToolTip(tr("%1: what A is measured against").arg(pairs[0].label_b));
     }
-    worker_->request(request);
-    update_line();
-    update_foot();
+    QStringList lines;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        lines << tr("%1: %2 against %3").arg(name_of(i), pairs[i].label_a, pairs[i].label_b);
+    several_->setText(tr("%1 pairs of the row").arg(pairs.size()));
+    several_->setToolTip(lines.join(QLatin1Char('\n')));
 }
 
-void MetricsPanel::clear() {
-    worker_->clear();
-    history_.clear();
-    model_->show(history_);
+QString MetricsPanel::name_of(std::size_t pair) const {
+    return QStringLiteral("%1 − %2").arg(fields_.pairs[pair].name_a, fields_.pairs[pair].name_b);
+}
+
+/// Known beforehand, or found while measuring.
+QString MetricsPanel::refusal_of(std::size_t pair) const {
+    const auto& known = fields_.pairs[pair].refusal;
+    const auto* now = pair < histories_.size() ? histories_[pair].now.get() : nullptr;
+    return known.isEmpty() && now ? now->refusal : known;
+}
+
+void MetricsPanel::measure(const std::vector<std::optional<MetricsRequest>>& requests) {
+    for (auto i = requests.size(); i < histories_.size(); ++i) worker_->clear(i);
+    histories_.resize(requests.size());
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        auto& history = histories_[i];
+        if (!requests[i] || (history.now && history.now->request.pair != requests[i]->pair)) history.clear();
+        requests[i] ? worker_->request(i, *requests[i]) : worker_->clear(i);
+    }
+    show_numbers();
+}
+
+void MetricsPanel::take(std::size_t pair, const std::shared_ptr<const MetricsResult>& result) {
+    if (result && pair < histories_.size()) histories_[pair].take(result);
+    show_numbers();
+    if (!worker_->is_computing()) emit measured();
+}
+
+void MetricsPanel::show_numbers() {
+    std::vector<MetricsModel::Pair> pairs;
+    for (std::size_t i = 0; i < std::min(histories_.size(), fields_.pairs.size()); ++i) {
+        const auto& pair = fields_.pairs[i];
+        pairs.push_back(
+            {histories_[i], name_of(i), tr("%1 against %2").arg(pair.label_a, pair.label_b), refusal_of(i)});
+    }
+    model_->show(std::move(pairs));
     update_columns();
     update_line();
     update_foot();
 }
 
-void MetricsPanel::take(const std::shared_ptr<const MetricsResult>& result) {
-    if (result) {
-        history_.take(result);
-        model_->show(history_);
-        update_columns();
+/// What is refused, or what should be known; of several pairs that of the first.
+void MetricsPanel::update_line() {
+    QString refusal, warning;
+    bool may_override = false;
+    const auto& pairs = fields_.pairs;
+    const auto named = [&](std::size_t i, const QString& text) {
+        return pairs.size() > 1 ? QStringLiteral("%1: %2").arg(name_of(i), text) : text;
+    };
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (warning.isEmpty() && !pairs[i].warning.isEmpty()) warning = named(i, pairs[i].warning);
+        if (!refusal.isEmpty() || refusal_of(i).isEmpty()) continue;
+        refusal = named(i, refusal_of(i));
+        may_override = pairs[i].refusal.isEmpty() ? histories_[i].now->may_override : pairs[i].may_override;
+        refused_ = int(i);
     }
-    update_line();
-    update_foot();
-    if (!worker_->is_computing()) emit measured();
+    line_text_->setText(refusal.isEmpty() ? warning : refusal);
+    line_->setVisible(!line_text_->text().isEmpty());
+    override_->setVisible(may_override);
 }
 
-/// A refusal that is known beforehand, one that was found while measuring, or what should be known.
-void MetricsPanel::update_line() {
-    const auto* now = history_.now.get();
-    const bool found = fields_.refusal.isEmpty() && now && !now->refusal.isEmpty();
-    const QString refusal = found ? now->refusal : fields_.refusal;
-    line_text_->setText(refusal.isEmpty() ? fields_.warning : refusal);
-    line_->setVisible(!line_text_->text().isEmpty());
-    override_->setVisible(!refusal.isEmpty() && (found ? now->may_override : fields_.may_override));
+/// Those that were measured; all numbers are there once each is complete.
+std::vector<const MetricsResult*> MetricsPanel::results() const {
+    std::vector<const MetricsResult*> all;
+    for (const auto& history : histories_)
+        if (history.now && history.now->refusal.isEmpty()) all.push_back(history.now.get());
+    return all;
 }
 
 void MetricsPanel::update_foot() {
-    const auto* now = history_.now && history_.now->refusal.isEmpty() ? history_.now.get() : nullptr;
-    QString text;
-    if (now) text = pixels_text(now->image);
-    if (now && now->rectangle) text += tr("\nRectangle: %1").arg(pixels_text(*now->rectangle));
-    if (worker_->is_computing()) text += (now ? QStringLiteral("  ·  ") : QString()) + tr("measuring …");
+    QStringList lines;
+    for (const auto* now : results()) {
+        lines << pixels_text(now->image);
+        if (now->rectangle) lines << tr("Rectangle: %1").arg(pixels_text(*now->rectangle));
+    }
+    lines.removeDuplicates();  // most pairs are of the same pixels
+    QString text = lines.join(QLatin1Char('\n'));
+    if (worker_->is_computing())
+        text += (text.isEmpty() ? QString() : QStringLiteral("  ·  ")) + tr("measuring …");
     foot_->setText(text);
-    foot_->setToolTip(now ? tr("Skipped are pixels that are invalid, NaN or infinite in either picture; what "
-                               "the mask or the rectangle leaves out is not counted")
-                          : QString());
-    copy_->setEnabled(now && now->complete);
+    foot_->setToolTip(lines.isEmpty()
+                          ? QString()
+                          : tr("Skipped are pixels that are invalid, NaN or infinite in either picture; what "
+                               "the mask or the rectangle leaves out is not counted"));
+    const auto all = results();
+    copy_->setEnabled(!all.empty() &&
+                      std::all_of(all.begin(), all.end(), [](const auto* each) { return each->complete; }));
 }
 
 void MetricsPanel::update_columns() {
-    const bool rectangle = model_->has_rectangle(), before = history_.before != nullptr;
-    table_->setColumnHidden(MetricsModel::image_before, !before);
-    table_->setColumnHidden(MetricsModel::rectangle_column, !rectangle);
-    table_->setColumnHidden(MetricsModel::rectangle_before, !rectangle || !before);
+    const auto count = int(std::max<std::size_t>(1, histories_.size()));
+    const bool before = count == 1 && !histories_.empty() && histories_[0].before;
+    const auto shows = [&](int pair, MetricsModel::Column column, bool on) {
+        table_->setColumnHidden(MetricsModel::column_of(pair, column), !on);
+    };
+    for (int pair = 0; pair < count; ++pair) {
+        shows(pair, MetricsModel::image_before, before);
+        shows(pair, MetricsModel::rectangle_column, model_->has_rectangle());
+        shows(pair, MetricsModel::rectangle_before, before && model_->has_rectangle());
+    }
+    table_->horizontalHeader()->setSectionResizeMode(count > 1 ? QHeaderView::ResizeToContents
+                                                               : QHeaderView::Stretch);
+    table_->setHorizontalScrollBarPolicy(count > 1 ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
 }
 
 QString MetricsPanel::text() const {
-    return history_.now && history_.now->refusal.isEmpty() ? as_text(*history_.now) : QString();
+    QStringList parts;
+    for (const auto* each : results()) parts << as_text(*each);
+    return parts.join(QLatin1Char('\n'));
 }
 
 QString MetricsPanel::csv() const {
-    return history_.now && history_.now->refusal.isEmpty() ? as_csv(*history_.now) : QString();
+    return as_csv(results());
 }
 
 }  // namespace ir::widgets

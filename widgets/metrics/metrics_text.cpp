@@ -2,8 +2,10 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
+#include "renderers/core/words.h"
 #include "widgets/metrics/metrics_model.h"
 
 namespace ir::widgets {
@@ -58,22 +60,35 @@ QString as_text(const MetricsResult& result) {
     return text;
 }
 
-QString as_csv(const MetricsResult& result) {
-    QString text =
-        result.rectangle ? QStringLiteral("metric,image,rectangle\n") : QStringLiteral("metric,image\n");
-    const auto line = [&](const QString& name, const QString& image, const QString& rectangle) {
-        text += name + QLatin1Char(',') + image;
-        if (result.rectangle) text += QLatin1Char(',') + rectangle;
-        text += QLatin1Char('\n');
-    };
-    for (const auto& metric : metrics())
-        line(QString::fromStdString(metric.name), number(result.image, metric.name),
-             result.rectangle ? number(*result.rectangle, metric.name) : QString());
-    const MetricResult none;
-    const MetricResult& rectangle = result.rectangle ? *result.rectangle : none;
-    line(QStringLiteral("pixels"), QString::number(result.image.pixels), QString::number(rectangle.pixels));
-    line(QStringLiteral("skipped"), QString::number(result.image.skipped),
-         QString::number(rectangle.skipped));
+QString as_csv(const std::vector<const MetricsResult*>& results) {
+    if (results.empty()) return {};
+    const bool are_several = results.size() > 1;
+    const bool has_rectangle = std::any_of(results.begin(), results.end(),
+                                           [](const auto* each) { return each->rectangle.has_value(); });
+    QString text = are_several ? QStringLiteral("a,b,metric,image") : QStringLiteral("metric,image");
+    text += has_rectangle ? QStringLiteral(",rectangle\n") : QStringLiteral("\n");
+    for (const auto* result : results) {
+        const auto& request = result->request;
+        const auto field = [](const QString& label) {
+            return QString::fromStdString(csv_field(label.toStdString())) + QLatin1Char(',');
+        };
+        const QString pair =
+            are_several ? field(request.image->label) + field(request.reference->label) : QString();
+        const auto line = [&](const QString& name, const QString& image, const QString& rectangle) {
+            text += pair + name + QLatin1Char(',') + image;
+            if (has_rectangle) text += QLatin1Char(',') + rectangle;
+            text += QLatin1Char('\n');
+        };
+        for (const auto& metric : metrics())
+            line(QString::fromStdString(metric.name), number(result->image, metric.name),
+                 result->rectangle ? number(*result->rectangle, metric.name) : QString());
+        const MetricResult none;
+        const MetricResult& rectangle = result->rectangle ? *result->rectangle : none;
+        line(QStringLiteral("pixels"), QString::number(result->image.pixels),
+             QString::number(rectangle.pixels));
+        line(QStringLiteral("skipped"), QString::number(result->image.skipped),
+             QString::number(rectangle.skipped));
+    }
     return text;
 }
 

@@ -144,33 +144,43 @@ MetricsResult measure(const MetricsRequest& requested, const std::atomic<bool>& 
 MetricsWorker::MetricsWorker(QObject* parent) : QObject(parent) {}
 
 MetricsWorker::~MetricsWorker() {
-    if (cancelled_) *cancelled_ = true;
+    for (auto& slot : slots_)
+        if (slot.cancelled) *slot.cancelled = true;
     worker_.finish();
 }
 
-void MetricsWorker::request(const MetricsRequest& request) {
-    if (has_wanted_ && request.same_as(wanted_)) return;
-    if (running_ && !request.continues(wanted_)) *cancelled_ = true;
-    wanted_ = request;
-    has_wanted_ = true;
-    running_ ? void(pending_ = true) : start();
+void MetricsWorker::request(std::size_t slot, const MetricsRequest& request) {
+    if (slot >= slots_.size()) slots_.resize(slot + 1);
+    auto& each = slots_[slot];
+    if (each.has_wanted && request.same_as(each.wanted)) return;
+    if (each.running && !request.continues(each.wanted)) *each.cancelled = true;
+    each.wanted = request;
+    each.has_wanted = true;
+    each.running ? void(each.pending = true) : start(slot);
 }
 
-void MetricsWorker::clear() {
-    if (cancelled_) *cancelled_ = true;
-    wanted_ = {};
-    has_wanted_ = pending_ = false;
+void MetricsWorker::clear(std::size_t slot) {
+    if (slot >= slots_.size()) return;
+    auto& each = slots_[slot];
+    if (each.cancelled) *each.cancelled = true;
+    each.wanted = {};
+    each.has_wanted = each.pending = false;
 }
 
-void MetricsWorker::start() {
-    running_ = true;
-    pending_ = false;
-    cancelled_ = std::make_shared<std::atomic<bool>>(false);
-    worker_.start([this, request = wanted_, cancelled = cancelled_] {
-        const auto post = [this](const MetricsResult& result, bool last) {
+bool MetricsWorker::is_computing() const {
+    return std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.running; });
+}
+
+void MetricsWorker::start(std::size_t slot) {
+    auto& each = slots_[slot];
+    each.running = true;
+    each.pending = false;
+    each.cancelled = std::make_shared<std::atomic<bool>>(false);
+    worker_.start([this, slot, request = each.wanted, cancelled = each.cancelled] {
+        const auto post = [this, slot](const MetricsResult& result, bool last) {
             auto shared = std::make_shared<const MetricsResult>(result);
             QMetaObject::invokeMethod(
-                this, [this, shared, last] { take(shared, last); }, Qt::QueuedConnection);
+                this, [this, slot, shared, last] { take(slot, shared, last); }, Qt::QueuedConnection);
         };
         const auto result =
             measure(request, *cancelled, [&](const MetricsResult& some) { post(some, false); });
@@ -178,12 +188,14 @@ void MetricsWorker::start() {
     });
 }
 
-void MetricsWorker::take(std::shared_ptr<const MetricsResult> result, bool last) {
-    if (last) running_ = false;
-    const bool useful = has_wanted_ && (result->request.same_as(wanted_) ||
-                                        (result->request.continues(wanted_) && (result->complete || !last)));
-    if (last && pending_) start();
-    if (useful || last) emit measured(useful ? std::move(result) : nullptr);
+void MetricsWorker::take(std::size_t slot, std::shared_ptr<const MetricsResult> result, bool last) {
+    auto& each = slots_[slot];
+    if (last) each.running = false;
+    const bool useful =
+        each.has_wanted && (result->request.same_as(each.wanted) ||
+                            (result->request.continues(each.wanted) && (result->complete || !last)));
+    if (last && each.pending) start(slot);
+    if (useful || last) emit measured(slot, useful ? std::move(result) : nullptr);
 }
 
 }  // namespace ir::widgets

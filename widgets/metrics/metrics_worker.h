@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderers/image/metrics.h"
 #include "widgets/image/picture.h"
@@ -46,29 +47,33 @@ struct MetricsResult {
 MetricsResult measure(const MetricsRequest& request, const std::atomic<bool>& cancelled,
                       const std::function<void(const MetricsResult&)>& partial = {});
 
-/// Measures away from the window's thread. Of requests that come meanwhile only the newest counts; one that
-/// asks something else ends what is under way, one with newer pixels lets it finish, so that slow metrics
-/// appear in a live view, too.
+/// Measures away from the window's thread, one pair in each slot. Of requests that come meanwhile only the
+/// newest counts; one that asks something else ends what is under way, one with newer pixels lets it finish,
+/// so that slow metrics appear in a live view, too.
 class MetricsWorker : public QObject {
     Q_OBJECT
   public:
     explicit MetricsWorker(QObject* parent = nullptr);
     ~MetricsWorker() override;
     /// Does nothing where the answer (or what is under way) is already to that.
-    void request(const MetricsRequest& request);
-    /// Nothing is asked any more.
-    void clear();
-    bool is_computing() const { return running_; }
+    void request(std::size_t slot, const MetricsRequest& request);
+    /// Nothing is asked in the slot any more.
+    void clear(std::size_t slot);
+    bool is_computing() const;
 
   signals:
-    void measured(std::shared_ptr<const ir::widgets::MetricsResult> result);
+    /// Null: what was under way is of no use.
+    void measured(std::size_t slot, std::shared_ptr<const ir::widgets::MetricsResult> result);
 
   private:
-    void start();
-    void take(std::shared_ptr<const MetricsResult> result, bool last);
-    MetricsRequest wanted_;
-    std::shared_ptr<std::atomic<bool>> cancelled_;
-    bool has_wanted_ = false, running_ = false, pending_ = false;
+    struct Slot {
+        MetricsRequest wanted;
+        std::shared_ptr<std::atomic<bool>> cancelled;
+        bool has_wanted = false, running = false, pending = false;
+    };
+    void start(std::size_t slot);
+    void take(std::size_t slot, std::shared_ptr<const MetricsResult> result, bool last);
+    std::vector<Slot> slots_;
     Worker worker_;
 };
 

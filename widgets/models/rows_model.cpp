@@ -101,7 +101,7 @@ int RowsModel::columnCount(const QModelIndex&) const {
 
 Qt::ItemFlags RowsModel::flags(const QModelIndex& index) const {
     const auto flags = QAbstractItemModel::flags(index);
-    return index.isValid() ? flags | Qt::ItemIsDragEnabled : flags;
+    return index.isValid() && !hasChildren(index.siblingAtColumn(0)) ? flags | Qt::ItemIsDragEnabled : flags;
 }
 
 QMimeData* RowsModel::mimeData(const QModelIndexList& indexes) const {

@@ -49,7 +49,7 @@ class RowsModel : public QAbstractItemModel {
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    // A row that is dragged brings its key.
+    // A row that is dragged brings its key. Headings stay.
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     QStringList mimeTypes() const override { return {QLatin1String(mime_type)}; }
     QMimeData* mimeData(const QModelIndexList& indexes) const override;

@@ -1,6 +1,7 @@
 #include "widgets/pipeline/pipeline_view.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QGraphicsItem>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -219,6 +220,17 @@ void PipelineView::keyPressEvent(QKeyEvent* event) {
         default:
             QGraphicsView::keyPressEvent(event);
     }
+}
+
+void PipelineView::contextMenuEvent(QContextMenuEvent* event) {
+    const bool is_mouse = event->reason() == QContextMenuEvent::Mouse;
+    const auto found = is_mouse          ? row_at(mapToScene(event->pos()))
+                       : pass_.isEmpty() ? row_of(buffer_)
+                                         : row_of(pass_);
+    if (!found.row) return;
+    const auto key = QString::fromStdString(found.row->key);
+    const QPoint place = is_mouse ? event->globalPos() : viewport()->mapToGlobal(place_of(key).center());
+    found.node->is_pass ? emit pass_menu_wanted(key, place) : emit buffer_menu_wanted(key, place);
 }
 
 bool PipelineView::viewportEvent(QEvent* event) {

@@ -40,6 +40,9 @@ class PipelineView : public QGraphicsView {
   signals:
     void pass_clicked(const QString& name);
     void buffer_clicked(const QString& key);
+    /// Of what is under the cursor, or by a key of the pass that is marked, else of the buffer.
+    void pass_menu_wanted(const QString& name, QPoint global_position);
+    void buffer_menu_wanted(const QString& key, QPoint global_position);
     /// Up, down: to the pass before, to the next one.
     void step_wanted(int passes);
     void failed(const QString& error);
@@ -50,6 +53,7 @@ class PipelineView : public QGraphicsView {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     bool viewportEvent(QEvent* event) override;
 
   private:

@@ -30,11 +30,18 @@ CameraPose sphere_pose() {
     return pose;
 }
 
-CameraPose fitted_to_width(const CameraPose& pose, double aspect) {
-    if (!(aspect > 0) || aspect >= 1) return pose;
+CameraPose fitted_below(const CameraPose& pose, double aspect, double strip) {
+    const double below = 1 - strip;
+    if (!(aspect > 0) || !(below > 0)) return pose;
+    const double opened = 1 / (below * std::min(1.0, aspect / below));
+    const double half = std::tan(half_angle(pose)) * opened;
     CameraPose result = pose;
-    result.fov_y_degrees = std::atan(std::tan(half_angle(pose)) / aspect) * 360 / std::numbers::pi;
-    if (pose.orthographic) result.height = pose.height / aspect;
+    result.fov_y_degrees = std::atan(half) * 360 / std::numbers::pi;
+    result.height = pose.height * opened;
+    const double reach = pose.orthographic ? result.height / 2 : glm::length(pose.target - pose.eye) * half;
+    const auto up = camera_axes(pose).up * (reach * strip);
+    result.eye += up;
+    result.target += up;
     return result;
 }
 

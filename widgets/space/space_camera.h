@@ -16,8 +16,9 @@ CameraPose framed(const CameraPose& pose, const SpaceBox& box, double aspect);
 
 /// How the unit sphere of directions is seen at first.
 CameraPose sphere_pose();
-/// Opened so far that a picture of that width : height shows along its smaller side what a square shows.
-CameraPose fitted_to_width(const CameraPose& pose, double aspect);
+/// Opened so far that a picture of that width : height shows below a strip at its top, a part of its height,
+/// along the smaller side what a square shows.
+CameraPose fitted_below(const CameraPose& pose, double aspect, double strip);
 /// Nearer or further, but neither into the sphere nor out of sight.
 CameraPose sphere_dollied(const CameraPose& pose, double factor);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "renderers/image/colour_map.h"
 #include "widgets/image/display.h"
@@ -7,7 +8,7 @@
 namespace ir::widgets::overlay {
 namespace {
 
-constexpr double line_height = 16, bar_height = 10, max_width = 230;
+constexpr double line_height = 16, row_height = line_height + 4, bar_height = 10, max_width = 230;
 
 /// In smaller views, logical pixels, legends are lines.
 constexpr double legend_width = 640, legend_height = 420;
@@ -158,14 +159,11 @@ double paint_line(QPainter& painter, const LayerInfo& info, const QRectF& row) {
 }  // namespace
 
 double paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area) {
-    if (area.width() < legend_width || area.height() < legend_height) {
+    if (const double strip = legend_strip(state.layers.size(), area.size()); strip > 0) {
         double high = 0;
-        for (const LayerInfo& info : state.layers) {
-            if (high > area.height() / 4) break;
-            high +=
-                paint_line(painter, info, {area.left(), area.top() + high, area.width(), line_height + 4});
-        }
-        return high;
+        for (auto info = state.layers.begin(); high < strip; ++info)
+            high += paint_line(painter, *info, {area.left(), area.top() + high, area.width(), row_height});
+        return strip;
     }
     const double width = std::min(max_width, area.width() - 2 * gap);
     double top = area.top() + gap;
@@ -182,3 +180,14 @@ double paint_legends(QPainter& painter, const OverlayState& state, const QRectF&
 }
 
 }  // namespace ir::widgets::overlay
+
+namespace ir::widgets {
+
+double legend_strip(std::size_t layers, const QSizeF& area) {
+    using namespace overlay;
+    if (area.width() >= legend_width && area.height() >= legend_height) return 0;
+    const double most = std::floor(area.height() / 4 / row_height) + 1;
+    return row_height * std::min(double(layers), most);
+}
+
+}  // namespace ir::widgets

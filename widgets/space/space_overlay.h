@@ -25,6 +25,9 @@ struct OverlayState {
 /// pixels.
 void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRectF& area);
 
+/// How high the legends of layers are where they are lines at the top; 0: they stand in a corner.
+double legend_strip(std::size_t layers, const QSizeF& area);
+
 /// A transparent widget that paints the above.
 QWidget* make_space_overlay(const OverlayState& state, QWidget* parent);
 

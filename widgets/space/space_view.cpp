@@ -135,8 +135,13 @@ void SpaceView::send_request() {
     oversampling_ = refine_ ? still_oversampling : 1;
     sent_ = scene_;
     const QSize size = wanted_size();
-    if (shows_sphere(scene_))
-        sent_.camera = fitted_to_width(sphere_pose_, double(size.width()) / size.height());
+    if (shows_sphere(scene_)) {
+        const auto shown = std::count_if(scene_.layers.begin(), scene_.layers.end(),
+                                         [](const SpaceLayer& layer) { return layer.visible; });
+        const QSizeF area = image_->size();
+        sent_.camera = fitted_below(sphere_pose_, double(size.width()) / size.height(),
+                                    legend_strip(std::size_t(shown), area) / std::max(1.0, area.height()));
+    }
     for (SpaceLayer& layer : sent_.layers)
         layer.size_px = float(layer.size_px * devicePixelRatioF() / divisor_);
     emit view_wanted(sent_, {std::max(1, size.width() / divisor_), std::max(1, size.height() / divisor_)},

@@ -69,10 +69,11 @@ void ViewPane::show_pictures(const ViewState& state, std::vector<std::shared_ptr
     update_summary();
 }
 
-std::shared_ptr<const Picture> ViewPane::picture_at(int number) const {
-    if (number < 0) return compare_->difference_picture();
-    const auto& pictures = compare_->compared().pictures;
-    return number < int(pictures.size()) ? pictures[std::size_t(number)] : compare_->compared().reference;
+std::shared_ptr<const Picture> ViewPane::picture_at(int place) const {
+    if (place < 0) return compare_->difference_picture();
+    const auto& all = compare_->compared();
+    const int known = all.count() + int(all.references.size());
+    return place < known ? all.picture(place) : nullptr;
 }
 
 void ViewPane::update_summary() {

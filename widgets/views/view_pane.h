@@ -33,8 +33,8 @@ class ViewPane : public QWidget {
     void show_pictures(const ViewState& state, std::vector<std::shared_ptr<const Picture>> pictures);
     /// What the value strip says while the cursor is elsewhere.
     void update_summary();
-    /// By its place; -1: the difference, as many as there are: the reference.
-    std::shared_ptr<const Picture> picture_at(int number) const;
+    /// By its place; -1: the difference.
+    std::shared_ptr<const Picture> picture_at(int place) const;
 
     /// What is said in the place of something that should be seen; empty: nothing is missing. What is hidden,
     /// as behind a tab, asks for no picture of space, and lacks none.

@@ -1,6 +1,7 @@
 #include "widgets/views/view_state.h"
 
 #include <QCoreApplication>
+#include <utility>
 
 namespace ir::widgets {
 namespace {
@@ -30,6 +31,14 @@ void leave_out(ViewState& state, const std::function<bool(const ViewSource&)>& g
         for (int* end : {&state.pair.a, &state.pair.b})
             if (*end > place) --*end;
     }
+}
+
+void swap_first(ViewState& state) {
+    if (state.mode != ViewMode::stages) return std::swap(state.a, state.b);
+    if (state.more.empty()) return;
+    std::swap(state.a, state.more.front());
+    state.pair = with_swapped(state.pair);
+    state.chain = false;
 }
 
 bool compares(ViewMode mode) {

@@ -44,6 +44,10 @@ struct ViewState {
 /// Takes pictures out of `more`. The pair stays that of its pictures, and ends with one of them.
 void leave_out(ViewState& state, const std::function<bool(const ViewSource&)>& goes);
 
+/// Exchanges A and B, which in a row of stages is the next picture. The pair stays that of its pictures, and
+/// a chain becomes a person's row.
+void swap_first(ViewState& state);
+
 bool compares(ViewMode mode);    ///< needs B
 bool takes_many(ViewMode mode);  ///< flip and stages
 QString mode_name(ViewMode mode);

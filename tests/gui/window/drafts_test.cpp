@@ -120,11 +120,11 @@ TEST_F(DraftsWindowTest, MetricsAndDifferencesWait) {
     change_level(0.75);
     answer_with(Fineness::half);
     EXPECT_EQ(compare.compared().refusal(), widgets::full_picture_awaited());
-    EXPECT_EQ(window.metrics().panel().fields().refusal, widgets::full_picture_awaited());
+    EXPECT_EQ(window.metrics().panel().fields().pairs.at(0).refusal, widgets::full_picture_awaited());
     answer_in_full();
     ASSERT_TRUE(settle());
     EXPECT_EQ(compare.compared().refusal(), QString());
-    EXPECT_EQ(window.metrics().panel().fields().refusal, QString());
+    EXPECT_EQ(window.metrics().panel().fields().pairs.at(0).refusal, QString());
 }
 
 TEST_F(DraftsWindowTest, ExportsWait) {

@@ -289,11 +289,13 @@ class FakeRenderer final : public Renderer {
         pass.queue = "cpu";
         pass.cpu_ms = 1.5;
         pass.writes = overwrites ? std::vector<std::string>{"picture", "depth"} : std::vector<std::string>{};
+        pass.shaders = {"lib/random.glsl"};
         report.passes = {pass};
         if (overwrites) {
             auto fade = pass, look = pass;
             fade.name = "fade";
             fade.reads = fade.writes = {"picture"};
+            fade.shaders = {};
             look.name = "look";
             look.culled = true;
             look.writes = {"cover"};

@@ -179,7 +179,7 @@ TEST_F(FramesTest, AnotherMethodForgetsAndAFrameBecomesAnExperiment) {
     ASSERT_EQ(window.session().document().experiments.size(), 2u);
     EXPECT_NE(window.session().experiment()->id, before);
     EXPECT_FLOAT_EQ(pixel(), 0.25f);
-    EXPECT_FALSE(window.session().experiment()->camera.empty());
+    EXPECT_TRUE(window.session().document().cameras.empty()) << "nobody has moved it";
     EXPECT_FALSE(button->isEnabled());
     trigger("undo");
     EXPECT_EQ(window.session().document().experiments.size(), 1u);
@@ -190,6 +190,23 @@ TEST_F(FramesTest, AnotherMethodForgetsAndAFrameBecomesAnExperiment) {
     });
     ASSERT_TRUE(settle());
     for (const auto& frame : past().frames()) EXPECT_EQ(frame.experiment.method, "filter");
+}
+
+TEST_F(FramesTest, AFrameThatAnotherCameraSawKeepsIt) {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().camera().pose().has_value(); }, 5000));
+    edit_level(0.5);
+    auto pose = *window.session().camera().pose();
+    pose.eye += glm::dvec3(0, 1, 0);
+    window.session().camera().move(window.session().experiment()->id, pose, {});
+    window.session().camera().finish_move();
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(window.session().document().cameras.size(), 1u);
+    past().show(0);
+    ASSERT_TRUE(settle());
+    QTest::mouseClick(dock().panel().findChild<QToolButton*>("frame-experiment"), Qt::LeftButton);
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(window.session().document().cameras.size(), 2u);
+    EXPECT_EQ(window.session().experiment()->camera, window.session().document().cameras.back().id);
 }
 
 TEST_F(FramesTest, APastFrameIsNotExplainedByTheNewest) {
@@ -271,6 +288,18 @@ TEST_F(FramesTest, FramesOfARemovedExperimentGoWithIt) {
     EXPECT_FALSE(past().is_elsewhere()) << "what was shown is the newest frame now";
     EXPECT_FALSE(past().frames().empty());
     EXPECT_TRUE(std::ranges::none_of(past().frames(), [&](const auto& f) { return f.result->tag == copy; }));
+    trigger("undo");
+    EXPECT_TRUE(std::ranges::any_of(past().frames(), [&](const auto& f) {
+        return f.result->tag == copy && f.number < past().frames().back().number;
+    })) << "with it they are back";
+    EXPECT_TRUE(std::ranges::is_sorted(past().frames(), {}, &PastFrame::number));
+    trigger("redo");
+    const auto before = past().bytes();
+    past().set_limit(before - 1);
+    EXPECT_LT(past().bytes(), before);
+    past().set_limit(PastFrames::standard_limit);
+    trigger("undo");
+    EXPECT_FALSE(past().frames().empty());
 }
 
 /// By a program of that name, as none need be installed.

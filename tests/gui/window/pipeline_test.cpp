@@ -1,6 +1,10 @@
 #include <QCheckBox>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QHelpEvent>
+#include <QMenu>
+#include <QPointer>
 #include <QToolButton>
 #include <QToolTip>
 #include <QTreeView>
@@ -49,6 +53,59 @@ TEST_F(PipelineWindowTest, AClickOnABufferShowsIt) {
     ASSERT_TRUE(QTest::qWaitFor([this] { return view().place_of("cover").isValid(); }, 60000));
     click("look");
     EXPECT_EQ(step(), "") << "a pass that did not run leaves nothing";
+}
+
+TEST_F(PipelineWindowTest, AMenuLeadsOnFromAPassAndFromABuffer) {
+    const auto menu_of = [this](const char* key) -> QMenu* {
+        const auto place = view().place_of(key).center();
+        QContextMenuEvent wanted(QContextMenuEvent::Mouse, place, view().viewport()->mapToGlobal(place));
+        QApplication::sendEvent(view().viewport(), &wanted);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        if (!menu) ADD_FAILURE() << key;
+        return menu;
+    };
+    const auto entry = [](QMenu* menu, const char* name) -> QAction* {
+        for (auto* action : menu->actions())
+            if (action->objectName() == name) return action;
+        ADD_FAILURE() << name;
+        return nullptr;
+    };
+    QPointer<QMenu> menu = menu_of("paint");
+    ASSERT_TRUE(menu);
+    const auto buffers = entry(menu, "pass-buffers")->menu()->actions();
+    ASSERT_EQ(buffers.size(), 2);
+    EXPECT_EQ(buffers[1]->text(), "Depth");
+    const auto copies = entry(menu, "pass-copy")->menu()->actions();
+    ASSERT_EQ(copies.size(), 1);
+    EXPECT_EQ(copies[0]->text(), "lib/random.glsl");
+    buffers[1]->trigger();
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(window.workspace().area().open_views().size(), 2u);
+    EXPECT_EQ(window.views().state(1).a.output, "depth");
+    const auto place = [] { return QGuiApplication::clipboard()->text(); };  // no editor is chosen
+    copies[0]->trigger();
+    const auto copy = place();
+    EXPECT_TRUE(copy.endsWith("random.glsl:1")) << copy.toStdString();
+    entry(menu, "pass-open")->menu()->actions().at(0)->trigger();
+    EXPECT_TRUE(place().endsWith("shaders/lib/random.glsl:1")) << place().toStdString();
+    EXPECT_NE(place(), copy);
+    entry(menu, "pass-step")->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(step(), "paint");
+    menu->close();
+    menu = menu_of("fade");
+    ASSERT_TRUE(menu);
+    EXPECT_FALSE(entry(menu, "pass-copy")->isEnabled());
+    EXPECT_TRUE(entry(menu, "pass-copy")->toolTip().contains("no shader"));
+    menu->close();
+    menu = menu_of("depth");
+    ASSERT_TRUE(menu);
+    EXPECT_TRUE(entry(menu, "buffer-show")->isEnabled());
+    EXPECT_TRUE(menu->actions().contains(window.action("pin"))) << "as in the list of buffers";
+    entry(menu, "buffer-show")->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().shown_key(), "depth");
+    menu->close();
 }
 
 TEST_F(PipelineWindowTest, StepsShowTheBufferAsEachPassLeftIt) {

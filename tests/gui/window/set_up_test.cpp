@@ -32,7 +32,8 @@ TEST_F(SetUpWindowTest, AllMethodsAndTheTruthStandInOneRowAndGoWithOneUndo) {
     EXPECT_EQ(window.session().experiment(state.a.owner)->method, "light");
     EXPECT_EQ(window.session().experiment(state.a.owner)->reference, state.more.back().owner);
     EXPECT_EQ(window.session().experiment(state.more.back().owner)->method, "truth");
-    EXPECT_EQ(state.pair, (widgets::StagePair{widgets::StagePair::none, 1})) << "all with the truth";
+    EXPECT_EQ(state.pair, (widgets::StagePair{widgets::StagePair::none, widgets::StagePair::reference}))
+        << "each with its truth";
     ASSERT_TRUE(QTest::qWaitFor([this] { return window.is_settled(); }, 60000));
     for (const auto& picture : window.workspace().active_pane().compare().compared().pictures)
         EXPECT_FALSE(picture->label.contains(" · ")) << picture->label.toStdString();

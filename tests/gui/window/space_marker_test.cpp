@@ -57,6 +57,17 @@ TEST_F(SpaceMarkerTest, FliesToPinsAsOneStepAndThePinFollows) {
     EXPECT_EQ(pose().eye, before.eye);
 }
 
+TEST_F(SpaceMarkerTest, ASphereOfDirectionsSaysThatNobodyFliesThere) {
+    window.inspector().pin({3, 2});
+    window.views().show_output("ball");
+    ASSERT_TRUE(settle());
+    const auto before = window.views().active_state();
+    QTest::keyClick(&window, Qt::Key_P, Qt::ShiftModifier);
+    ASSERT_TRUE(settle());
+    EXPECT_NE(label("state").find("Pins stand in the scene"), std::string::npos) << label("state");
+    EXPECT_EQ(window.views().active_state(), before);
+}
+
 TEST_F(SpaceMarkerTest, WhatShowsNoSurfaceOrLiesOutsideIsSaid) {
     const auto before = pose();
     renderer.surface.reset();

@@ -100,6 +100,76 @@ TEST_F(StagesWindowTest, AnyStageIsComparedWithTheReference) {
     EXPECT_EQ(compare().panes().captions()[3], "RMSE 0.5");
 }
 
+/// A method that sees less far has another truth.
+TEST_F(StagesWindowTest, EachExperimentIsComparedWithItsOwnReference) {
+    set_method("fake");
+    add_second_experiment(0.75);
+    auto& session = window.session();
+    const auto first = session.document().experiments[0].id, second = session.document().experiments[1].id;
+    const auto set = [&](const std::string& id, const char* key, double value) {
+        ASSERT_TRUE(session.edit([&](const projects::Project& project) {
+            return projects::edits::set_values(project, fake_registry(), id, {{key, value}});
+        }));
+        session.end_gesture();
+    };
+    set(second, "max_distance", 1);
+    for (const auto& id : {first, second}) {
+        views().show_owner(id);
+        ASSERT_TRUE(settle());
+        trigger("match");
+    }
+    const auto far = session.experiment(first)->reference, near = session.experiment(second)->reference;
+    ASSERT_NE(far, near);
+    set(near, "level", 0.5);
+    widgets::ViewState state;
+    state.mode = ViewMode::stages;
+    state.a = {first, ""};
+    state.more = {{second, ""}};
+    state.pair.b = StagePair::reference;
+    views().set_active_state(state);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(compare().panes().captions().mid(2), QStringList({"RMSE 0", "RMSE 0.25"}))
+        << "not of one truth";
+    const auto name = QString::fromStdString(session.experiment(near)->name);
+    EXPECT_TRUE(compare().panes().cells()[3].tip.contains(name))
+        << compare().panes().cells()[3].tip.toStdString();
+    state.more.push_back({near, ""});
+    views().set_active_state(state);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(compare().panes().captions().mid(3), QStringList({"RMSE 0", "RMSE 0.25"}));
+    EXPECT_EQ(compare().difference_views()[1]->state().label, "B − C") << "it stands in the row";
+    // The numbers of all of them, not of A and B.
+    auto* dock = window.findChild<QDockWidget*>("metrics");
+    dock->show();
+    dock->raise();
+    ASSERT_TRUE(settle());
+    const auto& model = window.metrics().panel().model();
+    const auto& names = metric_names();
+    const auto rmse = int(std::find(names.begin(), names.end(), "rmse") - names.begin());
+    using Model = widgets::MetricsModel;
+    EXPECT_NEAR(model.value(rmse, Model::column_of(0, Model::image_column)).value_or(-1), 0, 1e-6);
+    EXPECT_NEAR(model.value(rmse, Model::column_of(1, Model::image_column)).value_or(-1), 0.25, 1e-6);
+    EXPECT_EQ(model.headerData(Model::column_of(1, Model::image_column), Qt::Horizontal, Qt::DisplayRole),
+              "B − C");
+    trigger("swap");
+    EXPECT_EQ(compare().panes().captions().mid(3), QStringList({"RMSE 0.25", "RMSE 0"}));
+    EXPECT_EQ(views().active_state().pair, state.pair);
+}
+
+TEST_F(StagesWindowTest, SwappingMovesThePairAndMakesARowOfOnesOwn) {
+    trigger("stages");
+    auto state = views().active_state();
+    state.pair = {1, 2};
+    views().set_active_state(state);
+    ASSERT_TRUE(settle());
+    const auto number = compare().panes().captions().last();
+    trigger("swap");
+    EXPECT_EQ(views().active_state().pair, (StagePair{0, 2}));
+    EXPECT_FALSE(views().active_state().chain);
+    EXPECT_EQ(compare().panes().captions().last(), number);
+    EXPECT_EQ(views().active_state().a.output, "smoothed");
+}
+
 TEST_F(StagesWindowTest, TheSessionRemembersRowAndPair) {
     trigger("stages");
     auto state = views().active_state();
@@ -182,13 +252,13 @@ TEST_F(StagesWindowTest, PicturesThatDoNotChangeAreNotMadeAnew) {
     views().set_state(0, state);
     ASSERT_TRUE(settle());
     const auto pictures = compare().compared().pictures;
-    const auto reference = compare().compared().reference;
-    ASSERT_TRUE(reference);
+    const auto references = compare().compared().references;
+    ASSERT_FALSE(references.empty());
     window.session().edit(
         [](const projects::Project& project) { return projects::edits::set_notes(project, "a note"); });
     ASSERT_TRUE(settle());
     EXPECT_EQ(compare().compared().pictures, pictures);
-    EXPECT_EQ(compare().compared().reference, reference);
+    EXPECT_EQ(compare().compared().references, references);
     set_value("level", 0.5);
     EXPECT_NE(compare().compared().pictures, pictures);
     EXPECT_EQ(names(), QStringList({"Traced", "Smoothed", "Composed"}));

@@ -326,6 +326,21 @@ TEST_F(WindowTest, BuffersBeginWithResultsAndGoIntoViewsByMenuAndHand) {
     };
     list->setCurrentIndex(rows.index(0, 0));
     EXPECT_FALSE(menu("buffer-show")->isEnabled()) << "a heading";
+    // What is done with pixels of pictures.
+    ASSERT_TRUE(menu("pin") && menu("explain"));
+    menu("pin")->trigger();
+    EXPECT_TRUE(window.inspector().pins().empty());
+    EXPECT_NE(label("state").find("Mark a pixel first"), std::string::npos) << label("state");
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, window.view().rect().center());
+    ASSERT_TRUE(settle());
+    menu("pin")->trigger();
+    ASSERT_EQ(window.inspector().pins().size(), 1u);
+    menu("explain")->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.inspector().explained(), window.inspector().pins().front());
+    trigger("views-1");
+    window.views().show_output("");
+    ASSERT_TRUE(settle());
     const auto depth = rows.index_of("depth");
     ASSERT_TRUE(depth.isValid());
     list->setCurrentIndex(depth);

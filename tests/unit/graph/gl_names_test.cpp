@@ -78,6 +78,9 @@ TEST_P(GlNamesTest, JoinsNamesWithResources) {
               (std::vector<std::uint32_t>{121, 221, 321, 421}));
     EXPECT_EQ(graph->read_image("picture")->at(2, 0, 0), 321);
     EXPECT_EQ(report.counters.at("count"), 4);
+    ASSERT_EQ(report.passes.size(), 2u);
+    EXPECT_TRUE(report.passes[0].shaders.empty()) << "it uploads";
+    EXPECT_EQ(report.passes[1].shaders, std::vector<std::string>{"add.comp"});
 }
 
 TEST_P(GlNamesTest, PutsSomethingElseBehindAName) {

@@ -83,6 +83,9 @@ TEST(RowsModel, FindsRowsAtAnyDepthAndTheirParents) {
     const QModelIndex radiance = model.index_of("radiance");
     ASSERT_TRUE(radiance.isValid());
     EXPECT_EQ(radiance.parent().data(RowsModel::key_role).toString(), "pass:shade");
+    EXPECT_TRUE(model.flags(radiance) & Qt::ItemIsDragEnabled);
+    EXPECT_TRUE(model.flags(radiance.siblingAtColumn(1)) & Qt::ItemIsDragEnabled);
+    EXPECT_FALSE(model.flags(radiance.parent()) & Qt::ItemIsDragEnabled) << "a heading";
     EXPECT_FALSE(model.index_of("nothing").isValid());
 }
 

@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QStandardItemModel>
 #include <QToolTip>
+#include <algorithm>
 #include <cmath>
 
 #include "tests/gui/events.h"
@@ -67,7 +68,8 @@ TEST_P(StagesTest, AllAreComparedWithOneOfTheRow) {
 }
 
 TEST_P(StagesTest, AllAreComparedWithTheReference) {
-    view->set_reference(true, flat(0.6f, "truth"));
+    const auto truth = flat(0.6f, "truth");
+    view->set_references(true, {truth, truth, truth});
     choose(list("stage-b"), list("stage-b")->count() - 1);
     EXPECT_EQ(view->compared().pair, (StagePair{StagePair::none, StagePair::reference}));
     ASSERT_EQ(view->difference_views().size(), 3u);
@@ -75,8 +77,58 @@ TEST_P(StagesTest, AllAreComparedWithTheReference) {
     EXPECT_EQ(view->panes().captions().mid(3), QStringList({"RMSE 0.4", "RMSE 0.1", "RMSE 0.2"}));
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(view->difference_views()[i]->x(), view->views()[i]->x()) << "each below its picture";
-    view->set_reference(false, nullptr);
+    EXPECT_EQ(view->difference_views()[0]->state().label, "|A − Reference|");
+    view->set_references(false, {});
     EXPECT_EQ(view->difference_views().size(), 2u);
+}
+
+TEST_P(StagesTest, EachPictureIsComparedWithItsOwnReference) {
+    auto pictures = view->compared().pictures;
+    view->set_references(true, {flat(0.6f, "near"), pictures[2], nullptr});
+    view->set_stage_pair({StagePair::none, StagePair::reference});
+    wait_for_differences(*view);
+    EXPECT_EQ(view->panes().captions().mid(3), QStringList({"RMSE 0.4", "RMSE 0.1"})) << "C has none";
+    EXPECT_EQ(view->difference_views()[0]->state().label, "|A − near|");
+    EXPECT_EQ(view->difference_views()[1]->state().label, "|B − C|") << "it stands in the row";
+    EXPECT_TRUE(view->panes().cells()[3].tip.contains("against near"));
+    EXPECT_TRUE(view->panes().cells()[4].tip.contains("against C   clipped"));
+    view->set_stage_pair({1, StagePair::reference});
+    wait_for_differences(*view);
+    EXPECT_EQ(view->findChild<QLabel*>("stage-number")->text(), "RMSE 0.1");
+    EXPECT_FLOAT_EQ(view->views().back()->image().at(0, 0), 0.4f);
+    view->swap();
+    wait_for_differences(*view);
+    EXPECT_EQ(view->compared().pair, (StagePair{0, StagePair::reference})) << "the same picture";
+    EXPECT_EQ(view->findChild<QLabel*>("stage-number")->text(), "RMSE 0.1");
+}
+
+TEST_P(StagesTest, WhatHasNoDifferenceLeavesNoBandEmpty) {
+    const auto far = flat(0.6f, "far"), near = flat(0.7f, "near");
+    const auto show_methods = [&](std::vector<PicturePtr> references) {
+        const auto count = references.size();
+        view->set_references(true, {});
+        std::vector<PicturePtr> pictures;
+        for (std::size_t i = 0; i < count; ++i) pictures.push_back(flat(0.1f * float(i)));
+        for (const auto& truth : {far, near})
+            if (std::find(references.begin(), references.end(), truth) != references.end())
+                pictures.push_back(truth);
+        references.resize(pictures.size());
+        view->set_pictures(pictures);
+        view->set_references(true, references);
+        view->set_stage_pair({StagePair::none, StagePair::reference});
+        wait_for_differences(*view);
+    };
+    view->resize(1400, 480);
+    show_methods({far, near});
+    ASSERT_EQ(view->views().size(), 4u);
+    EXPECT_EQ(view->views()[2]->x(), view->views()[3]->x()) << "both truths in one column";
+    EXPECT_EQ(view->views()[3]->y(), view->difference_views()[0]->y());
+    view->resize(600, 900);
+    show_methods({far, far});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() > view->views()[0]->y(); }, 5000));
+    EXPECT_EQ(view->views()[1]->y(), view->views()[0]->y());
+    const auto* truth = view->views()[2];
+    EXPECT_GT(truth->geometry().bottom(), truth->parentWidget()->height() - truth->height() / 2);
 }
 
 /// A view is told its mode before its pictures.
@@ -105,6 +157,31 @@ TEST(StagesOfAView, APairStaysThatOfItsPictures) {
     EXPECT_EQ(state.pair, (StagePair{StagePair::none, 2})) << "d still";
     leave("d");
     EXPECT_EQ(state.pair, StagePair());
+}
+
+TEST(StagesOfAView, ThePairMovesWithPicturesThatChangePlaces) {
+    ViewState state;
+    state.mode = ViewMode::stages;
+    state.a = {"a", ""};
+    state.b = {"other", ""};
+    state.more = {{"b", ""}, {"c", ""}};
+    state.pair = {1, 2};
+    state.chain = true;
+    swap_first(state);
+    EXPECT_EQ(state.a.owner, "b");
+    EXPECT_EQ(state.more.front().owner, "a");
+    EXPECT_EQ(state.b.owner, "other");
+    EXPECT_EQ(state.pair, (StagePair{0, 2}));
+    EXPECT_FALSE(state.chain) << "else its order would come back";
+    state.pair = {StagePair::none, StagePair::reference};
+    swap_first(state);
+    EXPECT_EQ(state.pair, (StagePair{StagePair::none, StagePair::reference}));
+    state.mode = ViewMode::wipe;
+    state.pair = {0, 1};
+    swap_first(state);
+    EXPECT_EQ(state.a.owner, "other");
+    EXPECT_EQ(state.b.owner, "a");
+    EXPECT_EQ(state.pair, (StagePair{0, 1}));
 }
 
 TEST_P(StagesTest, WrapWhereThatShowsThemLarger) {
@@ -205,7 +282,8 @@ TEST_P(StagesTest, TheReferenceIsInTheListWhereThereIsOne) {
     const int last = list("stage-b")->count() - 1;
     auto* item = qobject_cast<QStandardItemModel*>(list("stage-b")->model())->item(last);
     EXPECT_FALSE(item->isEnabled());
-    view->set_reference(true, flat(0.45f, "truth"));
+    const auto truth = flat(0.45f, "truth");
+    view->set_references(true, {truth, truth, truth});
     EXPECT_TRUE(qobject_cast<QStandardItemModel*>(list("stage-b")->model())->item(last)->isEnabled());
     choose(list("stage-a"), 2);
     choose(list("stage-b"), last);
@@ -213,7 +291,7 @@ TEST_P(StagesTest, TheReferenceIsInTheListWhereThereIsOne) {
     ASSERT_EQ(view->difference_views().size(), 3u);
     EXPECT_EQ(view->panes().captions().last(), "RMSE 0.05");
     EXPECT_FLOAT_EQ(view->views().back()->image().at(0, 0), 0.45f);
-    view->set_reference(false, nullptr);
+    view->set_references(false, {});
     EXPECT_EQ(view->difference_views().size(), 2u);
 }
 

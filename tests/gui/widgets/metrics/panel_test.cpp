@@ -25,8 +25,7 @@ class MetricsPanelTest : public testing::Test {
     }
     MetricsFields fields() const {
         MetricsFields fields;
-        fields.label_a = "ours";
-        fields.label_b = "truth";
+        fields.pairs = {{"A", "B", "ours", "truth"}};
         fields.size = {32, 24};
         return fields;
     }
@@ -47,7 +46,7 @@ class MetricsPanelTest : public testing::Test {
 
 TEST_F(MetricsPanelTest, ValuesAreThoseOfTheMetrics) {
     const QRect rectangle(2, 3, 10, 6);
-    panel.measure(request_of(ours, truth, rectangle));
+    panel.measure({request_of(ours, truth, rectangle)});
     wait_for(panel);
     const auto whole = compute_metrics(*ours->image, *truth->image, metric_names());
     MetricOptions options;
@@ -73,18 +72,18 @@ TEST_F(MetricsPanelTest, MasksAndGapsOfAtlasesDoNotCount) {
     Image corner(32, 24, 1);
     for (int y = 0; y < 12; ++y)
         for (int x = 0; x < 16; ++x) corner.at(x, y) = 1;
-    panel.measure(request);
+    panel.measure({request});
     wait_for(panel);
     EXPECT_TRUE(find<QLabel>("pixels")->text().contains("736 pixels compared, 32 skipped"))
         << find<QLabel>("pixels")->text().toStdString();
     request.mask = make_picture(corner, Semantic::mask, "corner");
     request.pair = "with a mask";
-    panel.measure(request);
+    panel.measure({request});
     wait_for(panel);
     EXPECT_NEAR(value("mae"), 0.05, 1e-6);
     auto tiled = *ours;
     tiled.atlas.tiles = {{0, 0, 0, 0, 16, 12}};
-    panel.measure(request_of(std::make_shared<const Picture>(tiled), truth));
+    panel.measure({request_of(std::make_shared<const Picture>(tiled), truth)});
     wait_for(panel);
     EXPECT_NEAR(value("mae"), 0.05, 1e-6);
 }
@@ -92,16 +91,16 @@ TEST_F(MetricsPanelTest, MasksAndGapsOfAtlasesDoNotCount) {
 TEST_F(MetricsPanelTest, WhatDoesNotFitIsRefusedInOneLine) {
     auto* line = find<QLabel>("refusal");
     auto* anyway = find<QPushButton>("override");
-    panel.measure(request_of(radiance(ramp(16, 24)), truth));
+    panel.measure({request_of(radiance(ramp(16, 24)), truth)});
     wait_for(panel);
     EXPECT_TRUE(line->text().contains("16×24") && line->text().contains("32×24"));
     EXPECT_FALSE(line->text().contains('\n'));
     EXPECT_FALSE(anyway->isVisible());
     EXPECT_EQ(shown("rmse"), "");
-    panel.measure(request_of(radiance(ramp(32, 24, 1)), truth, {}, "2"));
+    panel.measure({request_of(radiance(ramp(32, 24, 1)), truth, {}, "2")});
     wait_for(panel);
     EXPECT_TRUE(line->text().contains("hannels differ"));
-    panel.measure(request_of(ours, truth, {}, "3"));
+    panel.measure({request_of(ours, truth, {}, "3")});
     wait_for(panel);
     EXPECT_FALSE(line->isVisible());
     EXPECT_NE(shown("rmse"), "");
@@ -114,7 +113,7 @@ TEST_F(MetricsPanelTest, ATurnedPictureIsSuspectedUnlessSomebodyInsists) {
         for (int x = 0; x < 32; ++x)
             for (int c = 0; c < 3; ++c) turned.at(x, y, c) = upright.at(x, 23 - y, c);
     auto request = request_of(radiance(turned), truth);
-    panel.measure(request);
+    panel.measure({request});
     wait_for(panel);
     auto* anyway = find<QPushButton>("override");
     EXPECT_TRUE(find<QLabel>("refusal")->text().contains("upside down"))
@@ -124,21 +123,21 @@ TEST_F(MetricsPanelTest, ATurnedPictureIsSuspectedUnlessSomebodyInsists) {
     QTest::mouseClick(anyway, Qt::LeftButton);
     EXPECT_EQ(wanted.count(), 1);
     request.anyway = true;
-    panel.measure(request);
+    panel.measure({request});
     wait_for(panel);
     EXPECT_FALSE(find<QLabel>("refusal")->isVisible());
     EXPECT_GT(value("rmse"), 0.05);
 }
 
 TEST_F(MetricsPanelTest, BeforeIsTheLastComputationNotTheLastFrame) {
-    panel.measure(request_of(radiance(with_error(ramp(), 0.1f)), truth, {}, "first"));
+    panel.measure({request_of(radiance(with_error(ramp(), 0.1f)), truth, {}, "first")});
     wait_for(panel);
     auto* table = find<QTableView>("metrics");
     EXPECT_TRUE(table->isColumnHidden(Model::image_before));
-    panel.measure(request_of(radiance(with_error(ramp(), 0.08f)), truth, {}, "first"));  // its next frame
+    panel.measure({request_of(radiance(with_error(ramp(), 0.08f)), truth, {}, "first")});  // its next frame
     wait_for(panel);
     EXPECT_TRUE(table->isColumnHidden(Model::image_before));
-    panel.measure(request_of(ours, truth, {}, "second"));
+    panel.measure({request_of(ours, truth, {}, "second")});
     wait_for(panel);
     EXPECT_FALSE(table->isColumnHidden(Model::image_before));
     EXPECT_NEAR(value("mae", Model::image_before), 0.08 / 4, 1e-6);
@@ -147,7 +146,7 @@ TEST_F(MetricsPanelTest, BeforeIsTheLastComputationNotTheLastFrame) {
     EXPECT_TRUE(shown("psnr").startsWith(QStringLiteral("▲")));
     auto other = request_of(ours, truth, {}, "second");
     other.pair = "another";
-    panel.measure(other);
+    panel.measure({other});
     wait_for(panel);
     EXPECT_TRUE(table->isColumnHidden(Model::image_before));
 }
@@ -168,7 +167,7 @@ TEST(MetricsModelTest, TrendsKnowWhatIsBetter) {
     auto result = std::make_shared<MetricsResult>();
     result->complete = true;
     history.take(result);
-    model.show(history);
+    model.show({{history}});
     EXPECT_EQ(model.rowCount(), int(metrics().size()));
     EXPECT_EQ(model.columnCount(), int(Model::columns));
     for (int row = 0; row < model.rowCount(); ++row)
@@ -188,7 +187,7 @@ TEST(MetricsModelTest, SlowMetricsKeepTheirLastValueUntilTheNewOneComes) {
     MetricsHistory history;
     history.take(result("1", true, {{"rmse", 0.2}, {"flip", 0.5}}));
     history.take(result("2", false, {{"rmse", 0.1}}));
-    model.show(history);
+    model.show({{history}});
     const auto shown = [&](const char* metric) {
         return model.index(row_of(metric), Model::image_column).data().toString();
     };
@@ -198,26 +197,26 @@ TEST(MetricsModelTest, SlowMetricsKeepTheirLastValueUntilTheNewOneComes) {
     EXPECT_FALSE(model.value(row_of("flip"), Model::image_column));  // and is not copied
     EXPECT_EQ(shown("ssim"), QStringLiteral("…"));
     history.take(result("2", true, {{"rmse", 0.1}, {"flip", 0.6}}));
-    model.show(history);
+    model.show({{history}});
     EXPECT_EQ(shown("flip"), QStringLiteral("▲ 0.6"));
 }
 
 TEST_F(MetricsPanelTest, TheNewestQuestionWins) {
     const auto large = [](float error) { return radiance(with_error(ramp(512, 512), error)); };
     const auto reference = radiance(ramp(512, 512));
-    panel.measure(request_of(large(0.1f), reference));
+    panel.measure({request_of(large(0.1f), reference)});
     auto last = request_of(large(0.04f), reference, QRect(0, 0, 4, 4));
-    panel.measure(request_of(large(0.2f), reference, QRect(1, 1, 4, 4)));
-    panel.measure(last);
+    panel.measure({request_of(large(0.2f), reference, QRect(1, 1, 4, 4))});
+    panel.measure({last});
     EXPECT_TRUE(panel.is_computing());
     EXPECT_TRUE(find<QLabel>("pixels")->text().contains("measuring"));
     wait_for(panel);
     EXPECT_NEAR(value("mae"), 0.01, 1e-6);
     EXPECT_NEAR(value("mae", Model::rectangle_column), 0.04, 1e-6);
     QSignalSpy measured(&panel, &MetricsPanel::measured);
-    panel.measure(last);  // the same again costs nothing
+    panel.measure({last});  // the same again costs nothing
     EXPECT_FALSE(panel.is_computing());
-    panel.clear();
+    panel.measure({});
     EXPECT_EQ(shown("mae"), "");
 }
 
@@ -275,7 +274,7 @@ TEST_F(MetricsPanelTest, AClickedNumberIsReplacedAndMovesTheRectangleAsItIs) {
 
 TEST_F(MetricsPanelTest, NumbersAreCopied) {
     EXPECT_TRUE(panel.csv().isEmpty());
-    panel.measure(request_of(ours, truth, QRect(0, 0, 8, 8)));
+    panel.measure({request_of(ours, truth, QRect(0, 0, 8, 8))});
     wait_for(panel);
     const auto lines = panel.csv().split('\n');
     EXPECT_EQ(lines[0], "metric,image,rectangle");
@@ -287,15 +286,53 @@ TEST_F(MetricsPanelTest, NumbersAreCopied) {
     EXPECT_TRUE(panel.text().contains("x 0 y 0, 8×8"));
 }
 
+TEST_F(MetricsPanelTest, EveryPairOfARowHasItsNumbers) {
+    auto row = fields();
+    row.pairs.push_back({"C", "D", "theirs", "near truth"});
+    row.pairs.push_back({"E", "D", "refused", "near truth", "another scene", true});
+    panel.set_fields(row);
+    auto other = request_of(radiance(with_error(ramp(), 0.1f), "theirs"), truth);
+    other.pair = "other";
+    panel.measure({request_of(ours, truth), other, std::nullopt});
+    wait_for(panel);
+    EXPECT_NEAR(value("mae"), 0.05 / 4, 1e-6);
+    EXPECT_NEAR(value("mae", Model::column_of(1, Model::image_column)), 0.1 / 4, 1e-6);
+    EXPECT_EQ(shown("mae", Model::column_of(2, Model::image_column)), QStringLiteral("–"));
+    const auto heading = [&](int pair, int role) {
+        return panel.model()
+            .headerData(Model::column_of(pair, Model::image_column), Qt::Horizontal, role)
+            .toString();
+    };
+    EXPECT_EQ(heading(1, Qt::DisplayRole), QStringLiteral("C − D"));
+    EXPECT_TRUE(heading(1, Qt::ToolTipRole).contains("theirs against near truth"));
+    EXPECT_TRUE(heading(2, Qt::ToolTipRole).contains("another scene"));
+    auto* table = find<QTableView>("metrics");
+    EXPECT_FALSE(table->isColumnHidden(Model::column_of(1, Model::image_column)));
+    EXPECT_TRUE(table->isColumnHidden(Model::column_of(1, Model::rectangle_column)));
+    EXPECT_FALSE(find<QLabel>("picture-a")->isVisible());
+    EXPECT_EQ(find<QLabel>("refusal")->text(), QStringLiteral("E − D: another scene"));
+    QSignalSpy wanted(&panel, &MetricsPanel::override_wanted);
+    QTest::mouseClick(find<QPushButton>("override"), Qt::LeftButton);
+    EXPECT_EQ(wanted.last()[0].toInt(), 2);
+    EXPECT_TRUE(panel.csv().startsWith("a,b,metric,image\nours,truth,")) << panel.csv().toStdString();
+    EXPECT_TRUE(panel.csv().contains("theirs,truth,mae,")) << panel.csv().toStdString();
+    EXPECT_TRUE(panel.text().contains("A  theirs"));
+    panel.set_fields(fields());
+    panel.measure({request_of(ours, truth)});
+    wait_for(panel);
+    EXPECT_EQ(panel.model().columnCount(), int(Model::columns));
+    EXPECT_TRUE(find<QLabel>("picture-a")->isVisible());
+}
+
 TEST_F(MetricsPanelTest, SaysWhatToDoWithoutAPair) {
     panel.set_fields({.why_empty = "Choose two pictures."});
     EXPECT_TRUE(find<QLabel>("empty")->isVisible());
     EXPECT_FALSE(find<QTableView>("metrics")->isVisible());
     auto refused = fields();
-    refused.refusal = "A and B do not compute the same: max_distance 1 / 2";
-    refused.may_override = true;
+    refused.pairs[0].refusal = "A and B do not compute the same: max_distance 1 / 2";
+    refused.pairs[0].may_override = true;
     panel.set_fields(refused);
-    EXPECT_EQ(find<QLabel>("refusal")->text(), refused.refusal);
+    EXPECT_EQ(find<QLabel>("refusal")->text(), refused.pairs[0].refusal);
     EXPECT_TRUE(find<QPushButton>("override")->isVisible());
 }
 

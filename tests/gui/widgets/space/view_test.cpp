@@ -380,6 +380,25 @@ TEST_F(SpaceViewTest, ASphereFitsTheSmallerSide) {
     }
 }
 
+TEST_F(SpaceViewTest, ASphereStandsBelowItsLegend) {
+    view_.set_layers({default_layer(FakeSpace::directions())});
+    view_.resize(480, 130);
+    settle();
+    const CameraPose& pose = wanted_.back().camera.value();
+    const auto axes = camera_axes(pose);
+    const double half = std::tan(glm::radians(pose.fov_y_degrees / 2));
+    const double middle = std::atan(glm::dot(-pose.eye, axes.up) / glm::dot(-pose.eye, axes.forward));
+    const double of_sphere = std::asin(1 / glm::length(pose.eye));
+    const double height = view_.picture_area().height();
+    const double top = (1 - std::tan(middle + of_sphere) / half) / 2 * height;
+    const double bottom = (1 - std::tan(middle - of_sphere) / half) / 2 * height;
+    const double strip = legend_strip(1, view_.picture_area().size());
+    EXPECT_GT(strip, 0);
+    EXPECT_GE(top, strip);
+    EXPECT_LE(bottom, height);
+    EXPECT_GT(bottom - top, 0.8 * (height - strip));
+}
+
 TEST_F(SpaceViewTest, TicksAskForThePicture) {
     QSignalSpy changes(&view_, &SpaceView::scene_changed);
     action("show_scene")->trigger();
