@@ -15,7 +15,8 @@
 
 namespace ir::test {
 
-/// What the process holds, by name: memory in MiB, the others as numbers. Programs of OpenGL are counted
+/// What the process holds, by name: memory in MiB, the others as numbers. The heap is what was asked for and
+/// not given back; memory is what the allocator and the system make of it. Programs of OpenGL are counted
 /// apart: a library keeps some of them.
 using Use = std::map<std::string, double>;
 
@@ -27,7 +28,9 @@ inline Use use_now() {
     ::malloc_trim(0);  // what is free already is nobody's
     long pages = 0, resident = 0;
     std::ifstream("/proc/self/statm") >> pages >> resident;
+    const auto allocated = ::mallinfo2();  // of all arenas
     Use use{{"memory", double(resident * ::sysconf(_SC_PAGESIZE)) / (1 << 20)},
+            {"heap", double(allocated.uordblks + allocated.hblkhd) / (1 << 20)},
             {"handles", entries_in("/proc/self/fd")},
             {"threads", entries_in("/proc/self/task")},
             {"OpenGL objects", 0},

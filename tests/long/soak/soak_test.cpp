@@ -31,6 +31,8 @@ constexpr int patience_ms = 120'000;
 constexpr int long_ms = 4'000;
 constexpr int edits_between_measurements = 20;
 constexpr double most_growth = 1.02;
+/// Of memory: arenas of several threads are given back only as far as nothing lies at their ends.
+constexpr double most_growth_of_memory = 1.05;
 /// Of the last frames, which otherwise grow to 512 MiB as they are meant to.
 constexpr std::uint64_t most_past_bytes = 8 << 20;
 
@@ -87,7 +89,7 @@ void expect_flat(const std::vector<test::Use>& uses) {
     for (const auto& [kind, amount] : uses.back()) {
         if (kind == "programs") continue;
         std::cout << kind << " × " << test::growth(uses, kind) << std::endl;
-        EXPECT_LE(test::growth(uses, kind), most_growth) << kind;
+        EXPECT_LE(test::growth(uses, kind), kind == "memory" ? most_growth_of_memory : most_growth) << kind;
     }
 }
 
@@ -239,7 +241,10 @@ class Soak : public testing::TestWithParam<std::string> {
         window().views().set_mode(widgets::ViewMode::single);
         window().views().show_output("");
         window().live().render_again();
-        ASSERT_TRUE(real_.settle());
+        EXPECT_TRUE(real_.settle()) << "pictures "
+                                    << (window().live().is_settled() ? "settled" : "not settled")
+                                    << ", views "
+                                    << (window().workspace().is_settled() ? "settled" : "not settled");
         EXPECT_EQ(window().live().state(first_), LivePictures::State::done) << window().live().text(first_);
     }
 
