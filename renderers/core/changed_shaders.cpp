@@ -47,6 +47,8 @@ bool is_shader_name(const std::string& file) {
 /// "lib/random.glsl" of "b/shaders/lib/random.glsl": the rest that is a shader of the program, else the
 /// longest.
 std::string shader_named_by(const fs::path& path) {
+    constexpr std::size_t longest_path = 4096;  // each folder of it is tried as the first
+    if (path.native().size() > longest_path) return {};
     std::string longest;
     for (auto begin = path.begin(); begin != path.end(); ++begin) {
         if (std::count(shader_folders.begin(), shader_folders.end(), begin->string()) == 0) continue;

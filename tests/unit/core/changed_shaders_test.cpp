@@ -7,6 +7,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/line_diff.h"
 #include "tests/own_folder.h"
+#include "tests/processor_time.h"
 
 namespace ir {
 namespace {
@@ -43,6 +44,15 @@ TEST(ChangedShaders, FoldersInFrontOfADiffsNamesDoNotCount) {
     EXPECT_THROW(read_changes("no diff"), Error);
     EXPECT_THROW(read_changes("--- x\n+++ a/lib/a.glsl\n" + hunks + "--- x\n+++ b/lib/a.glsl\n" + hunks),
                  Error);
+}
+
+/// 16 kB took seconds, and twice as much four times as long.
+TEST(ChangedShaders, NamesOfVeryManyFoldersAreRefusedQuickly) {
+    std::string name;
+    for (int i = 0; i < 20000; ++i) name += "lib/";
+    const double start = processor_seconds();
+    EXPECT_THROW(read_changes("--- x\n+++ " + name + "a.glsl\n" + hunks), Error);
+    EXPECT_LT(processor_seconds() - start, 2);
 }
 
 TEST(ChangedShaders, AChangeThatDoesNotFitNamesFileAndHunk) {
