@@ -20,6 +20,7 @@ class FrameLists : public QObject {
     QWidget& timings() { return *timings_and_counters_; }
     /// Small pictures of the frame's images, by their keys, as far as somebody wants them.
     const std::map<std::string, QImage>& thumbnails() const { return thumbnails_; }
+    void update();
 
   signals:
     void changed();
@@ -30,7 +31,6 @@ class FrameLists : public QObject {
     void add_buffer_actions();
     void compare_with(const std::string& key);
     void clear();
-    void update();
 
     Session& session_;
     LivePictures& live_;
