@@ -272,8 +272,8 @@ std::string why_shaders_wait(const Project& project, const Experiment& experimen
     if (experiment.shaders.empty() || project.shaders_allowed || are_changed_shaders_allowed()) return "";
     return "it changes shaders (" +
            printable(listed(words_of(experiment.shaders, &ShaderChanges::value_type::first)), 300) +
-           "), and comes from somebody else; look at the changes, and allow them in the window or by "
-           "--allow-shaders";
+           "), and comes from somebody else; look at the changes, which `project` lists and the window "
+           "shows, and allow them by --allow-shaders or in the window";
 }
 
 }  // namespace ir::projects

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "renderers/core/error.h"
+#include "renderers/core/mapped_kind.h"
 #include "renderers/core/value.h"
 #include "renderers/core/words.h"
 #include "renderers/image/channels.h"
@@ -149,7 +150,8 @@ WrittenDifference write_difference(const Side& image, const Side& reference,
                                    reference.mask(), semantic_of(image, reference));
     const auto range = request.range ? *request.range : range_of(result.image, kind);
     WrittenDifference shown{kind.key, request.colour_map, range.first, range.second};
-    if (shown.colour_map.empty()) shown.colour_map = kind.has_sign ? "coolwarm" : "magma";
+    if (shown.colour_map.empty())
+        shown.colour_map = default_colour_map(kind.has_sign ? MappedKind::signed_errors : MappedKind::errors);
     if (kind.kind == DifferenceKind::significant)
         shown.significant_fraction = fraction_that_differs(result.image);
     if (extension(request) == ".png")

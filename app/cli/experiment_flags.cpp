@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <iostream>
+#include <set>
 
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
@@ -11,6 +13,7 @@
 #include "renderers/core/describe.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
+#include "renderers/core/words.h"
 
 namespace ir::cli {
 namespace {
@@ -87,14 +90,39 @@ void set_variant(const std::string& variant, projects::Project& project, const s
         for (auto& part : scene->parts) part.variant = variant;
 }
 
+/// Notes what of the experiment's own changes the file's take the place of.
 void change_shaders(projects::Experiment& experiment, const std::string& file) {
     try {
         auto changes = read_changes(real_file_system().read(file, most_changed_shaders * most_hunk_bytes));
-        for (auto& [shader, hunks] : changes) experiment.shaders[shader] = std::move(hunks);
+        std::vector<std::string> replaced;
+        for (auto& [shader, hunks] : changes) {
+            auto& change = experiment.shaders[shader];
+            if (!change.empty() && change != hunks) replaced.push_back(shader);
+            change = std::move(hunks);
+        }
         validate(experiment);
+        if (!replaced.empty())
+            std::cerr << "note: --shader-diff " << file << " takes the place of what "
+                      << (experiment.id.empty() ? "the experiment" : "experiment '" + experiment.id + "'")
+                      << " changes in " << listed(replaced) << "\n";
     } catch (const Error& error) {
         throw UsageError("--shader-diff '" + file + "': " + error.what());
     }
+}
+
+/// What --shader-diff changes is one's own: an experiment without other changes waits for nobody.
+void change_shaders(projects::Project& project, projects::Experiment& experiment,
+                    const std::vector<std::string>& files) {
+    std::set<std::string> others;
+    for (const auto& [shader, hunks] : experiment.shaders) others.insert(shader);
+    for (const auto& file : files) {
+        const auto before = experiment.shaders;
+        change_shaders(experiment, file);
+        for (const auto& [shader, hunks] : experiment.shaders)
+            if (const auto old = before.find(shader); old == before.end() || old->second != hunks)
+                others.erase(shader);
+    }
+    if (others.empty()) project.shaders_allowed = true;
 }
 
 }  // namespace
@@ -133,7 +161,7 @@ void apply(const ExperimentFlags& flags, projects::Project& project, projects::E
     if (!flags.seed.empty()) experiment.seed = parse_seed(flags.seed);
     if (flags.frames) experiment.frames = *flags.frames;
     if (flags.time) experiment.time = *flags.time;
-    for (const auto& file : flags.shader_diffs) change_shaders(experiment, file);
+    if (!flags.shader_diffs.empty()) change_shaders(project, experiment, flags.shader_diffs);
 }
 
 std::vector<Message> notes_of(const ExperimentFlags& flags, const std::string& method,

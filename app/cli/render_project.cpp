@@ -108,9 +108,10 @@ int render_project(const ProjectRender& job) {
     engine::Machine machine(machine_options(job.machine));
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     int status = done;
-    auto project = loaded.project;
+    std::map<std::string, projects::Project> changed;  // by experiment: what one may, others may not
     double frames = 0;
     for (const auto& id : std::set(ids.begin(), ids.end())) {
+        auto& project = changed[id] = loaded.project;
         auto& experiment = *projects::find_item(project.experiments, id);
         try {
             if (job.changes != ExperimentFlags{}) apply(job.changes, project, experiment);
@@ -128,6 +129,7 @@ int render_project(const ProjectRender& job) {
             write_file(json, all.dump(2) + "\n");
     };
     for (const auto& id : ids) {
+        const auto& project = changed.at(id);
         const auto& experiment = *projects::find_item(project.experiments, id);
         try {
             const auto statistics = render_one(job, machine, project, experiment, loaded.folder, line);

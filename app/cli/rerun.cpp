@@ -14,9 +14,11 @@
 #include "app/engine/pictures.h"
 #include "app/engine/run_frames.h"
 #include "app/engine/version.h"
+#include "projects/check.h"
 #include "projects/document_json.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::cli {
@@ -149,6 +151,13 @@ int rerun(const RerunFlags& flags) {
     if (!flags.out.empty()) require_picture(flags.out, dumps);
     move_files(flags, original);
     apply(flags.changes, original.project, original.experiment());
+    if (!projects::why_shaders_wait(original.project, original.experiment()).empty())
+        throw InputError(
+            flags.file, "",
+            "was rendered with changed shaders (" +
+                listed(words_of(original.experiment().shaders, &ShaderChanges::value_type::first)) +
+                "), and a picture may come from anybody; give --allow-shaders if it is yours, or "
+                "if you trust who made it");
     engine::Machine machine(machine_options(flags.machine));
     engine::Execution execution(machine, engine::from_project(original.project, original.experiment(), {}));
     auto options = frame_options(flags.machine, dumps);

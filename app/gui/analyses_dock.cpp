@@ -79,6 +79,11 @@ AnalysesDock::AnalysesDock(Session& session, const Preferences& preferences, eng
     connect(&session_, &Session::project_replaced, this, &AnalysesDock::forget_all);
     connect(&session_, &Session::document_changed, this, &AnalysesDock::follow_document);
     connect(&session_.files(), &ProjectFiles::files_changed, this, &AnalysesDock::look);
+    connect(&preferences_, &Preferences::maps_changed, this, [this] {
+        for (auto& [id, answer] : answers_)
+            if (answer.kept) answer.pictures = shown(answer.kept->result);
+        update();
+    });
     update();
 }
 

@@ -31,6 +31,7 @@ struct Layout {
     QStringList docks;            ///< that are shown
     const char* title = nullptr;  ///< in menus; null: only by its name
     widgets::ViewArea::Arrangement views = widgets::ViewArea::Arrangement::one;
+    const char* former = nullptr;  ///< name that it had, which still stands in people's scripts
 };
 
 const QList<Layout>& layouts() {
@@ -50,12 +51,15 @@ const QList<Layout>& layouts() {
         {"frames", {"frames"}},
         {"benchmarks", {"benchmarks"}},
         {"profile", {"profile"}},
-        {"pipeline", {"pipeline"}, QT_TR_NOOP("Passes and filters")},
-        {"shaders", {"shaders"}},
-        {"inspect",
+        {"filters", {"display", "pipeline"}, QT_TR_NOOP("Filters")},
+        {"maps",
          {"display", "inspector", "buffers", "explain"},
-         QT_TR_NOOP("Maps and photons"),
-         two_views},
+         QT_TR_NOOP("Layered depth maps"),
+         two_views,
+         "inspect"},
+        {"photons", {"display", "explain", "timings"}, QT_TR_NOOP("Photons"), two_views},
+        {"pipeline", {"pipeline"}},
+        {"shaders", {"shaders"}},
         {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
     };
@@ -242,17 +246,25 @@ void DockLayout::hide_all() const {
     for (auto* each : docks()) each->hide();
 }
 
-void DockLayout::apply(const QString& name) {
-    for (const auto& layout : layouts()) {
-        if (name != QLatin1String(layout.name)) continue;
-        arrange();
-        views_.arrange(layout.views);
-        for (auto* each : docks()) each->setVisible(layout.docks.contains(each->objectName()));
-        if (wants_room(name)) window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);
-        return show(has_project_);
-    }
+QString DockLayout::present_name(const QString& name) {
+    for (const auto& layout : layouts())
+        if (name == QLatin1String(layout.name) || (layout.former && name == QLatin1String(layout.former)))
+            return QLatin1String(layout.name);
     throw UsageError("unknown layout '" + name.toStdString() + "'; known are " +
                      names().join(QStringLiteral(", ")).toStdString());
+}
+
+void DockLayout::apply(const QString& name) {
+    const auto& layout = *std::ranges::find(layouts(), present_name(name), &Layout::name);
+    arrange();
+    views_.arrange(layout.views);
+    QList<QDockWidget*> tall;
+    for (auto* each : docks()) {
+        each->setVisible(layout.docks.contains(each->objectName()));
+        if (!each->isHidden() && wants_room(each->objectName())) tall << each;
+    }
+    if (tall.size() == 1) window_.resizeDocks(tall, {window_.height() / 2}, Qt::Vertical);
+    show(has_project_);
 }
 
 QByteArray DockLayout::arrangement() const {

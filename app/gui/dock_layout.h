@@ -50,7 +50,9 @@ class DockLayout : public QObject {
     static QStringList names();
     /// Names and titles of those that a menu offers.
     static QList<std::pair<QString, QString>> titles();
-    /// An arrangement by its name. Throws UsageError that lists the known ones.
+    /// What an arrangement is called now; it may have been called otherwise. Throws UsageError that lists the
+    /// known ones.
+    static QString present_name(const QString& name);
     void apply(const QString& name);
     /// The panels as they stand, and back.
     QByteArray save() const { return arrangement(); }

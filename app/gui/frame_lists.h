@@ -27,6 +27,7 @@ class FrameLists : public QObject {
     void show_in_another_view(const std::string& key);
     /// Small pictures of the frame's images, by their keys, as far as somebody wants them.
     const std::map<std::string, QImage>& thumbnails() const { return thumbnails_; }
+    void update();
 
   signals:
     void changed();
@@ -37,7 +38,6 @@ class FrameLists : public QObject {
     void add_buffer_actions();
     void compare_with(const std::string& key);
     void clear();
-    void update();
 
     Session& session_;
     LivePictures& live_;

@@ -19,7 +19,6 @@
 #include "app/gui/gestures.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
-#include "renderers/core/resources_path.h"
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/style/icons.h"
 
@@ -134,8 +133,8 @@ void MainWindow::add_actions() {
                         [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     actions_.add("shortcuts", tr("&Keyboard shortcuts …"), nullptr, {K(Qt::Key_F1)},
                  [this] { show_shortcuts(); });
-    actions_.add("manual", tr("&Manual"), nullptr, {K(Qt::SHIFT | Qt::Key_F1)},
-                 [this] { show_page(text_of((data_directory() / "README.md").string())); });
+    actions_.add("manual", tr("&Manual"), nullptr, {ParameterDock::explain_key()},
+                 [this] { parameters_->explain(); });
     actions_.add("about", tr("&About Interreflect"), nullptr, {}, [this] { show_about(); });
 }
 
@@ -308,6 +307,8 @@ void MainWindow::join_pictures() {
 }
 
 void MainWindow::join_panels() {
+    connect(&preferences_, &Preferences::maps_changed, &workspace_, &Workspace::show_displays);
+    connect(&preferences_, &Preferences::maps_changed, &lists_, &FrameLists::update);
     connect(messages_, &widgets::MessagesPanel::go_to, &joins_,
             [this](const Message& message) { go_to(message); });
     connect(&workspace_, &Workspace::menu_wanted, &joins_,
@@ -500,8 +501,7 @@ void MainWindow::show_shortcuts() {
 
 void MainWindow::show_page(const QString& file, const QString& key) {
     if (!manual_) manual_ = new widgets::ManualWindow(this);
-    manual_->show_page(file);
-    if (!key.isEmpty() && !manual_->go_to_key(key)) notices_.say(tr("This page does not name %1").arg(key));
+    manual_->show_page(file, key);
 }
 
 void MainWindow::show_about() {

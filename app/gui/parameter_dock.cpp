@@ -1,12 +1,11 @@
 #include "app/gui/parameter_dock.h"
 
-#include <QFile>
 #include <QLineEdit>
-#include <QMenu>
 #include <QVBoxLayout>
 
 #include "app/gui/text_of.h"
 #include "renderers/core/resources_path.h"
+#include "widgets/panels/manual_window.h"
 
 namespace ir::gui {
 namespace {
@@ -32,7 +31,7 @@ ParameterDock::ParameterDock(Session& session, SceneShelf& scenes, Notices& noti
       scenes_(scenes),
       notices_(notices),
       experiment_(new widgets::ExperimentPanel),
-      parameters_(new widgets::ParameterPanel),
+      parameters_(new widgets::ParameterPanel(nullptr, explain_key())),
       filter_(new QLineEdit) {
     filter_->setObjectName(QStringLiteral("parameter-filter"));
     filter_->setPlaceholderText(tr("Filter parameters"));
@@ -96,8 +95,7 @@ void ParameterDock::connect_parameters() {
         });
         if (!done) update_panels();  // a refused value leaves the editor again
     });
-    parameters_->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(parameters_, &Panel::customContextMenuRequested, this, &ParameterDock::show_menu);
+    connect(parameters_, &Panel::explanation_wanted, this, &ParameterDock::explain_parameter);
     connect(parameters_, &Panel::gesture_finished, this, [this] { session_.end_gesture(); });
     connect(parameters_, &Panel::reset_chosen, this, [this](const std::string& key) {
         edit([&](const Project& p, Id id) { return edits::reset_value(p, session_.registry(), id, key); });
@@ -105,19 +103,24 @@ void ParameterDock::connect_parameters() {
     });
 }
 
-/// Of the row at a place of the panel.
-void ParameterDock::show_menu(QPoint place) {
-    const auto key = text_of(parameters_->key_at(place));
+void ParameterDock::explain() {
+    const auto key = parameters_->focused_key();
+    if (!key.empty()) return explain_parameter(key);
+    emit page_wanted(text_of((data_directory() / "README.md").string()), {});
+}
+
+/// The method's page, or that of parameters which methods share.
+void ParameterDock::explain_parameter(const std::string& key) {
     const auto* method = session_.method();
-    if (key.isEmpty() || !method) return;
-    const auto file = text_of((data_directory() / "docs/methods" / (method->id + ".md")).string());
-    auto* menu = new QMenu(parameters_);
-    menu->setObjectName(QStringLiteral("parameter-menu"));
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    auto* explain = menu->addAction(tr("What it is"));
-    explain->setEnabled(QFile::exists(file));
-    connect(explain, &QAction::triggered, this, [this, file, key] { emit page_wanted(file, key); });
-    menu->popup(parameters_->mapToGlobal(place));
+    if (!method) return;
+    const auto docs = data_directory() / "docs";
+    const auto page = widgets::page_with({text_of((docs / "methods" / (method->id + ".md")).string()),
+                                          text_of((docs / "parameters.md").string())},
+                                         text_of(key));
+    if (page.isEmpty())
+        notices_.say(tr("The manual does not name %1").arg(text_of(key)));
+    else
+        emit page_wanted(page, text_of(key));
 }
 
 void ParameterDock::choose_method(const QString& method) {

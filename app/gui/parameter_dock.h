@@ -22,13 +22,16 @@ class ParameterDock : public QScrollArea {
     void use_scene_camera(const QString& name);
     /// Scrolls to a parameter of the method and gives it the keyboard.
     void show_parameter(const std::string& key);
+    /// Asks for the manual's page of the parameter that has the keyboard, for its first page where none has.
+    void explain();
+    static QKeySequence explain_key() { return Qt::SHIFT | Qt::Key_F1; }
 
   signals:
     /// A page of the manual, and the parameter that it is opened for.
     void page_wanted(const QString& file, const QString& key);
 
   private:
-    void show_menu(QPoint place);
+    void explain_parameter(const std::string& key);
     void connect_experiment();
     void connect_parameters();
     void choose_method(const QString& method);

@@ -7,6 +7,7 @@
 #include "projects/document.h"
 #include "projects/scene_files.h"
 #include "renderers/image/channels.h"
+#include "widgets/image/preferred_maps.h"
 #include "widgets/views/view_header.h"
 
 namespace ir::gui {
@@ -326,6 +327,7 @@ widgets::Display PictureSource::automatic_display(const ViewSource& source) {
         found.automatic = widgets::display_for(picture.semantic, picture.colour_map, *picture.image,
                                                picture.atlas, picture.categories);
     }
+    found.automatic.colour_map = widgets::preferred_map(picture.semantic, picture.colour_map);
     return found.automatic;
 }
 

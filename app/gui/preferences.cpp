@@ -7,10 +7,34 @@
 
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
+#include "renderers/image/colour_map.h"
 #include "widgets/panels/preferences_dialog.h"
 
 namespace ir::gui {
 namespace {
+
+constexpr int smallest_font = 6;  ///< points; that can be read, and changed back
+
+constexpr const char* map_prefix = "map_";  ///< of keys
+
+/// Of colour_map_names().
+enum class Map : std::size_t {};
+Map default_map(MappedKind kind) {
+    const auto& names = colour_map_names();
+    return Map(std::find(names.begin(), names.end(), default_colour_map(kind)) - names.begin());
+}
+std::string name_of(Map map) {
+    return colour_map_names().at(std::size_t(map));
+}
+
+struct Maps {
+    Map errors = default_map(MappedKind::errors);
+    Map signed_errors = default_map(MappedKind::signed_errors);
+    Map depths = default_map(MappedKind::depths);
+    Map probabilities = default_map(MappedKind::probabilities);
+    Map counts = default_map(MappedKind::counts);
+    Map numbers = default_map(MappedKind::numbers);
+};
 
 struct Values {
     enum class Shade { system, dark, light };
@@ -18,7 +42,27 @@ struct Values {
     int font_size = 0;
     engine::MachineSettings machine;
     bool drafts = true;
+    Maps maps;
 };
+
+ParameterTable<Maps> map_table() {
+    std::vector<Choice> choices;
+    for (const auto& name : colour_map_names()) choices.push_back({name, name, ""});
+    ParameterTable<Maps> t;
+    const auto add = [&](Map Maps::*map, const char* key, const char* label, const char* doc) {
+        t.add(map, {.key = std::string(map_prefix) + key, .label = label, .doc = doc, .choices = choices});
+    };
+    add(&Maps::errors, "errors", "Colours of errors",
+        "Of absolute, relative and squared differences and of ꟻLIP.");
+    add(&Maps::signed_errors, "signed", "Colours of signed differences",
+        "The middle of the map is 0; one that goes two ways from there tells the signs apart.");
+    add(&Maps::depths, "depths", "Colours of depths", "Of depths and distances.");
+    add(&Maps::probabilities, "probabilities", "Colours of probabilities", "");
+    add(&Maps::counts, "counts", "Colours of counts", "");
+    add(&Maps::numbers, "numbers", "Colours of other numbers",
+        "Of accessibility, masks and whatever else is one number a pixel.");
+    return t;
+}
 
 const ParameterTable<Values>& table() {
     static const auto all = [] {
@@ -35,6 +79,7 @@ const ParameterTable<Values>& table() {
                                           "Letters over pictures stay as they are.",
                                    .unit = "pt",
                                    .hard = {0, 32}});
+        t.include(&Values::maps, map_table());
         t.include(&Values::machine, engine::machine_settings());
         return t.add(&Values::drafts, {.key = "drafts",
                                        .label = "Coarse pictures first",
@@ -54,11 +99,22 @@ Preferences::Preferences(bool remember, const engine::MachineFlags& flags, const
     : remember_(remember), options_(engine::machine_options(flags)), settings_(defaults(descriptions())) {
     if (remember_) read();
     give(flags, theme);
+    widgets::prefer_maps(maps());
 }
 
 const std::vector<ParameterDescription>& Preferences::descriptions() {
     static const auto all = table().descriptions();
     return all;
+}
+
+/// One step below the smallest size of letters is the desktop's, one above that the smallest. Throws
+/// UsageError.
+Value Preferences::allowed(const std::string& key, const Value& value) const {
+    const auto checked = find(descriptions(), key)->checked(value);
+    const auto* size = std::get_if<std::int64_t>(&checked);
+    if (key != "font_size" || !size || *size == 0 || *size >= smallest_font) return checked;
+    const bool steps_down = *size == smallest_font - 1 && font_size() == smallest_font;
+    return std::int64_t{steps_down ? 0 : smallest_font};
 }
 
 /// What another version or a hand has written and is not allowed counts as never chosen.
@@ -68,7 +124,7 @@ void Preferences::read() {
         const auto text = kept.value(entry_of(each.key)).toString();
         if (text.isEmpty()) continue;
         try {
-            settings_[each.key] = each.parse(text.toStdString());
+            settings_[each.key] = allowed(each.key, each.parse(text.toStdString()));
         } catch (const UsageError&) {
         }
     }
@@ -87,11 +143,14 @@ void Preferences::give(const engine::MachineFlags& flags, const std::string& the
 }
 
 void Preferences::set(const std::string& key, const Value& value) {
-    const auto checked = find(descriptions(), key)->checked(value);
+    const auto checked = allowed(key, value);
     if (given_.count(key) || settings_.at(key) == checked) return;
     if (remember_) QSettings().setValue(entry_of(key), text_of(to_string(checked)));
     settings_[key] = checked;
     emit changed(key);
+    if (!key.starts_with(map_prefix)) return;
+    widgets::prefer_maps(maps());
+    emit maps_changed();
 }
 
 void Preferences::reset(const std::string& key) {
@@ -123,9 +182,15 @@ widgets::Theme Preferences::theme() const {
 }
 
 int Preferences::font_size() const {
-    constexpr int smallest = 6;  // that can be read, and changed back
-    const int chosen = table().typed(settings_).font_size;
-    return chosen > 0 ? std::max(chosen, smallest) : 0;
+    return table().typed(settings_).font_size;
+}
+
+widgets::PreferredMaps Preferences::maps() const {
+    const auto maps = table().typed(settings_).maps;
+    return {
+        {MappedKind::errors, name_of(maps.errors)}, {MappedKind::signed_errors, name_of(maps.signed_errors)},
+        {MappedKind::depths, name_of(maps.depths)}, {MappedKind::probabilities, name_of(maps.probabilities)},
+        {MappedKind::counts, name_of(maps.counts)}, {MappedKind::numbers, name_of(maps.numbers)}};
 }
 
 bool Preferences::drafts() const {
@@ -161,7 +226,11 @@ void PreferencesController::show() {
     auto* dialog = new Dialog(Preferences::descriptions(), &window_);
     const auto update = [this, dialog] { dialog->set_values(preferences_.settings(), preferences_.given()); };
     connect(&preferences_, &Preferences::changed, dialog, update);
-    connect(dialog, &Dialog::value_chosen, &preferences_, &Preferences::set);
+    connect(dialog, &Dialog::value_chosen, &preferences_,
+            [=, this](const std::string& key, const Value& value) {
+                preferences_.set(key, value);
+                update();  // another value may have been taken
+            });
     connect(dialog, &Dialog::reset_chosen, &preferences_, &Preferences::reset);
     update();
     dialog->show();

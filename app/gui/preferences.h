@@ -9,6 +9,7 @@
 #include "app/engine/machine_settings.h"
 #include "app/gui/actions.h"
 #include "app/gui/live_pictures.h"
+#include "widgets/image/preferred_maps.h"
 #include "widgets/style/theme.h"
 
 namespace ir::gui {
@@ -36,11 +37,14 @@ class Preferences : public QObject {
     widgets::Theme theme() const;
     int font_size() const;  ///< points; 0: the desktop's
     bool drafts() const;    ///< coarser pictures are shown before the full ones
+    widgets::PreferredMaps maps() const;
 
   signals:
     void changed(const std::string& key);
+    void maps_changed();  ///< other colour maps are preferred
 
   private:
+    Value allowed(const std::string& key, const Value& value) const;
     void read();
     void give(const engine::MachineFlags& flags, const std::string& theme);
 

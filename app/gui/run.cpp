@@ -44,6 +44,15 @@ struct Arguments {
     bool needs_screen() const { return !takes_picture() && !exports(); }
 };
 
+/// Throws UsageError for one that no layout has or had.
+void take_present_name(std::string& layout) {
+    if (layout.empty()) return;
+    const auto present = DockLayout::present_name(QString::fromStdString(layout)).toStdString();
+    if (present != layout)
+        std::cerr << "interreflect: the layout '" << layout << "' is called '" << present << "' now\n";
+    layout = present;
+}
+
 void describe(CLI::App& command, Arguments& arguments) {
     command.set_version_flag("--version", "interreflect " + engine::version_and_commit());
     command.add_option("project", arguments.project,
@@ -258,10 +267,7 @@ int run(int argc, char** argv) {
         engine::machine_options(arguments.machine);
         engine::parse_bytes(arguments.machine.memory);
         if (!arguments.size.empty()) projects::parse_size(arguments.size, "--size");
-        if (!arguments.layout.empty() &&
-            !DockLayout::names().contains(QString::fromStdString(arguments.layout)))
-            throw UsageError("unknown layout '" + arguments.layout + "'; known are " +
-                             DockLayout::names().join(", ").toStdString());
+        take_present_name(arguments.layout);
         if (!arguments.set_up.empty() && arguments.project.empty())
             throw UsageError("--set-up needs a project or a scene to begin with");
         if (!arguments.plot.empty() && arguments.project.empty())

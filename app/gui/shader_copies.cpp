@@ -33,6 +33,13 @@ bool has_text(const fs::path& file, const std::string& text) {
     }
 }
 
+/// In lines that are added or removed.
+int length(const std::string& hunks) {
+    if (hunks.empty()) return 0;
+    const auto lines = count_lines(hunks);
+    return lines.added + lines.removed;
+}
+
 fs::path unsaved_folder() {
     return shader_copies_folder() / ("unsaved-" + std::to_string(QCoreApplication::applicationPid()));
 }
@@ -89,6 +96,11 @@ bool ShaderCopies::is_taken(const Copy& copy) const {
     }
 }
 
+void ShaderCopies::look_at_base(Copy& copy) const {
+    auto base = read(shaders_ / copy.file);
+    if (copy.bases.empty() || copy.bases.back() != base) copy.bases.push_back(std::move(base));
+}
+
 void ShaderCopies::watch(const fs::path& path) {
     // Editors write another file and give it the name: only its folder hears of that.
     for (const auto& each : {gui::text_of(path.string()), gui::text_of(path.parent_path().string())})
@@ -103,7 +115,9 @@ fs::path ShaderCopies::open(const std::string& experiment, const std::string& fi
     const auto path = folder() / experiment / file;
     auto text = text_of(experiment, file);
     real_file_system().create_directories(path.parent_path());
-    Copy copy{experiment, file, text, {}};
+    Copy copy{.experiment = experiment, .file = file, .text = text};
+    if (const auto known = copies_.find(path); known != copies_.end()) copy.bases = known->second.bases;
+    look_at_base(copy);
     write(path, copy, std::move(text));
     copies_[path] = std::move(copy);
     return path;
@@ -114,7 +128,9 @@ void ShaderCopies::write(const fs::path& path, Copy& copy, std::string text) {
     std::error_code ignored;
     if (!has_text(path, text)) {
         if (fs::is_regular_file(path, ignored) && !has_text(path, copy.text)) {
-            const auto aside = path.string() + ".before";
+            auto aside = path.string() + ".before";
+            for (int number = 2; fs::exists(aside, ignored); ++number)
+                aside = path.string() + ".before-" + std::to_string(number);
             real_file_system().rename(path, aside);
             emit session_.message(
                 {Severity::warning, "shaders",
@@ -126,6 +142,47 @@ void ShaderCopies::write(const fs::path& path, Copy& copy, std::string text) {
     watch(path);
 }
 
+/// What a person has saved becomes the experiment's change. Against another shader of the program than it was
+/// made of, it would take back what is new there.
+void ShaderCopies::take_up(const fs::path& path, Copy& copy, std::string text) {
+    const auto saved = text;
+    look_at_base(copy);
+    const auto& base = copy.bases.back();
+    auto hunks = line_diff(base, saved);
+    bool is_moved = false;
+    // An editor that had the copy open may have an older one: it saves what is least of a change.
+    std::string own = hunks;
+    for (const auto& older : copy.bases)
+        if (auto change = line_diff(older, saved); length(change) < length(own)) own = std::move(change);
+    if (own != hunks) {
+        try {
+            text = own.empty() ? base : apply_line_diff(base, own);
+            hunks = line_diff(base, text);
+            is_moved = true;
+        } catch (const Error& error) {
+            copy.refused = saved;
+            throw Error(path.string() + ": the program's " + copy.file +
+                        " has changed where yours does, so nothing was taken up: " + error.what() +
+                        "; put your lines into the copy that is opened anew");
+        }
+    }
+    const auto before = std::exchange(copy.text, text);
+    session_.edit([&](const projects::Project& project) {
+        return projects::edits::set_shader(project, copy.experiment, copy.file, hunks);
+    });
+    session_.end_gesture();
+    if (!is_taken(copy)) {
+        copy.text = before;
+        copy.refused = saved;
+    } else if (is_moved) {
+        write_file(path, text);
+        watch(path);
+        emit session_.message({Severity::note, "shaders",
+                               path.string() + ": the program's " + copy.file +
+                                   " has changed since it was opened; your change was moved onto it"});
+    }
+}
+
 void ShaderCopies::follow_files() {
     for (auto& [path, copy] : copies_) {
         std::error_code ignored;
@@ -134,15 +191,7 @@ void ShaderCopies::follow_files() {
         try {
             auto text = read(path);
             if (text.empty() || text == copy.text || text == copy.refused) continue;  // empty: being written
-            const auto hunks = line_diff(read(shaders_ / copy.file), text);
-            const auto before = std::exchange(copy.text, text);
-            session_.edit([&, &copy = copy](const projects::Project& project) {
-                return projects::edits::set_shader(project, copy.experiment, copy.file, hunks);
-            });
-            session_.end_gesture();
-            if (is_taken(copy)) continue;
-            copy.text = before;
-            copy.refused = std::move(text);
+            take_up(path, copy, std::move(text));
         } catch (const Error& error) {
             emit session_.message({Severity::error, "shaders", error.what()});
         }
@@ -155,6 +204,7 @@ void ShaderCopies::follow_document() {
         try {
             auto text = text_of(copy.experiment, copy.file);
             copy.refused.clear();  // it may be none now
+            look_at_base(copy);
             if (text != copy.text) write(path, copy, std::move(text));
         } catch (const Error&) {
             // What does not fit is told where it is rendered; what cannot be written is written the next

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <filesystem>
 #include <map>
+#include <vector>
 
 #include "app/gui/session.h"
 
@@ -13,7 +14,8 @@ namespace ir::gui {
 /// Copies of shader files that a person edits for an experiment, with an editor of their own. What is saved
 /// in one becomes the experiment's change of that file, in steps that can be undone; what is undone leaves
 /// the file again. They lie in the person's data. What no change can be made of stays in the file; where
-/// another text takes its place, it is kept beside it as FILE.before, and a message says so.
+/// another text takes its place, it is kept beside it as FILE.before, and a message says so. Where the
+/// program's shader has changed since, what is saved is a change of the new one.
 class ShaderCopies : public QObject {
     Q_OBJECT
   public:
@@ -27,14 +29,17 @@ class ShaderCopies : public QObject {
   private:
     struct Copy {
         std::string experiment, file;
-        std::string text;     ///< that file and experiment had last
-        std::string refused;  ///< that the file had, and that can be no change
+        std::vector<std::string> bases = {};  ///< the program's shader, as it was while editors had the copy
+        std::string text = {};                ///< that file and experiment had last
+        std::string refused = {};             ///< that the file had, and that can be no change
     };
     std::filesystem::path folder() const;
     std::string text_of(const std::string& experiment, const std::string& file) const;
     bool is_taken(const Copy& copy) const;  ///< by the experiment
+    void look_at_base(Copy& copy) const;
     void watch(const std::filesystem::path& path);
     void write(const std::filesystem::path& path, Copy& copy, std::string text);
+    void take_up(const std::filesystem::path& path, Copy& copy, std::string text);
     void forget();
     void follow_files();
     void follow_document();

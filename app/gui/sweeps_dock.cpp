@@ -86,6 +86,10 @@ void SweepsDock::connect_panel() {
             [this] { emit report_wanted(text_of(folder().string()), text_of(chosen())); });
     connect(panel_, &SweepPanel::folder_wanted, this, &SweepsDock::ask_for_folder);
     connect(panel_, &SweepPanel::own_folder_wanted, this, [this] { open_folder({}); });
+    connect(&preferences_, &Preferences::maps_changed, this, [this] {
+        panel_->sheet().pictures().restart();
+        panel_->sheet().viewport()->update();
+    });
 }
 
 void SweepsDock::connect_runs() {

@@ -30,7 +30,7 @@ Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, I
       spaces_(live, renderer, views_) {
     connect(&views_, &ViewModel::shown_changed, this, &Workspace::update_view);
     connect(&views_, &ViewModel::linked_changed, this, &Workspace::on_linked);
-    connect(&views_, &ViewModel::displays_changed, this, &Workspace::on_displays);
+    connect(&views_, &ViewModel::displays_changed, this, &Workspace::show_displays);
     connect(&views_, &ViewModel::explained_changed, this, [this](int view) {
         if (!pane(view)) return;
         pictures_.mark_explained(view, *pane(view));
@@ -139,7 +139,7 @@ void Workspace::on_linked(bool linked) {
     for (const int view : area_->open_views()) update_view(view);
 }
 
-void Workspace::on_displays() {
+void Workspace::show_displays() {
     for (const int view : area_->open_views())
         if (pane(view)) pictures_.update_displays(view, pane(view)->compare());
     emit picture_shown();

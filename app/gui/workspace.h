@@ -40,6 +40,9 @@ class Workspace : public QObject {
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
 
+    /// Pictures in the open views have other colours now.
+    void show_displays();
+
   signals:
     /// A picture in the active view is new.
     void picture_shown();
@@ -62,7 +65,6 @@ class Workspace : public QObject {
     void update_table(int view);
     void update_camera(int view);
     void on_linked(bool linked);
-    void on_displays();
     void swap(int view);
 
     Session& session_;

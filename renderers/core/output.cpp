@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "renderers/core/mapped_kind.h"
+
 namespace ir {
 
 std::string to_string(OutputKind kind) {
@@ -39,18 +41,28 @@ std::string full_doc(const OutputDescription& output) {
     return text + begin + output.when_empty + ".";
 }
 
-std::string default_colour_map(Semantic semantic) {
+MappedKind mapped_kind(Semantic semantic) {
     switch (semantic) {
         case Semantic::depth:
         case Semantic::distance:
+            return MappedKind::depths;
         case Semantic::probability:
-            return "viridis";
+            return MappedKind::probabilities;
         case Semantic::count:
         case Semantic::id:
-            return "turbo";
+            return MappedKind::counts;
         default:
-            return "grey";
+            return MappedKind::numbers;
     }
+}
+
+std::string default_colour_map(MappedKind kind) {
+    static constexpr std::array names{"grey", "viridis", "viridis", "turbo", "magma", "coolwarm"};
+    return names.at(static_cast<std::size_t>(kind));
+}
+
+std::string default_colour_map(Semantic semantic) {
+    return default_colour_map(mapped_kind(semantic));
 }
 
 }  // namespace ir

@@ -5,8 +5,8 @@
 
 namespace ir {
 
-/// Which of their two bodies passes run that have two: GLSL on the OpenGL device, or C++ on the host's threads
-/// and vector units. Both give the same picture within a tolerance that the method's page states.
+/// Which of their two bodies passes run that have two: GLSL on the OpenGL device, or C++ on the host's
+/// threads and vector units. Both give the same picture within a tolerance that the method's page states.
 enum class Processor { gl, host };
 
 /// "gl" or "host".

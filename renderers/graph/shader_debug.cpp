@@ -80,18 +80,25 @@ std::string text_of(const DebugRecord& record, std::size_t index) {
     }
 }
 
-/// What stands between the parentheses of a line's print(); the line where there is none, or several.
-std::string argument_of(const std::string& line) {
+/// What stands between the parentheses of the line's print() that is in the arguments of so many others; the
+/// line where there is none, or several.
+std::string argument_of(const std::string& line, std::size_t depth) {
     static const std::regex call(R"(\bprint\s*\()");
-    std::smatch match;
-    if (!std::regex_search(line, match, call) || std::regex_search(match[0].second, line.end(), call))
-        return line;
-    int depth = 1;
-    for (auto end = match[0].second; end != line.end(); ++end) {
-        depth += *end == '(' ? 1 : *end == ')' ? -1 : 0;
-        if (depth == 0) return {match[0].second, end};
+    std::vector<std::size_t> ends;  // of the calls that are open
+    std::string found;
+    for (std::sregex_iterator match(line.begin(), line.end(), call), none; match != none; ++match) {
+        const auto begin = std::size_t(match->position() + match->length());
+        std::size_t end = begin;
+        for (int open = 1; end < line.size(); ++end)
+            if (open += line[end] == '(' ? 1 : line[end] == ')' ? -1 : 0; open == 0) break;
+        std::erase_if(ends, [&](std::size_t each) { return each < begin; });
+        if (ends.size() == depth) {
+            if (!found.empty() || end == line.size()) return line;
+            found = line.substr(begin, end - begin);
+        }
+        ends.push_back(end);
     }
-    return line;
+    return found.empty() ? line : found;
 }
 
 }  // namespace
@@ -155,8 +162,10 @@ gl::StageSource::Line ShaderDebug::line_of(const DebugRecord& record) const {
 
 PrintedValue ShaderDebug::printed(const DebugRecord& record) const {
     const auto line = line_of(record);
-    PrintedValue value{
-        record.use < uses_.size() ? uses_[record.use].pass : "", line.place, argument_of(line.text), {}};
+    PrintedValue value{record.use < uses_.size() ? uses_[record.use].pass : "",
+                       line.place,
+                       argument_of(line.text, record.depth),
+                       {}};
     for (std::size_t i = 0; i < std::min<std::size_t>(record.numbers, 4); ++i)
         value.text += (i > 0 ? " " : "") + text_of(record, i);
     return value;

@@ -1,6 +1,6 @@
 // What a shader says of the picked pixel: numbers as text beside it, and points, lines and discs in 3D views.
 //
-//   print(x);                      a float, int, uint, bool or a vector of them
+//   print(x);                      a float, int, uint, bool or a vector of them, which it gives back
 //   draw_point(p);                 in world space, metres
 //   draw_line(a, b);
 //   draw_disc(centre, normal, radius);
@@ -25,6 +25,7 @@ const uint DEBUG_FLOATS = 0u, DEBUG_INTS = 1u, DEBUG_UINTS = 2u, DEBUG_BOOLS = 3
 struct DebugRecord {
     uint kind;     // DebugKind
     uint line;     // of the program's source
+    uint depth;    // calls of that line in whose arguments it stands
     uint use;      // which program of which pass
     uint numbers;  // of data
     uint data[8];  // bits
@@ -40,10 +41,15 @@ uniform int debug_use;
 
 bool debug_is_at_pixel = false;
 ivec2 debug_own_pixel = ivec2(0);
-uint debug_line = 0u;
+
+// Lines of the calls whose arguments are being computed: these may say something, too.
+const int DEBUG_DEPTH = 16;
+uint debug_lines[DEBUG_DEPTH];
+int debug_open = 0;
 
 int debug_at_line(int line) {
-    debug_line = uint(line);
+    debug_lines[min(debug_open, DEBUG_DEPTH - 1)] = uint(line);
+    ++debug_open;
     return 0;
 }
 
@@ -54,12 +60,17 @@ int debug_at_pixel(ivec2 pixel) {
 }
 
 int debug_put(uint kind, uint numbers, uvec4 first, uvec4 second) {
+    --debug_open;
     ivec2 own = debug_is_at_pixel ? debug_own_pixel : DEBUG_INVOCATION;
     if (own != debug_pixel) return 0;
     uint at = atomicAdd(debug_count, 1u);
     if (at >= DEBUG_CAPACITY) return 0;
     debug_records[at].kind = kind;
-    debug_records[at].line = debug_line;
+    uint line = debug_lines[min(debug_open, DEBUG_DEPTH - 1)];
+    uint depth = 0u;
+    for (int i = debug_open - 1; i >= 0 && debug_lines[min(i, DEBUG_DEPTH - 1)] == line; --i) ++depth;
+    debug_records[at].line = line;
+    debug_records[at].depth = depth;
     debug_records[at].use = uint(debug_use);
     debug_records[at].numbers = numbers;
     for (int i = 0; i < 4; ++i) {
@@ -70,28 +81,28 @@ int debug_put(uint kind, uint numbers, uvec4 first, uvec4 second) {
 }
 
 int debug_floats(uint numbers, vec4 x) { return debug_put(DEBUG_FLOATS, numbers, floatBitsToUint(x), uvec4(0)); }
-int debug_print(float x) { return debug_floats(1u, vec4(x, 0, 0, 0)); }
-int debug_print(vec2 x) { return debug_floats(2u, vec4(x, 0, 0)); }
-int debug_print(vec3 x) { return debug_floats(3u, vec4(x, 0)); }
-int debug_print(vec4 x) { return debug_floats(4u, x); }
+float debug_print(float x) { debug_floats(1u, vec4(x, 0, 0, 0)); return x; }
+vec2 debug_print(vec2 x) { debug_floats(2u, vec4(x, 0, 0)); return x; }
+vec3 debug_print(vec3 x) { debug_floats(3u, vec4(x, 0)); return x; }
+vec4 debug_print(vec4 x) { debug_floats(4u, x); return x; }
 
 int debug_ints(uint numbers, ivec4 x) { return debug_put(DEBUG_INTS, numbers, uvec4(x), uvec4(0)); }
-int debug_print(int x) { return debug_ints(1u, ivec4(x, 0, 0, 0)); }
-int debug_print(ivec2 x) { return debug_ints(2u, ivec4(x, 0, 0)); }
-int debug_print(ivec3 x) { return debug_ints(3u, ivec4(x, 0)); }
-int debug_print(ivec4 x) { return debug_ints(4u, x); }
+int debug_print(int x) { debug_ints(1u, ivec4(x, 0, 0, 0)); return x; }
+ivec2 debug_print(ivec2 x) { debug_ints(2u, ivec4(x, 0, 0)); return x; }
+ivec3 debug_print(ivec3 x) { debug_ints(3u, ivec4(x, 0)); return x; }
+ivec4 debug_print(ivec4 x) { debug_ints(4u, x); return x; }
 
 int debug_uints(uint numbers, uvec4 x) { return debug_put(DEBUG_UINTS, numbers, x, uvec4(0)); }
-int debug_print(uint x) { return debug_uints(1u, uvec4(x, 0, 0, 0)); }
-int debug_print(uvec2 x) { return debug_uints(2u, uvec4(x, 0, 0)); }
-int debug_print(uvec3 x) { return debug_uints(3u, uvec4(x, 0)); }
-int debug_print(uvec4 x) { return debug_uints(4u, x); }
+uint debug_print(uint x) { debug_uints(1u, uvec4(x, 0, 0, 0)); return x; }
+uvec2 debug_print(uvec2 x) { debug_uints(2u, uvec4(x, 0, 0)); return x; }
+uvec3 debug_print(uvec3 x) { debug_uints(3u, uvec4(x, 0)); return x; }
+uvec4 debug_print(uvec4 x) { debug_uints(4u, x); return x; }
 
 int debug_bools(uint numbers, bvec4 x) { return debug_put(DEBUG_BOOLS, numbers, uvec4(x), uvec4(0)); }
-int debug_print(bool x) { return debug_bools(1u, bvec4(x, false, false, false)); }
-int debug_print(bvec2 x) { return debug_bools(2u, bvec4(x, false, false)); }
-int debug_print(bvec3 x) { return debug_bools(3u, bvec4(x, false)); }
-int debug_print(bvec4 x) { return debug_bools(4u, x); }
+bool debug_print(bool x) { debug_bools(1u, bvec4(x, false, false, false)); return x; }
+bvec2 debug_print(bvec2 x) { debug_bools(2u, bvec4(x, false, false)); return x; }
+bvec3 debug_print(bvec3 x) { debug_bools(3u, bvec4(x, false)); return x; }
+bvec4 debug_print(bvec4 x) { debug_bools(4u, x); return x; }
 
 int debug_draw_point(vec3 p, float value) {
     return debug_put(DEBUG_POINT, 4u, floatBitsToUint(vec4(p, value)), uvec4(0));
@@ -109,7 +120,7 @@ int debug_draw_disc(vec3 centre, vec3 normal, float radius, float value) {
 }
 int debug_draw_disc(vec3 centre, vec3 normal, float radius) { return debug_draw_disc(centre, normal, radius, 0.0); }
 
-#define print debug_at_line(__LINE__), debug_print
+#define print(x) (debug_at_line(__LINE__), debug_print(x))
 #define draw_point debug_at_line(__LINE__), debug_draw_point
 #define draw_line debug_at_line(__LINE__), debug_draw_line
 #define draw_disc debug_at_line(__LINE__), debug_draw_disc
@@ -117,7 +128,7 @@ int debug_draw_disc(vec3 centre, vec3 normal, float radius) { return debug_draw_
 
 #else
 
-#define print
+#define print(x) (x)
 #define draw_point
 #define draw_line
 #define draw_disc

@@ -9,6 +9,7 @@
 #include "widgets/compare/compare_view.h"
 #include "widgets/compare/one_size.h"
 #include "widgets/compare/significance.h"
+#include "widgets/image/preferred_maps.h"
 
 namespace ir::widgets {
 namespace {
@@ -183,18 +184,14 @@ Display display_for_difference(DifferenceKind kind, const Image& difference) {
     display.mode = Display::Mode::scalar;
     display.hide_invalid = true;
     display.negative_is_bad = false;
-    display.colour_map = "magma";
+    display.colour_map = map_for_difference(kind);
     display.high = m;
     switch (kind) {
         case DifferenceKind::significant:
             display.grey_zero = true;
             [[fallthrough]];
         case DifferenceKind::signed_:
-            display.colour_map = "coolwarm";
             display.low = -m;
-            break;
-        case DifferenceKind::squared:
-            display.colour_map = "viridis";
             break;
         case DifferenceKind::relative:
             display.high = std::min(m, 1.0);
@@ -204,9 +201,15 @@ Display display_for_difference(DifferenceKind kind, const Image& difference) {
             display.high = 1;  // errors of different pictures are to look different
             break;
         case DifferenceKind::absolute:
+        case DifferenceKind::squared:
             break;
     }
     return display;
+}
+
+std::string map_for_difference(DifferenceKind kind) {
+    const bool has_sign = kind == DifferenceKind::signed_ || kind == DifferenceKind::significant;
+    return preferred_map(has_sign ? MappedKind::signed_errors : MappedKind::errors);
 }
 
 }  // namespace ir::widgets

@@ -66,5 +66,7 @@ class DifferenceWorker : public QObject {
 /// Signed and significant: a diverging map from -m … m; absolute and squared: 0 … m; relative: 0 … 1, or to m
 /// where that is less; both kinds of ꟻLIP: 0 … 1. m is the largest magnitude of the finite values.
 Display display_for_difference(DifferenceKind kind, const Image& difference);
+/// Its colour map.
+std::string map_for_difference(DifferenceKind kind);
 
 }  // namespace ir::widgets

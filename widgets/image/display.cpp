@@ -6,6 +6,7 @@
 #include "renderers/image/channels.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/image/exposure.h"
+#include "widgets/image/preferred_maps.h"
 #include "widgets/style/number_text.h"
 
 namespace ir::widgets {
@@ -57,7 +58,7 @@ Display display_for(Semantic semantic, const std::string& map, const Image& imag
         display.negative_is_bad = false;
         return display;
     }
-    display.colour_map = map.empty() ? default_colour_map(semantic) : map;
+    display.colour_map = preferred_map(semantic, map);
     display.negative_is_bad = !may_be_negative(semantic);
     const Statistics numbers = statistics(image, semantic, atlas);
     const auto automatic = [&] {

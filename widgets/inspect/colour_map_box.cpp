@@ -30,6 +30,16 @@ bool is_uniform(const std::string& name) {
 
 }  // namespace
 
+void add_map_pictures(QComboBox& list) {
+    const auto& names = colour_map_names();
+    for (int i = 0; i < list.count(); ++i) {
+        const auto name = list.itemData(i).toString().toStdString();
+        if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+        list.setIconSize({picture_width, picture_height});
+        list.setItemIcon(i, picture(colour_map(name)));
+    }
+}
+
 ColourMapBox::ColourMapBox(QWidget* parent) : QComboBox(parent) {
     setIconSize({picture_width, picture_height});
     setToolTip(tr("Colour map. Below the line: maps whose equal steps do not look equal."));

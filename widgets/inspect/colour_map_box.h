@@ -4,6 +4,9 @@
 
 namespace ir::widgets {
 
+/// Entries of a list that are names of colour maps get small pictures of them.
+void add_map_pictures(QComboBox& list);
+
 /// The colour maps with small pictures of them: perceptually uniform ones first, the others below a line.
 class ColourMapBox : public QComboBox {
     Q_OBJECT

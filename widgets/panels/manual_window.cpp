@@ -4,6 +4,7 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QImage>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QStyle>
 #include <QTextBlock>
@@ -16,15 +17,23 @@
 namespace ir::widgets {
 namespace {
 
-ManualPage page_of(const QString& file, const QString& place) {
-    ManualPage page{file, QFileInfo(file).completeBaseName(), place, {}};
+/// Without those that are code.
+QStringList lines_of(const QString& file) {
     QFile text(file);
-    if (!text.open(QIODevice::ReadOnly)) return page;
-    QStringList headings;
+    if (!text.open(QIODevice::ReadOnly)) return {};
+    QStringList lines;
     bool in_code = false;
     for (const auto& line : QString::fromUtf8(text.readAll()).split(QLatin1Char('\n'))) {
         if (line.startsWith(QLatin1String("```"))) in_code = !in_code;
-        if (in_code) continue;
+        if (!in_code) lines << line;
+    }
+    return lines;
+}
+
+ManualPage page_of(const QString& file, const QString& place) {
+    ManualPage page{file, QFileInfo(file).completeBaseName(), place, {}};
+    QStringList headings;
+    for (const auto& line : lines_of(file)) {
         if (line.startsWith(QLatin1String("# "))) page.title = line.sliced(2);
         if (line.startsWith(QLatin1String("## "))) headings << line.sliced(3);
     }
@@ -77,6 +86,21 @@ class Browser : public QTextBrowser {
 
 }  // namespace
 
+QString page_with(const QStringList& files, const QString& key) {
+    const QRegularExpression named(QStringLiteral("`%1(=[^`]*)?`").arg(QRegularExpression::escape(key)));
+    QString first;
+    for (const auto& file : files)
+        for (const auto& line : lines_of(file)) {
+            const auto match = named.match(line);
+            if (!match.hasMatch()) continue;
+            const bool is_row = line.startsWith(QLatin1Char('|')) &&
+                                match.capturedStart() < line.indexOf(QLatin1Char('|'), 1);
+            if (is_row) return file;
+            if (first.isEmpty()) first = file;
+        }
+    return first;
+}
+
 std::vector<ManualPage> manual_pages(const QString& folder) {
     std::vector<ManualPage> pages;
     const auto add = [&](const QString& place) {
@@ -118,11 +142,12 @@ ManualWindow::ManualWindow(QWidget* parent) : QWidget(parent, Qt::Window), brows
     layout->addWidget(browser_);
 }
 
-void ManualWindow::show_page(const QString& file) {
+void ManualWindow::show_page(const QString& file, const QString& key) {
     follow(QUrl::fromLocalFile(file));
     show();
     raise();
     activateWindow();
+    if (!key.isEmpty()) go_to_key(key);
 }
 
 bool ManualWindow::go_to_key(const QString& key) {

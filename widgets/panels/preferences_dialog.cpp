@@ -1,9 +1,12 @@
 #include "widgets/panels/preferences_dialog.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include "widgets/inspect/colour_map_box.h"
 
 namespace ir::widgets {
 
@@ -13,12 +16,15 @@ PreferencesDialog::PreferencesDialog(const std::vector<ParameterDescription>& pr
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(480);
     panel_->set_parameters("preferences", preferences, tr("For all projects"));
+    for (auto* list : panel_->findChildren<QComboBox*>()) add_map_pictures(*list);
     given_->setObjectName(QStringLiteral("given"));
     given_->setWordWrap(true);
     auto* note = new QLabel(tr("A choice takes effect at once."));
     note->setWordWrap(true);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter is for what is typed
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("&Defaults"));
+    for (auto* each : buttons->buttons())
+        static_cast<QPushButton*>(each)->setAutoDefault(false);  // Enter is for what is typed
     auto* layout = new QVBoxLayout(this);
     for (auto* part :
          {static_cast<QWidget*>(panel_), static_cast<QWidget*>(given_), static_cast<QWidget*>(note)})
@@ -27,6 +33,10 @@ PreferencesDialog::PreferencesDialog(const std::vector<ParameterDescription>& pr
     layout->addWidget(buttons);
     connect(panel_, &ParameterPanel::value_chosen, this, &PreferencesDialog::value_chosen);
     connect(panel_, &ParameterPanel::reset_chosen, this, &PreferencesDialog::reset_chosen);
+    connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
+            [this, preferences] {
+                for (const auto& each : preferences) emit reset_chosen(each.key);
+            });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 

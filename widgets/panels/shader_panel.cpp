@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
@@ -33,7 +34,6 @@ constexpr const char* edit_link = "edit/";
 constexpr const char* remove_link = "remove/";
 
 QString html_of(const ShaderPanel::Changes::File& file, const ThemeColours& colours) {
-    constexpr int most_lines = 400;
     const auto link = [&](const char* what, const QString& text) {
         return QStringLiteral(" &nbsp; <a href='#%1%2'>%3</a>").arg(QLatin1String(what), file.name, text);
     };
@@ -42,17 +42,17 @@ QString html_of(const ShaderPanel::Changes::File& file, const ThemeColours& colo
                 link(remove_link, ShaderPanel::tr("Remove change")) +
                 QStringLiteral("</p><pre style='margin:0 0 6px 0; font-family:\"%1\"'>")
                     .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
-    auto lines = file.hunks.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-    const auto left_out = lines.size() - most_lines;
-    if (left_out > 0) lines.resize(most_lines);
-    for (const auto& line : lines) {
-        const auto sign = line.front();
+    // Lines of one sign are one piece: a browser takes ten times as long for many.
+    const auto lines = file.hunks.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    for (auto begin = lines.begin(), end = begin; begin != lines.end(); begin = end) {
+        const auto sign = begin->front();
+        end = std::find_if(begin, lines.end(), [&](const auto& line) { return line.front() != sign; });
         const auto colour = sign == QLatin1Char('+')   ? colours.accent
                             : sign == QLatin1Char('-') ? colours.error
                                                        : colours.dim;
-        html += QStringLiteral("<span style='color:%1'>%2</span>\n").arg(colour.name(), line.toHtmlEscaped());
+        html += QStringLiteral("<span style='color:%1'>%2\n</span>")
+                    .arg(colour.name(), QStringList(begin, end).join(QLatin1Char('\n')).toHtmlEscaped());
     }
-    if (left_out > 0) html += ShaderPanel::tr("… and %1 lines more").arg(left_out);
     return html + QStringLiteral("</pre>");
 }
 

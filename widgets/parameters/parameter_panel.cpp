@@ -1,7 +1,13 @@
 #include "widgets/parameters/parameter_panel.h"
 
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,7 +19,8 @@
 
 namespace ir::widgets {
 
-ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent), sections_(new QVBoxLayout(this)) {
+ParameterPanel::ParameterPanel(QWidget* parent, const QKeySequence& explained_by)
+    : QWidget(parent), sections_(new QVBoxLayout(this)), explained_by_(explained_by) {
     sections_->setContentsMargins(0, 0, 0, 0);
 }
 
@@ -51,6 +58,9 @@ void ParameterPanel::add_row(QGridLayout* grid, const ParameterDescription& para
     row.label->setBuddy(row.editor);
     if (auto* control = row.editor->focusProxy())
         control->setAccessibleName(QString::fromStdString(parameter.label));
+    if (!explained_by_.isEmpty())  // the row's menu has what theirs would
+        for (auto* field : row.editor->findChildren<QAbstractSpinBox*>())
+            field->setContextMenuPolicy(Qt::NoContextMenu);
     row.editor->setObjectName(QStringLiteral("editor:") + key);
     row.reset->setObjectName(QStringLiteral("reset:") + key);
     row.reset->setIcon(icon("reset"));
@@ -115,6 +125,31 @@ std::string ParameterPanel::key_at(QPoint place) const {
     return {};
 }
 
+std::string ParameterPanel::focused_key() const {
+    for (const auto& [key, row] : rows_)
+        if (row.editor->isAncestorOf(QApplication::focusWidget())) return key;
+    return {};
+}
+
+void ParameterPanel::contextMenuEvent(QContextMenuEvent* event) {
+    const auto key = key_at(event->pos());
+    if (explained_by_.isEmpty() || key.empty()) return event->ignore();
+    const auto is_at = [&](const QWidget* part) {
+        return part && QRect(part->mapTo(this, QPoint()), part->size()).contains(event->pos());
+    };
+    auto* text = rows_.at(key).editor->findChild<QLineEdit*>();
+    auto* menu = is_at(text) ? text->createStandardContextMenu() : new QMenu(this);
+    menu->setObjectName(QStringLiteral("parameter-menu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    auto* explain = new QAction(tr("What it is"), menu);
+    explain->setShortcut(explained_by_);
+    connect(explain, &QAction::triggered, this, [this, key] { emit explanation_wanted(key); });
+    auto* first = menu->actions().value(0);
+    menu->insertAction(first, explain);
+    if (first) menu->insertSeparator(first);
+    menu->popup(event->globalPos());
+}
+
 void ParameterPanel::update_rows() {
     for (const auto& parameter : parameters_) {
         FormRow& row = rows_.at(parameter.key);
@@ -122,9 +157,11 @@ void ParameterPanel::update_rows() {
         const auto found = settings_.find(parameter.key);
         row.editor->show_value(found == settings_.end() ? parameter.default_value : found->second);
         const auto* why = why_fixed(parameter.key);
-        const QString tooltip =
-            why ? QStringLiteral("<p><i>%1</i></p>").arg(why->toHtmlEscaped()) + state.tooltip
-                : state.tooltip;
+        QString tooltip = why ? QStringLiteral("<p><i>%1</i></p>").arg(why->toHtmlEscaped()) + state.tooltip
+                              : state.tooltip;
+        if (!explained_by_.isEmpty())
+            tooltip += tr("<p>%1: what the manual says</p>")
+                           .arg(explained_by_.toString(QKeySequence::NativeText).toHtmlEscaped());
         row.label->setToolTip(tooltip);
         row.editor->setToolTip(tooltip);
         row.label->setEnabled(state.enabled);

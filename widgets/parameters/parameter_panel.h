@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QKeySequence>
 #include <QWidget>
 #include <map>
 #include <string>
@@ -20,7 +21,9 @@ namespace ir::widgets {
 class ParameterPanel : public QWidget {
     Q_OBJECT
   public:
-    explicit ParameterPanel(QWidget* parent = nullptr);
+    /// `explained_by`: the window's key for what a parameter is, which tooltips name and the menu of a row
+    /// offers beside it; empty: nothing explains them.
+    explicit ParameterPanel(QWidget* parent = nullptr, const QKeySequence& explained_by = {});
 
     /// Rebuilds the form when the descriptions are others than before. `title`: of those that are no
     /// transport; empty: "Method".
@@ -36,13 +39,17 @@ class ParameterPanel : public QWidget {
     /// Unfolds the section of a parameter and gives its editor the keyboard. Returns the editor; null: there
     /// is no such row.
     QWidget* show_row(const std::string& key);
-    /// Of the row at a place of the panel; empty: none is there.
-    std::string key_at(QPoint place) const;
+    /// Of the row that has the keyboard; empty: none has.
+    std::string focused_key() const;
 
   signals:
     void value_chosen(const std::string& key, const ir::Value& value);
     void gesture_finished();
     void reset_chosen(const std::string& key);
+    void explanation_wanted(const std::string& key);
+
+  protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
     struct FormRow {
@@ -53,6 +60,8 @@ class ParameterPanel : public QWidget {
     void add_section(const QString& title, bool transport);
     void add_row(QGridLayout* grid, const ParameterDescription& parameter);
     void update_rows();
+    /// Of the row at a place of the panel; empty: none is there.
+    std::string key_at(QPoint place) const;
 
     std::string owner_;
     std::vector<ParameterDescription> parameters_;
@@ -61,6 +70,7 @@ class ParameterPanel : public QWidget {
     QVBoxLayout* sections_;
     QWidget* content_ = nullptr;
     const QString* why_fixed(const std::string& key) const;
+    QKeySequence explained_by_;
     bool read_only_ = false;
     QString why_read_only_, filter_;
     std::map<std::string, QString> fixed_;

@@ -1,10 +1,15 @@
+#include <QContextMenuEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QScrollBar>
+#include <QSlider>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTreeWidget>
+#include <map>
 
+#include "app/engine/execution.h"
 #include "app/gui/parameter_dock.h"
 #include "app/gui/status_line.h"
 #include "tests/gui/window/window_fixture.h"
@@ -172,28 +177,76 @@ TEST_F(FinderTest, OpensSamplesAndPagesOfTheManual) {
     manual->close();
 }
 
-TEST_F(FinderTest, AParameterLeadsToItsPlaceInTheManual) {
-    open_scene();
-    window.docks().raise("parameters");
-    auto* panel = window.findChild<widgets::ParameterPanel*>();
-    emit panel->customContextMenuRequested(level()->mapTo(panel, level()->rect().center()));
-    auto* menu = panel->findChild<QMenu*>("parameter-menu");
-    ASSERT_TRUE(menu);
-    ASSERT_EQ(menu->actions().size(), 1);
-    EXPECT_FALSE(menu->actions().front()->isEnabled()) << "the manual has no page of the fake method";
-    menu->close();
-    const auto want = [&](const char* key) {
-        emit window.findChild<ParameterDock*>()->page_wanted(SOURCE_ROOT "/docs/methods/hbao.md", key);
-        return window.findChild<widgets::ManualWindow*>();
-    };
-    EXPECT_EQ(want("steps")->findChild<QTextBrowser*>()->textCursor().selectedText(), "steps");
-    auto* manual = want("blur_normal_power");
-    EXPECT_EQ(manual->page().fileName(), "hbao.md");
-    EXPECT_FALSE(manual->findChild<QTextBrowser*>()->textCursor().hasSelection());
-    const auto labels = window.findChild<StatusLine*>()->findChildren<QLabel*>();
-    EXPECT_TRUE(std::ranges::any_of(
-        labels, [](const auto* each) { return each->text().contains("does not name blur_normal_power"); }));
-    manual->close();
+class ExplainedTest : public FinderTest {
+  protected:
+    void SetUp() override {
+        FinderTest::SetUp();
+        open_scene();
+        window.docks().raise("parameters");
+    }
+    void TearDown() override {
+        if (auto* page = manual()) page->close();
+        FinderTest::TearDown();
+    }
+    widgets::ParameterPanel& panel() { return *window.findChild<widgets::ParameterPanel*>(); }
+    widgets::ManualWindow* manual() { return window.findChild<widgets::ManualWindow*>(); }
+    /// As a right click there, or the key for menus, asks for it.
+    QMenu* menu_of(QWidget& part) {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, part.rect().center(),
+                                part.mapToGlobal(part.rect().center()));
+        QApplication::sendEvent(&part, &event);
+        return panel().findChild<QMenu*>("parameter-menu");
+    }
+    template <class Control>
+    Control& control(const char* key) {
+        return *window.findChild<QWidget*>(QStringLiteral("editor:%1").arg(key))->findChild<Control*>();
+    }
+    bool says(const QString& words) {
+        const auto labels = window.findChild<StatusLine*>()->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const auto* label) { return label->text().contains(words); });
+    }
+};
+
+TEST_F(ExplainedTest, EveryPartOfARowLeadsToTheManual) {
+    auto& number = control<widgets::NumberField>("max_distance");
+    const auto labels = panel().findChildren<QLabel*>();
+    const auto label =
+        std::ranges::find_if(labels, [](const auto* each) { return each->text() == "Maximum distance"; });
+    ASSERT_NE(label, labels.end());
+    for (QWidget* part : {static_cast<QWidget*>(*label), static_cast<QWidget*>(&number),
+                          static_cast<QWidget*>(number.findChild<QLineEdit*>()),
+                          static_cast<QWidget*>(&control<QSlider>("max_distance"))}) {
+        auto* menu = menu_of(*part);
+        ASSERT_TRUE(menu) << part->metaObject()->className();
+        EXPECT_EQ(menu->actions().front()->text(), "What it is");
+        const bool is_text = qobject_cast<QLineEdit*>(part) || part == &number;
+        EXPECT_EQ(menu->actions().size() > 4, is_text) << "what can be done with a text stays";
+        menu->actions().front()->trigger();
+        menu->close();
+        delete menu;
+        ASSERT_TRUE(manual());
+        EXPECT_EQ(manual()->page().fileName(), "parameters.md");
+        EXPECT_EQ(manual()->findChild<QTextBrowser*>()->textCursor().selectedText(), "max_distance");
+        manual()->show_page(SOURCE_ROOT "/README.md");
+    }
+}
+
+TEST_F(ExplainedTest, AKeyLeadsThereFromTheParameterThatHasTheKeyboard) {
+    auto& number = control<widgets::NumberField>("max_distance");
+    EXPECT_TRUE(number.parentWidget()->toolTip().contains("Shift+F1"));
+    number.setFocus();
+    QTest::keyClick(&number, Qt::Key_F1, Qt::ShiftModifier);
+    ASSERT_TRUE(manual());
+    EXPECT_EQ(manual()->findChild<QTextBrowser*>()->textCursor().selectedText(), "max_distance");
+    manual()->close();
+    give_back();
+    level()->setFocus();
+    QTest::keyClick(level(), Qt::Key_F1, Qt::ShiftModifier);
+    EXPECT_FALSE(manual()->isVisible());
+    EXPECT_TRUE(says("The manual does not name level"));
+    window.setFocus();
+    QTest::keyClick(&window, Qt::Key_F1, Qt::ShiftModifier);
+    EXPECT_EQ(manual()->page().fileName(), "README.md") << "no parameter has it";
 }
 
 TEST_F(FinderTest, NothingFitsIsSaid) {
@@ -242,6 +295,50 @@ TEST(Manual, MarksAParameterWhereItsPageDescribesIt) {
     manual.show_page(page("ambient-occlusion-volumes"));
     EXPECT_TRUE(manual.go_to_key("spread")) << "in a text, with a value";
     EXPECT_EQ(browser->textCursor().selectedText(), "spread");
+}
+
+/// What a person finds who asks what a parameter is.
+TEST(Manual, NamesEveryParameterOfEveryMethod) {
+    const QString shared = SOURCE_ROOT "/docs/parameters.md";
+    widgets::ManualWindow manual(nullptr);
+    std::map<std::string, int> methods_with;
+    for (const auto* method : engine::registry().methods()) {
+        const auto own = QStringLiteral(SOURCE_ROOT "/docs/methods/%1.md").arg(method->id.c_str());
+        ASSERT_TRUE(QFile::exists(own)) << method->id;
+        std::map<QString, QStringList> keys;
+        for (const auto& parameter : method->parameters) {
+            const auto key = QString::fromStdString(parameter.key);
+            ++methods_with[parameter.key];
+            const auto page = widgets::page_with({own, shared}, key);
+            EXPECT_FALSE(page.isEmpty()) << method->id << ": " << parameter.key;
+            if (!page.isEmpty()) keys[page] << key;
+        }
+        for (const auto& [page, named] : keys) {
+            manual.show_page(page);
+            for (const auto& key : named)
+                EXPECT_TRUE(manual.go_to_key(key)) << page.toStdString() << ": " << key.toStdString();
+        }
+    }
+    QFile page(shared);
+    ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+    static const QRegularExpression row("^\\| `(\\w+)`", QRegularExpression::MultilineOption);
+    int rows = 0;
+    const auto text = QString::fromUtf8(page.readAll());
+    for (auto match = row.globalMatch(text); match.hasNext(); ++rows) {
+        const auto key = match.next().captured(1).toStdString();
+        EXPECT_GE(methods_with[key], 2) << key << " is shared by no methods: its own page has it";
+    }
+    EXPECT_GT(rows, 20);
+}
+
+TEST(Manual, ARowSaysMoreThanAWordInAText) {
+    const QString own = SOURCE_ROOT "/docs/methods/ldm-indirect.md",
+                  shared = SOURCE_ROOT "/docs/parameters.md";
+    EXPECT_EQ(widgets::page_with({own, shared}, "gloss"), own);
+    EXPECT_EQ(widgets::page_with({own, shared}, "max_bounces"), own) << "both have a row";
+    EXPECT_EQ(widgets::page_with({own, shared}, "radius_decay"), shared) << "it stands in a text of its own";
+    EXPECT_EQ(widgets::page_with({own, shared}, "max_axis"), own);
+    EXPECT_EQ(widgets::page_with({own, shared}, "no_such_key"), "");
 }
 
 TEST(Finder, OrdersWhatFitsByHowWell) {

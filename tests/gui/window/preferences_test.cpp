@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/compare/difference_worker.h"
 #include "widgets/panels/preferences_dialog.h"
 #include "widgets/style/theme.h"
 
@@ -25,6 +26,7 @@ class PreferencesWindowTest : public testing::Test {
         QSettings().clear();
         widgets::apply_theme(*qApp, widgets::Theme::dark);
         widgets::apply_font_size(*qApp, 0);
+        widgets::prefer_maps({});
     }
     void start(const engine::MachineFlags& flags = {}) {
         close();
@@ -54,7 +56,20 @@ class PreferencesWindowTest : public testing::Test {
     QWidget* editor(const char* key) {
         return dialog()->findChild<QWidget*>(QStringLiteral("editor:%1").arg(QLatin1String(key)));
     }
-    QComboBox* processor() { return editor("processor")->findChild<QComboBox*>(); }
+    QComboBox* list(const char* key) { return editor(key)->findChild<QComboBox*>(); }
+    QComboBox* processor() { return list("processor"); }
+    /// As a person does who types its name.
+    void choose(const char* key, const char* text) {
+        list(key)->setFocus();
+        QTest::keyClicks(list(key), text);
+        ASSERT_EQ(list(key)->currentText(), text);
+    }
+    void click(const char* button) {
+        for (auto* each : dialog()->findChildren<QAbstractButton*>())
+            if (each->text() == button) return QTest::mouseClick(each, Qt::LeftButton);
+        FAIL() << button;
+    }
+    std::string shown_map() { return window->workspace().display().colour_map; }
     /// With the keyboard, as a person walks through a list.
     void choose_next_processor() {
         processor()->setFocus();
@@ -94,8 +109,18 @@ TEST_F(PreferencesWindowTest, AFontSizeCountsAtOnceAndIsKept) {
     type("font_size", "15");
     EXPECT_EQ(QApplication::font().pointSize(), 15);
     EXPECT_TRUE(QTest::qWaitFor([this] { return window->menuBar()->font().pointSize() == 15; }, 60000));
-    type("font_size", "1");
-    EXPECT_EQ(QApplication::font().pointSize(), 6) << "what can be read";
+    for (const char* size : {"1", "5", "3"}) {
+        type("font_size", size);
+        EXPECT_EQ(QApplication::font().pointSize(), 6) << "what can be read";
+        EXPECT_EQ(editor("font_size")->findChild<widgets::NumberField*>()->value(), 6) << "what is used";
+        type("font_size", "15");
+    }
+    type("font_size", "6");
+    auto* field = editor("font_size")->findChild<widgets::NumberField*>();
+    QTest::keyClick(field, Qt::Key_Down);
+    EXPECT_EQ(field->value(), 0) << "one step below is the desktop's";
+    QTest::keyClick(field, Qt::Key_Up);
+    EXPECT_EQ(field->value(), 6);
     type("font_size", "15");
     start();
     EXPECT_EQ(QApplication::font().pointSize(), 15);
@@ -122,6 +147,43 @@ TEST_F(PreferencesWindowTest, AThemeCountsAtOnceAndIsKept) {
     editor("theme")->findChild<QComboBox*>()->setFocus();
     QTest::keyClick(editor("theme")->findChild<QComboBox*>(), Qt::Key_Up);
     EXPECT_LT(lightness(), 100);
+}
+
+TEST_F(PreferencesWindowTest, ColourMapsOfAllKindsCountAtOnceAndAreKept) {
+    start();
+    open_scene();
+    const auto show = [this](const char* buffer) {
+        auto state = window->views().active_state();
+        state.a.output = buffer;
+        window->views().set_active_state(state);
+        return QTest::qWaitFor([this] { return window->is_settled(); }, 5000);
+    };
+    ASSERT_TRUE(show("depth"));
+    EXPECT_EQ(shown_map(), "viridis");
+    open_by_key();
+    EXPECT_FALSE(list("map_depths")->itemIcon(0).isNull()) << "maps have pictures";
+    const auto requests = renderer->requests.size();
+    choose("map_depths", "magma");
+    EXPECT_EQ(shown_map(), "magma") << "of the picture that is shown";
+    choose("map_errors", "turbo");
+    choose("map_signed", "viridis");
+    choose("map_numbers", "coolwarm");
+    EXPECT_EQ(renderer->requests.size(), requests) << "nothing is rendered for it";
+    EXPECT_EQ(widgets::map_for_difference(DifferenceKind::flip), "turbo");
+    EXPECT_EQ(widgets::map_for_difference(DifferenceKind::significant), "viridis");
+    EXPECT_EQ(widgets::preferred_map(Semantic::accessibility, ""), "coolwarm");
+    EXPECT_EQ(widgets::preferred_map(Semantic::depth, "turbo"), "turbo") << "what a method says stays";
+
+    start();
+    open_scene();
+    ASSERT_TRUE(show("depth"));
+    EXPECT_EQ(shown_map(), "magma") << "in the next run";
+    open_by_key();
+    click("&Defaults");
+    EXPECT_EQ(shown_map(), "viridis");
+    for (const auto& each : Preferences::descriptions())
+        EXPECT_FALSE(QSettings().contains("preferences/" + QString::fromStdString(each.key))) << each.key;
+    EXPECT_EQ(widgets::map_for_difference(DifferenceKind::flip), "magma");
 }
 
 TEST_F(PreferencesWindowTest, AnotherProcessorMakesShownPicturesAnewAndIsKept) {

@@ -5,9 +5,13 @@
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTextBrowser>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <map>
 
+#include "app/gui/shader_copies.h"
+#include "app/gui/status_line.h"
 #include "projects/store.h"
 #include "renderers/core/line_diff.h"
 #include "tests/gui/window/window_fixture.h"
@@ -176,6 +180,54 @@ TEST_F(EditedCopyTest, WhatCanBeNoChangeIsNotLost) {
     EXPECT_TRUE(shaders().empty());
     EXPECT_FALSE(read(copy()).contains("// mine"));
     EXPECT_TRUE(read(copy() + ".before").endsWith("xxx\n"));
+    const auto errors_now = errors();
+    append("// " + std::string(most_hunk_bytes, 'y') + "\n");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return errors() > errors_now; }));
+    trigger("redo");
+    EXPECT_TRUE(read(copy() + ".before-2").endsWith("yyy\n"));
+    EXPECT_TRUE(read(copy() + ".before").endsWith("xxx\n")) << "the first is still there";
+}
+
+/// Lines of a program's shader, some of them replaced.
+std::string lines_with(const std::map<int, std::string>& others) {
+    std::string all;
+    for (int i = 1; i <= 30; ++i)
+        all += (others.count(i) ? others.at(i) : "line " + std::to_string(i)) + "\n";
+    return all;
+}
+
+TEST_F(EditedCopyTest, AnOldCopyTakesBackNothingThatIsNewInTheProgram) {
+    const auto program = std::filesystem::path(folder.path().toStdString()) / "shaders";
+    std::filesystem::create_directories(program / "lib");
+    const auto now_has = [&](const std::string& text) { std::ofstream(program / file) << text; };
+    now_has(lines_with({}));
+    ShaderCopies copies(window.session(), program);
+    const auto path = copies.open(window.session().experiment()->id, file);
+    const auto saved = [&](const std::string& text) { std::ofstream(path) << text; };
+    now_has(lines_with({{3, "new in the program"}}));
+    saved(lines_with({{28, "mine"}}));  // an editor had it open since before
+    ASSERT_TRUE(has_change());
+    EXPECT_EQ(count_lines(shaders().at(file)).text(), "+1 −1");
+    const auto text_now = [&] { return read(QString::fromStdString(path.string())); };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return text_now().contains("new in the program"); }));
+    EXPECT_TRUE(text_now().contains("mine"));
+    const auto before = shaders();
+    const auto errors_before = errors();
+    now_has(lines_with({{27, "new"}, {28, "in the same"}, {29, "place"}}));
+    saved(lines_with({{28, "mine, too"}}));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return errors() > errors_before; }));
+    EXPECT_EQ(shaders(), before) << "it is refused with a line";
+    EXPECT_TRUE(text_now().contains("mine, too")) << "and stays in the file";
+}
+
+TEST_F(ShadersWindowTest, AllLinesOfAChangeAreSeen) {
+    std::string after = "// first\n";
+    for (int i = 0; i < 3000; ++i) after += "// line " + std::to_string(i) + "\n";
+    window.session().edit([&](const projects::Project& project) {
+        return projects::edits::set_shader(project, project.experiments.front().id, "lib/random.glsl",
+                                           line_diff("", after));
+    });
+    EXPECT_TRUE(text().contains("+// line 2999")) << "what is asked about is shown to its end";
 }
 
 TEST_F(EditedCopyTest, AnExperimentThatComesBackIsFollowedAgain) {
@@ -230,6 +282,11 @@ TEST_F(EditedCopyTest, ShadersOfOthersWaitUntilTheyAreAllowed) {
     for (auto* button : window.banners().findChildren<QAbstractButton*>())
         if (button->text() == "Show") button->click();
     EXPECT_TRUE(text().contains("+// mine")) << "they are seen before";
+    emit dock().panel().edit_wanted(QString::fromStdString(file));
+    const auto said = window.findChild<StatusLine*>()->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(said, [](const auto* each) {
+        return each->text().contains("First allow");
+    })) << "one's own change is not to wait as theirs";
     for (auto* button : window.banners().findChildren<QAbstractButton*>())
         if (button->text() == "Allow") QTest::mouseClick(button, Qt::LeftButton);
     ASSERT_TRUE(settle());

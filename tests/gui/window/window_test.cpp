@@ -359,9 +359,20 @@ TEST_F(WindowTest, LayoutsAreNamed) {
     open_scene();
     window.docks().apply("picture");
     EXPECT_FALSE(window.findChild<QDockWidget*>("messages")->isVisible());
-    window.docks().apply("inspect");
-    EXPECT_TRUE(window.findChild<QDockWidget*>("inspector")->isVisible());
-    EXPECT_FALSE(window.findChild<QDockWidget*>("timings")->isVisible());
+    for (const char* name : {"maps", "inspect"}) {  // what it was called
+        window.docks().apply(name);
+        EXPECT_TRUE(window.findChild<QDockWidget*>("inspector")->isVisible());
+        EXPECT_FALSE(window.findChild<QDockWidget*>("timings")->isVisible());
+    }
+    QStringList titles;
+    for (const auto& [name, title] : DockLayout::titles()) titles << title;
+    for (const char* title : {"Layered depth maps", "Photons", "Filters", "Compare", "Plots"})
+        EXPECT_TRUE(titles.contains(title)) << title;
+    trigger("layout-photons");
+    EXPECT_TRUE(window.findChild<QDockWidget*>("timings")->isVisible());
+    EXPECT_EQ(window.workspace().area().open_views().size(), 2u);
+    trigger("layout-filters");
+    EXPECT_GT(window.findChild<QDockWidget*>("pipeline")->height(), window.height() / 3);
     EXPECT_THROW(window.docks().apply("nonsense"), UsageError);
 }
 

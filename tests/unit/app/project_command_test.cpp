@@ -232,6 +232,8 @@ TEST_F(ProjectCommand, AnExperimentRendersWithItsChangedShaders) {
     const auto again = "rerun " + (root_ / "out" / (id() + ".exr")).string() + " --quiet ";
     EXPECT_EQ(run(again).status, 1) << "a picture may come from anybody";
     EXPECT_NE(run(again).err.find("--allow-shaders"), std::string::npos) << run(again).err;
+    EXPECT_NE(run(again).err.find("may come from anybody"), std::string::npos) << run(again).err;
+    EXPECT_EQ(run(again).err.find("window"), std::string::npos) << "there is none here: " << run(again).err;
     EXPECT_EQ(run(again + "--allow-shaders --out " + (root_ / "again.exr").string()).status, 0);
     EXPECT_EQ(read_exr(root_ / "again.exr").front().image.pixels, by_project.first);
 
@@ -247,7 +249,11 @@ TEST_F(ProjectCommand, AnExperimentRendersWithItsChangedShaders) {
 }
 
 TEST_F(ProjectCommand, ChangedShadersOfOthersRunWhereThatIsAllowed) {
-    json["experiments"][0]["shaders"][changed_normals] = {"@@ -1,1 +1,0 @@", "-odd"};
+    auto& experiment = json["experiments"][0];
+    for (const char* key : {"transport", "values"}) experiment.erase(key);
+    experiment["method"] = "view-normals";
+    experiment.erase("method_version");
+    experiment["shaders"][changed_normals] = {"@@ -1,1 +1,0 @@", "-odd"};
     store();
     const auto packed = (root_ / "packed.tar").string(), there = (root_ / "there").string();
     fs::create_directories(there);
@@ -260,6 +266,19 @@ TEST_F(ProjectCommand, ChangedShadersOfOthersRunWhereThatIsAllowed) {
               std::string::npos)
         << refused.err;
     EXPECT_NE(run(render + " --allow-shaders").err.find("does not fit"), std::string::npos);
+    write(root_ / "a.diff", "--- a\n+++ b/" + std::string(changed_normals) +
+                                "\n@@ -14,1 +14,1 @@\n-    normal.xyz = normalize(mat3(view_from_world) * "
+                                "normal_ws);\n+    normal.xyz = vec3(0.25);\n");
+    const auto own = run(render + " --shader-diff " + (root_ / "a.diff").string());
+    EXPECT_EQ(own.status, 0) << "one's own change waits for nobody: " << own.err;
+    EXPECT_NE(own.err.find("takes the place of what experiment '" + id() + "' changes in " +
+                           std::string(changed_normals)),
+              std::string::npos)
+        << own.err;
+    write(root_ / "b.diff", "--- a\n+++ b/lib/random.glsl\n@@ -0,0 +1,1 @@\n+// mine\n");
+    const auto both = run(render + " --shader-diff " + (root_ / "b.diff").string());
+    EXPECT_EQ(both.status, 1) << "what others change still does";
+    EXPECT_NE(both.err.find("comes from somebody else"), std::string::npos) << both.err;
     fs::remove_all(there + "/p.interreflect");
     ASSERT_EQ(run("project " + packed + " --allow-shaders --unpack " + there).status, 0);
     EXPECT_NE(run(render).err.find("does not fit"), std::string::npos) << "allowed once";

@@ -97,6 +97,32 @@ TEST_F(ShaderDebugTest, PrintsNumbersOfThePickedPixelWithTheirPlace) {
     EXPECT_EQ(report.printed.front().pass, "view normals");
 }
 
+TEST_F(ShaderDebugTest, CallsWithinCallsKeepTheirNames) {
+    edited.replace(shader, declaration,
+                   "#include \"lib/debug.glsl\"\n" + std::string(declaration) +
+                       "\nfloat twice(float x) {\n    print(x);\n    return 2.0 * x;\n}");
+    edited.replace(shader, statement,
+                   std::string(statement) +
+                       "\n    print(twice(3.0));\n    print(twice(print(0.5) + 1.0));\n"
+                       "    draw_point(vec3(twice(4.0)));\n    float x = print(7.0) - 7.0;\n"
+                       "    if (x > 1.0) print(x); else print(x + 1.0);\n");
+    const std::string place = std::string(shader) + ":";
+    auto& nested = execution();
+    const auto report = run(nested, 5, 3);
+    EXPECT_EQ(lines(report),
+              (std::vector<std::string>{
+                  place + "6: x = 3", place + "17: twice(3.0) = 6", place + "18: 0.5 = 0.5",
+                  place + "6: x = 1.5", place + "18: twice(print(0.5) + 1.0) = 3", place + "6: x = 4",
+                  place + "20: 7.0 = 7", place + "21: if (x > 1.0) print(x); else print(x + 1.0); = 1"}));
+    EXPECT_EQ(elements(nested, report, "debug.points").back(), [] {
+        const std::uint32_t line = 19;
+        float bits = 0;
+        std::memcpy(&bits, &line, 4);
+        return bits;
+    }());
+    EXPECT_TRUE(run(nested, -1, -1).printed.empty()) << "without a pixel the argument is all that is left";
+}
+
 TEST_F(ShaderDebugTest, WithoutAPickedPixelTheProgramIsTheOrdinaryOne) {
     auto& ordinary = execution();
     const auto plain = run(ordinary, -1, -1);

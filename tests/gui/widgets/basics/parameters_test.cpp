@@ -7,6 +7,7 @@
 #include <QContextMenuEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -78,7 +79,7 @@ class ParameterPanelTest : public testing::Test {
 
     std::vector<ParameterDescription> parameters = sample_parameters();
     Settings values = defaults(parameters);
-    ParameterPanel panel;
+    ParameterPanel panel{nullptr, Qt::SHIFT | Qt::Key_F1};
     int edits = 0;
 };
 
@@ -181,21 +182,35 @@ TEST_F(ParameterPanelTest, FilterHidesOtherRows) {
     EXPECT_FALSE(panel.findChild<QWidget*>("editor:jitter")->isVisible());
 }
 
-TEST_F(ParameterPanelTest, RowsAreFoundByPlaceAlsoIdleOnes) {
+TEST_F(ParameterPanelTest, TheMenuOfARowAsksWhatItIsAlsoOfAnIdleOne) {
     std::vector<std::string> keys;
-    panel.setContextMenuPolicy(Qt::CustomContextMenu);
-    QObject::connect(&panel, &QWidget::customContextMenuRequested, &panel,
-                     [&](QPoint place) { keys.push_back(panel.key_at(place)); });
-    const auto right_click = [](QWidget& on) {
-        const QPoint middle = on.rect().center();
-        QContextMenuEvent event(QContextMenuEvent::Mouse, middle, on.mapToGlobal(middle));
-        QApplication::sendEvent(&on, &event);
+    QObject::connect(&panel, &ParameterPanel::explanation_wanted, &panel,
+                     [&](const std::string& key) { keys.push_back(key); });
+    const auto ask_at = [&](QWidget& part, QPoint place) {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, place, part.mapToGlobal(place));
+        QApplication::sendEvent(&part, &event);
+        auto* menu = panel.findChild<QMenu*>("parameter-menu");
+        if (!menu) return 0;
+        const int actions = int(menu->actions().size());
+        menu->actions().front()->trigger();
+        menu->close();
+        delete menu;
+        return actions;
     };
-    for (auto* label : panel.findChildren<QLabel*>())
-        if (label->text() == "Count" || label->text() == "Radius") right_click(*label);
-    right_click(*in<QCheckBox>("jitter"));
-    EXPECT_EQ(keys, std::vector<std::string>({"count", "radius", "jitter"}));
-    EXPECT_EQ(panel.key_at({5, panel.height() + 50}), "");
+    const auto ask = [&](QWidget& part) { return ask_at(part, part.rect().center()); };
+    EXPECT_EQ(ask(*in<QComboBox>("mode")), 1);
+    EXPECT_GT(ask(*in<NumberField>("count")), 4) << "and what its text can do";
+    EXPECT_EQ(ask(*in<QSlider>("count")), 1);
+    EXPECT_EQ(ask(*in<QCheckBox>("jitter")), 1);
+    EXPECT_FALSE(in<NumberField>("radius")->isEnabled());
+    EXPECT_GT(ask(*in<NumberField>("radius")), 0);
+    EXPECT_EQ(keys, (std::vector<std::string>{"mode", "count", "count", "jitter", "radius"}));
+    EXPECT_EQ(ask_at(panel, {5, panel.height() + 50}), 0) << "below the rows";
+    for (const char* key : {"mode", "count", "jitter"}) {
+        panel.show_row(key);
+        EXPECT_EQ(panel.focused_key(), key);
+    }
+    EXPECT_TRUE(panel.findChild<QWidget*>("editor:mode")->toolTip().contains("Shift+F1"));
 }
 
 TEST(RowState, TooltipNamesKeyRangeDefaultAndSource) {
