@@ -87,8 +87,8 @@ void DocumentDock::update_document() {
     const auto& open = session_.open_project();
     const auto why = read_only_text(open);
     tree_->set_project(session_.document(), session_.registry(), open.is_read_only(), why);
-    editor_->set_command_line({command_line_program(), text_of(open.folder().string()), !open.is_dirty()});
     editor_->set_project(session_.document(), session_.registry(), open.is_read_only(), why);
+    editor_->set_command_line({command_line_program(), text_of(open.folder().string()), !open.is_dirty()});
     if (const auto* chosen = session_.experiment()) tree_->set_current_experiment(text_of(chosen->id));
     update_files();
 }
