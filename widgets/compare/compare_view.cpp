@@ -349,7 +349,8 @@ PaneBoard::Cell CompareView::cell_of(int pane, QSize grid) const {
     cell.caption = all_.title(content.picture);
     cell.clickable = content.picture < all_.count();
     if (cell.clickable) cell.tip = tr("Click two stages to see their difference (1 … 9; 0: none)");
-    cell.chosen = content.picture == all_.pair.a || content.picture == all_.pair.b;
+    cell.chosen = content.slot == ComparedPictures::pair_slot || content.picture == all_.pair.a ||
+                  content.picture == all_.pair.b;
     return cell;
 }
 
