@@ -6,6 +6,7 @@
 #include <QTreeView>
 
 #include "app/gui/beside.h"
+#include "app/gui/preferences.h"
 #include "widgets/models/report_rows.h"
 
 namespace ir::gui {
@@ -22,7 +23,8 @@ bool is_buffer(const QString& key) {
 
 }  // namespace
 
-FrameLists::FrameLists(Session& session, LivePictures& live, Workspace& workspace)
+FrameLists::FrameLists(Session& session, const Preferences& preferences, LivePictures& live,
+                       Workspace& workspace)
     : session_(session),
       live_(live),
       workspace_(workspace),
@@ -54,6 +56,7 @@ FrameLists::FrameLists(Session& session, LivePictures& live, Workspace& workspac
         update();
     });
     connect(&views_, &ViewModel::active_changed, this, &FrameLists::update);
+    connect(&preferences, &Preferences::maps_changed, this, &FrameLists::update);
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
         if (session_.experiment() && session_.experiment()->id == id) update();
     });

@@ -12,12 +12,14 @@ class QAction;
 
 namespace ir::gui {
 
+class Preferences;
+
 /// What the newest frame of the chosen experiment consists of: its buffers, and times and counters of its
 /// passes. A click on a buffer shows it, its menu does more, and it can be dragged into a view.
 class FrameLists : public QObject {
     Q_OBJECT
   public:
-    FrameLists(Session& session, LivePictures& live, Workspace& workspace);
+    FrameLists(Session& session, const Preferences& preferences, LivePictures& live, Workspace& workspace);
     widgets::RowsPanel& buffers() { return *buffers_; }
     QWidget& timings() { return *timings_and_counters_; }
     /// More of them in the menu of buffers.
@@ -27,7 +29,6 @@ class FrameLists : public QObject {
     void show_in_another_view(const std::string& key);
     /// Small pictures of the frame's images, by their keys, as far as somebody wants them.
     const std::map<std::string, QImage>& thumbnails() const { return thumbnails_; }
-    void update();
 
   signals:
     void changed();
@@ -38,6 +39,7 @@ class FrameLists : public QObject {
     void add_buffer_actions();
     void compare_with(const std::string& key);
     void clear();
+    void update();
 
     Session& session_;
     LivePictures& live_;

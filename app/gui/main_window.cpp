@@ -72,7 +72,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       parameters_(new ParameterDock(session_, scenes_, notices_)),
       scene_(new SceneDock(session_, scenes_)),
       shaders_(new ShaderDock(renderer_, options.machine)),
-      lists_(session_, live_, workspace_),
+      lists_(session_, preferences_, live_, workspace_),
       actions_(*this),
       docks_(*this, workspace_.area(), actions_),
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
@@ -308,7 +308,6 @@ void MainWindow::join_pictures() {
 
 void MainWindow::join_panels() {
     connect(&preferences_, &Preferences::maps_changed, &workspace_, &Workspace::show_displays);
-    connect(&preferences_, &Preferences::maps_changed, &lists_, &FrameLists::update);
     connect(messages_, &widgets::MessagesPanel::go_to, &joins_,
             [this](const Message& message) { go_to(message); });
     connect(&workspace_, &Workspace::menu_wanted, &joins_,
