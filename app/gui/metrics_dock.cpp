@@ -79,12 +79,10 @@ MetricsDock::Pairs MetricsDock::pairs() const {
     const auto& pane = workspace_.active_pane();
     const auto& state = views_.active_state();
     const auto& compared = workspace_.active_pane().compare().compared();
-    auto sources = views_.rules().pictures(state);
+    const auto sources = views_.rules().places(state);
     if (pane.content() != widgets::ViewPane::Content::picture || compared.mode != state.mode ||
-        compared.count() != int(sources.size()))
+        compared.count() != int(views_.rules().pictures(state).size()))
         return {};
-    const auto right = views_.rules().references(state);
-    sources.insert(sources.end(), right.begin(), right.end());  // as their places are
     Pairs all;
     for (const auto& [a, b] : compared.pairs())
         all.push_back({sources[std::size_t(a)], sources[std::size_t(b)], compared.picture(a),

@@ -149,6 +149,13 @@ std::vector<ViewSource> ViewRules::compared_references(const ViewState& state) c
     return right;
 }
 
+std::vector<ViewSource> ViewRules::places(const ViewState& state) const {
+    auto all = pictures(state);
+    const auto right = references(state);
+    all.insert(all.end(), right.begin(), right.end());
+    return all;
+}
+
 std::vector<ViewSource> ViewRules::sources(const ViewState& state) const {
     auto all = pictures(state);
     for (const auto& right : compared_references(state))

@@ -25,6 +25,8 @@ class ViewRules {
     std::vector<widgets::ViewSource> references(const widgets::ViewState& state) const;
     /// Those of them that pictures are compared with; an empty owner stands for each other one.
     std::vector<widgets::ViewSource> compared_references(const widgets::ViewState& state) const;
+    /// Pictures and behind them their references, as widgets::ComparedPictures counts places.
+    std::vector<widgets::ViewSource> places(const widgets::ViewState& state) const;
     /// All that a view needs: its pictures, and what they are compared with.
     std::vector<widgets::ViewSource> sources(const widgets::ViewState& state) const;
     bool shows(const widgets::ViewState& state, const std::string& owner) const;

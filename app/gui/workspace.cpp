@@ -96,8 +96,10 @@ void Workspace::connect_compare(int view, ViewPane& pane) {
             [this, view](const widgets::CameraPose& pose, int picture) {
                 area_->set_active(view);
                 const bool linked = views_.linked();
-                const auto& state = views_.state(view);
-                session_.camera().move(picture == 1 && !linked ? state.b.owner : state.a.owner, pose,
+                const auto shown = views_.rules().places(views_.state(view));
+                const auto place = linked ? std::size_t(0) : std::size_t(picture);
+                if (place >= shown.size()) return;
+                session_.camera().move(shown[place].owner, pose,
                                        linked ? views_.shown_experiments() : std::vector<std::string>());
             });
     connect(&compare, &CompareView::camera_gesture_finished, this,

@@ -156,6 +156,24 @@ TEST_F(StagesWindowTest, EachExperimentIsComparedWithItsOwnReference) {
     EXPECT_EQ(views().active_state().pair, state.pair);
 }
 
+TEST_F(StagesWindowTest, AnUnlinkedCameraIsThatOfItsPicture) {
+    set_method("fake");
+    add_second_experiment(0.75);
+    const auto& experiments = window.session().document().experiments;
+    const auto first = experiments[0].id, second = experiments[1].id;
+    widgets::ViewState state;
+    state.mode = ViewMode::stages;
+    state.a = state.b = {first, ""};
+    state.more = {{second, ""}};
+    views().set_active_state(state);
+    views().set_linked(false);
+    ASSERT_TRUE(settle());
+    emit compare().camera_moved(widgets::CameraPose(), 1);
+    EXPECT_TRUE(window.session().camera().moved_pose(second)) << "it stands second in the row";
+    EXPECT_FALSE(window.session().camera().moved_pose(first)) << "the B of other modes";
+    window.session().camera().forget_move();
+}
+
 TEST_F(StagesWindowTest, SwappingMovesThePairAndMakesARowOfOnesOwn) {
     trigger("stages");
     auto state = views().active_state();
