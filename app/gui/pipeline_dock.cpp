@@ -45,7 +45,7 @@ PipelineDock::PipelineDock(Session& session, LivePictures& live, ViewModel& view
         session_,
         {actions.add("trace-pixel", tr("What &passes did to the pixel"), "stages", {K(Qt::CTRL | Qt::Key_H)},
                      [this] {
-                         if (const auto pixel = inspector_.pointed(); pixel.x() >= 0) trace(pixel);
+                         if (!inspector_.says_none()) trace(inspector_.pointed());
                      }),
          actions.add("whole-frame", tr("&Whole frame"), nullptr, {K(Qt::CTRL | Qt::SHIFT | Qt::Key_H)},
                      [this] { leave_frame(); })});

@@ -32,6 +32,7 @@ class PixelInspector : public QObject {
     void pin(QPoint pixel);
     /// Under the cursor, else the marked one; of the main result, (-1, -1): none.
     QPoint pointed() const { return cursor_.x() >= 0 ? cursor_ : marked_; }
+    bool says_none();  ///< whether no pixel is pointed at, which is then said
     void pin_cursor();
     /// Its number from 0 on; another pin that is there already takes its place.
     void move_pin(int number, QPoint pixel);
@@ -51,7 +52,6 @@ class PixelInspector : public QObject {
     void said(const QString& text);
 
   private:
-    bool says_none();  ///< whether no pixel is pointed at
     void update();
     void show_pins();
     void update_explain();

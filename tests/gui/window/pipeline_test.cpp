@@ -144,6 +144,8 @@ TEST_F(PipelineWindowTest, AnotherMethodHasOtherPasses) {
 }
 
 TEST_F(PipelineWindowTest, WhatPassesDidToAPixelIsListed) {
+    trigger("trace-pixel");
+    EXPECT_NE(label("state").find("Mark a pixel first"), std::string::npos) << label("state");
     auto& shown = window.view();
     QTest::mouseClick(&shown, Qt::LeftButton, {}, shown.rect().center());
     trigger("trace-pixel");
