@@ -69,7 +69,7 @@ void ShaderController::edit_copy(const QString& file) {
 }
 
 /// In a project that comes from somebody else it is one's own change, which nobody has to allow.
-void ShaderController::edit(const std::string& experiment, const std::string& file, int line) {
+void ShaderController::edit(std::string experiment, std::string file, int line) {
     if (const auto& document = session_.document(); !document.shaders_allowed) {
         const auto waits = [&](const auto& each) {
             return !projects::why_shaders_wait(document, each).empty();

@@ -20,7 +20,7 @@ class ShaderController : public QObject {
     void choose();
     void open(const QString& file);  ///< as the program has it
     void edit_copy(const QString& file);
-    void edit(const std::string& experiment, const std::string& file, int line);
+    void edit(std::string experiment, std::string file, int line);
     void edit_fault(const ShaderFault& fault);
     void remove_change(const QString& file);
     void update();

@@ -298,7 +298,7 @@ void CompareView::fill_difference(ImageView& view, int slot) {
                           : QString()));
     }
     Display display = rules().is_row() ? row_display() : result->automatic;
-    display.colour_map = map_for_difference(all_.kind);  // it may be preferred since
+    display.colour_map = map_for_difference(result->request.kind);  // it may be preferred since
     if (all_.difference_display) {
         display = *all_.difference_display;
         display.hide_invalid = true;

@@ -286,8 +286,9 @@ std::vector<const MetricsResult*> MetricsPanel::results() const {
 }
 
 void MetricsPanel::update_foot() {
+    const auto all = results();
     QStringList lines;
-    for (const auto* now : results()) {
+    for (const auto* now : all) {
         lines << pixels_text(now->image);
         if (now->rectangle) lines << tr("Rectangle: %1").arg(pixels_text(*now->rectangle));
     }
@@ -300,7 +301,6 @@ void MetricsPanel::update_foot() {
                           ? QString()
                           : tr("Skipped are pixels that are invalid, NaN or infinite in either picture; what "
                                "the mask or the rectangle leaves out is not counted"));
-    const auto all = results();
     copy_->setEnabled(!all.empty() &&
                       std::all_of(all.begin(), all.end(), [](const auto* each) { return each->complete; }));
 }
