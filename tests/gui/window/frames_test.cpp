@@ -193,7 +193,7 @@ TEST_F(FramesTest, AnotherMethodForgetsAndAFrameBecomesAnExperiment) {
 }
 
 TEST_F(FramesTest, AFrameThatAnotherCameraSawKeepsIt) {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().camera().pose().has_value(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().camera().pose().has_value(); }, 60000));
     edit_level(0.5);
     auto pose = *window.session().camera().pose();
     pose.eye += glm::dvec3(0, 1, 0);

@@ -156,7 +156,7 @@ TEST_F(PreferencesWindowTest, ColourMapsOfAllKindsCountAtOnceAndAreKept) {
         auto state = window->views().active_state();
         state.a.output = buffer;
         window->views().set_active_state(state);
-        return QTest::qWaitFor([this] { return window->is_settled(); }, 5000);
+        return QTest::qWaitFor([this] { return window->is_settled(); }, 60000);
     };
     ASSERT_TRUE(show("depth"));
     EXPECT_EQ(shown_map(), "viridis");

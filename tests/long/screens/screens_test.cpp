@@ -385,7 +385,7 @@ TEST_P(FilledScreens, WindowOnALargeScreen) {
     window.resize(large_screen / window.devicePixelRatioF());
     ASSERT_TRUE(settle());
     take(window, "large-default");
-    for (const char* layout : {"compare", "sweeps", "inspect"}) {
+    for (const char* layout : {"compare", "sweeps", "maps"}) {
         window.docks().apply(layout);
         ASSERT_TRUE(settle());
         take(window, QStringLiteral("large-") + QLatin1String(layout));

@@ -125,7 +125,7 @@ TEST_P(StagesTest, WhatHasNoDifferenceLeavesNoBandEmpty) {
     EXPECT_EQ(view->views()[3]->y(), view->difference_views()[0]->y());
     view->resize(600, 900);
     show_methods({far, far});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() > view->views()[0]->y(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view->views()[2]->y() > view->views()[0]->y(); }, 60000));
     EXPECT_EQ(view->views()[1]->y(), view->views()[0]->y());
     const auto* truth = view->views()[2];
     EXPECT_GT(truth->geometry().bottom(), truth->parentWidget()->height() - truth->height() / 2);
