@@ -90,12 +90,13 @@ void set_variant(const std::string& variant, projects::Project& project, const s
         for (auto& part : scene->parts) part.variant = variant;
 }
 
-/// Notes what of the experiment's own changes the file's take the place of.
-void change_shaders(projects::Experiment& experiment, const std::string& file) {
+/// The shaders that the file changes. Notes where it takes the place of the experiment's own changes.
+std::vector<std::string> change_shaders(projects::Experiment& experiment, const std::string& file) {
     try {
         auto changes = read_changes(real_file_system().read(file, most_changed_shaders * most_hunk_bytes));
-        std::vector<std::string> replaced;
+        std::vector<std::string> changed, replaced;
         for (auto& [shader, hunks] : changes) {
+            changed.push_back(shader);
             auto& change = experiment.shaders[shader];
             if (!change.empty() && change != hunks) replaced.push_back(shader);
             change = std::move(hunks);
@@ -105,6 +106,7 @@ void change_shaders(projects::Experiment& experiment, const std::string& file) {
             std::cerr << "note: --shader-diff " << file << " takes the place of what "
                       << (experiment.id.empty() ? "the experiment" : "experiment '" + experiment.id + "'")
                       << " changes in " << listed(replaced) << "\n";
+        return changed;
     } catch (const Error& error) {
         throw UsageError("--shader-diff '" + file + "': " + error.what());
     }
@@ -115,13 +117,8 @@ void change_shaders(projects::Project& project, projects::Experiment& experiment
                     const std::vector<std::string>& files) {
     std::set<std::string> others;
     for (const auto& [shader, hunks] : experiment.shaders) others.insert(shader);
-    for (const auto& file : files) {
-        const auto before = experiment.shaders;
-        change_shaders(experiment, file);
-        for (const auto& [shader, hunks] : experiment.shaders)
-            if (const auto old = before.find(shader); old == before.end() || old->second != hunks)
-                others.erase(shader);
-    }
+    for (const auto& file : files)
+        for (const auto& shader : change_shaders(experiment, file)) others.erase(shader);
     if (others.empty()) project.shaders_allowed = true;
 }
 

@@ -108,10 +108,11 @@ int render_project(const ProjectRender& job) {
     engine::Machine machine(machine_options(job.machine));
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     int status = done;
-    std::map<std::string, projects::Project> changed;  // by experiment: what one may, others may not
+    auto project = loaded.project;
+    std::set<std::string> allowed;  // experiments whose shaders may run; what one may, others may not
     double frames = 0;
     for (const auto& id : std::set(ids.begin(), ids.end())) {
-        auto& project = changed[id] = loaded.project;
+        project.shaders_allowed = loaded.project.shaders_allowed;
         auto& experiment = *projects::find_item(project.experiments, id);
         try {
             if (job.changes != ExperimentFlags{}) apply(job.changes, project, experiment);
@@ -119,6 +120,7 @@ int render_project(const ProjectRender& job) {
             throw UsageError("experiment '" + id + "': " + error.what() +
                              "; --experiment chooses those that are meant");
         }
+        if (project.shaders_allowed) allowed.insert(id);
         frames += frames_of(experiment);
     }
     ProgressLine line(job.show_progress, frames);
@@ -129,7 +131,7 @@ int render_project(const ProjectRender& job) {
             write_file(json, all.dump(2) + "\n");
     };
     for (const auto& id : ids) {
-        const auto& project = changed.at(id);
+        project.shaders_allowed = allowed.count(id) != 0;
         const auto& experiment = *projects::find_item(project.experiments, id);
         try {
             const auto statistics = render_one(job, machine, project, experiment, loaded.folder, line);

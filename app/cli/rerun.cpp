@@ -17,6 +17,7 @@
 #include "projects/check.h"
 #include "projects/document_json.h"
 #include "projects/scene_files.h"
+#include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
 #include "renderers/image/metrics.h"
@@ -155,7 +156,8 @@ int rerun(const RerunFlags& flags) {
         throw InputError(
             flags.file, "",
             "was rendered with changed shaders (" +
-                listed(words_of(original.experiment().shaders, &ShaderChanges::value_type::first)) +
+                projects::printable(
+                    listed(words_of(original.experiment().shaders, &ShaderChanges::value_type::first)), 300) +
                 "), and a picture may come from anybody; give --allow-shaders if it is yours, or "
                 "if you trust who made it");
     engine::Machine machine(machine_options(flags.machine));

@@ -99,12 +99,11 @@ void add_outside_flag(CLI::App& command) {
 }
 
 MachineOptions machine_options(const MachineFlags& flags) {
-    return {flags.backend,
-            flags.device,
-            flags.debug,
-            flags.threads.value_or(0),
-            parse_processor(flags.processor),
-            shader_folder(flags.shaders)};
+    const auto shaders = shader_folder(flags.shaders);
+    look_at_shaders_again();  // results name those of now, whatever is edited meanwhile
+    return {
+        flags.backend, flags.device, flags.debug, flags.threads.value_or(0), parse_processor(flags.processor),
+        shaders};
 }
 
 std::uint64_t parse_bytes(const std::string& text) {

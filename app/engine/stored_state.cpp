@@ -196,7 +196,7 @@ graph::History read_state(const fs::path& file, ImageAttributes* attributes) {
     require_regular_file(file);
     require_whole_header(file);
     try {
-        Imf::MultiPartInputFile input(file.c_str());
+        Imf::MultiPartInputFile input(file.c_str(), threads_of_reading());
         ImageAttributes found;
         auto history = read_parts(input, file.string(), found);
         if (attributes) *attributes = std::move(found);

@@ -69,8 +69,8 @@ struct GraphCache {
     /// Of the method and of the values that its programs are compiled with; kept until these change.
     std::string parameter_glsl;
     std::map<gl::ProgramSource, const gl::Program*> programs_with_parameters;
-    ShaderChanges shader_changes;  ///< with which those were compiled
-    std::map<std::string, std::set<std::string>> shaders_of_passes;
+    ShaderChanges shader_changes;                                    ///< with which those were compiled
+    std::map<std::string, std::set<std::string>> shaders_of_passes;  ///< files, when each last ran
     std::uint64_t forgotten_programs = 0;  ///< by the library, when those named here were made
     /// By program, block and buffer: the program as linked, and the fields that its records agree with.
     std::map<std::tuple<const gl::Program*, std::string, std::string>, std::pair<GLuint, std::vector<Field>>>

@@ -123,6 +123,7 @@ PassReport Frame::run_pass(const Pass& pass, std::size_t index) {
     const bool on_gl = pass.queue == Queue::gl;
     ran[index] = true;
     cache.counts_of_passes.erase(pass.name);
+    cache.shaders_of_passes.erase(pass.name);
     const auto start = Clock::now();  // copies between device and host are part of the pass that needs them
     for (const auto& access : pass.accesses) prepare_access(pass, access);
     PassReport result;

@@ -15,8 +15,11 @@ namespace ir {
 /// one is longer than the file, or not as long as its type, of which OpenEXR reads so many bytes in any case.
 void require_whole_header(const std::filesystem::path& file);
 
-/// Takes from what is `left` the bytes that reading a part takes: its values, and what OpenEXR holds of each
-/// block of lines or row of tiles that is packed as one. Throws InputError where they are more.
+/// Threads with which a file is read: few, because each holds blocks of lines.
+int threads_of_reading();
+
+/// Takes from what is `left` the bytes that reading a part takes: its values, and the blocks of lines or rows
+/// of tiles that OpenEXR holds, each packed as one, for all threads. Throws InputError where they are more.
 void take_bytes_of_part(const Imf::Header& header, const std::string& file, std::uint64_t& left);
 
 /// What a message takes from a file, such as OpenEXR's with names in it: no control characters, 400 bytes at

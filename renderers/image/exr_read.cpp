@@ -25,6 +25,9 @@ namespace {
 /// Larger images are taken for damaged files.
 constexpr std::int64_t max_exr_pixels = std::int64_t(1) << 28;
 
+/// Of a file that is read. OpenEXR holds two blocks of lines for each.
+constexpr int most_threads = 4;
+
 /// "ldm.layers.Y" → {"ldm.layers", "Y"}; without a dot the layer is empty.
 struct ChannelName {
     std::string layer, channel;
@@ -213,9 +216,7 @@ void read(const std::filesystem::path& file, Read read_from) {
     require_regular_file(file);
     require_whole_header(file);
     try {
-        // Each thread holds two blocks of lines.
-        constexpr int most_threads = 4;
-        Imf::MultiPartInputFile input(file.c_str(), std::min(most_threads, Imf::globalThreadCount()));
+        Imf::MultiPartInputFile input(file.c_str(), threads_of_reading());
         read_from(input);
     } catch (const Error&) {
         throw;
@@ -235,6 +236,10 @@ std::string in_one_line(std::string text) {
     return text;
 }
 
+int threads_of_reading() {
+    return std::min(most_threads, Imf::globalThreadCount());
+}
+
 void take_bytes_of_part(const Imf::Header& header, const std::string& file, std::uint64_t& left) {
     const auto window = header.dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
@@ -244,8 +249,8 @@ void take_bytes_of_part(const Imf::Header& header, const std::string& file, std:
         throw InputError(file, "data window",
                          std::to_string(width) + "x" + std::to_string(height) +
                              " pixels are not a sensible size; the file seems damaged");
-    constexpr int copies = 3;  // packed, unpacked, put in order
-    const auto lines = height + copies * std::min(lines_of_block(header), height);
+    constexpr int blocks = 2 * most_threads, copies = 3;  // packed, unpacked, put in order
+    const auto lines = height + copies * std::min(blocks * lines_of_block(header), height);
     const auto values = static_cast<std::uint64_t>(width * lines * channel_count(header));
     if (values > left / sizeof(float))
         throw InputError(file, "data window",

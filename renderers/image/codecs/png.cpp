@@ -32,7 +32,8 @@ void take_bytes(png_structp png, png_bytep bytes, std::size_t count) {
 
 class PngFile {
   public:
-    explicit PngFile(const std::string& file) : source_{std::ifstream(file, std::ios::binary), {}} {
+    explicit PngFile(const std::string& file)
+        : source_{std::ifstream(file, std::ios::binary), "libpng does not start"} {
         png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, fail, ignore);
         info_ = png_ ? png_create_info_struct(png_) : nullptr;
     }
@@ -121,8 +122,8 @@ DecodedImage read_png(const std::string& file, std::int64_t max_pixels, std::uin
         result.error = "is not a readable image (" + png.problem() + ")";
         return result;
     }
-    // The floats, and what an interlaced file keeps until its last row. To unpack a row takes as long as if
-    // twice its bytes were kept.
+    // The floats and, twice, the file's own values. An interlaced file keeps these until its last row; what
+    // is left of them bounds the time that unpacking takes.
     const auto held = sizeof(float) + 2 * std::size_t(png.value_bytes());
     const auto pixels = std::int64_t(png.width()) * png.height();
     if (pixels > max_pixels || std::uint64_t(pixels) * std::uint64_t(png.channels()) > max_bytes / held) {

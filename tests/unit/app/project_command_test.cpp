@@ -275,6 +275,9 @@ TEST_F(ProjectCommand, ChangedShadersOfOthersRunWhereThatIsAllowed) {
                            std::string(changed_normals)),
               std::string::npos)
         << own.err;
+    write(root_ / "same.diff", "--- a\n+++ b/" + std::string(changed_normals) + "\n@@ -1,1 +1,0 @@\n-odd\n");
+    const auto same = run(render + " --shader-diff " + (root_ / "same.diff").string());
+    EXPECT_NE(same.err.find("does not fit"), std::string::npos) << "also where it is the same: " << same.err;
     write(root_ / "b.diff", "--- a\n+++ b/lib/random.glsl\n@@ -0,0 +1,1 @@\n+// mine\n");
     const auto both = run(render + " --shader-diff " + (root_ / "b.diff").string());
     EXPECT_EQ(both.status, 1) << "what others change still does";

@@ -75,7 +75,7 @@ std::set<int> watching() {
 
 TEST_F(ShaderWatchTest, BeginsAnewWhereItsDescriptorFails) {
     const auto others = watching();
-    const ShaderWatch watch(folder, [this] { hear(); });
+    ShaderWatch watch(folder, [this] { hear(); });
     auto own = watching();
     for (const int other : others) own.erase(other);
     ASSERT_EQ(own.size(), 1u);

@@ -232,6 +232,7 @@ TEST(Exr, BlocksOfLinesCountInTheLimit) {
     };
     for (const auto compression : {Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION})
         EXPECT_TRUE(is_too_large(refusal(1 << 22, 16, compression))) << compression;
+    EXPECT_TRUE(is_too_large(refusal(5 << 17, 128, Imf::ZIP_COMPRESSION))) << "threads hold eight blocks";
     EXPECT_FALSE(is_too_large(refusal(1 << 20, 16, Imf::ZIP_COMPRESSION)));
     EXPECT_FALSE(is_too_large(refusal(1 << 12, 1 << 12, Imf::ZIP_COMPRESSION)));
 }
