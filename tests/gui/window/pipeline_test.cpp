@@ -70,6 +70,7 @@ TEST_F(PipelineWindowTest, AMenuLeadsOnFromAPassAndFromABuffer) {
         ADD_FAILURE() << name;
         return nullptr;
     };
+    click("depth");  // what nobody looks at is not there
     QPointer<QMenu> menu = menu_of("paint");
     ASSERT_TRUE(menu);
     const auto buffers = entry(menu, "pass-buffers")->menu()->actions();
