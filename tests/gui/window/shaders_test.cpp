@@ -180,9 +180,7 @@ TEST_F(EditedCopyTest, WhatCanBeNoChangeIsNotLost) {
     EXPECT_TRUE(shaders().empty());
     EXPECT_FALSE(read(copy()).contains("// mine"));
     EXPECT_TRUE(read(copy() + ".before").endsWith("xxx\n"));
-    const auto errors_now = errors();
     append("// " + std::string(most_hunk_bytes, 'y') + "\n");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return errors() > errors_now; }));
     trigger("redo");
     EXPECT_TRUE(read(copy() + ".before-2").endsWith("yyy\n"));
     EXPECT_TRUE(read(copy() + ".before").endsWith("xxx\n")) << "the first is still there";
