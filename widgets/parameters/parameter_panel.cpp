@@ -2,7 +2,6 @@
 
 #include <QAbstractSpinBox>
 #include <QAction>
-#include <QApplication>
 #include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -127,7 +126,7 @@ std::string ParameterPanel::key_at(QPoint place) const {
 
 std::string ParameterPanel::focused_key() const {
     for (const auto& [key, row] : rows_)
-        if (row.editor->isAncestorOf(QApplication::focusWidget())) return key;
+        if (row.editor->isAncestorOf(window()->focusWidget())) return key;
     return {};
 }
 
