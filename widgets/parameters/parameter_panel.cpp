@@ -1,6 +1,5 @@
 #include "widgets/parameters/parameter_panel.h"
 
-#include <QAbstractSpinBox>
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QGridLayout>
@@ -58,8 +57,7 @@ void ParameterPanel::add_row(QGridLayout* grid, const ParameterDescription& para
     if (auto* control = row.editor->focusProxy())
         control->setAccessibleName(QString::fromStdString(parameter.label));
     if (!explained_by_.isEmpty())  // the row's menu has what theirs would
-        for (auto* field : row.editor->findChildren<QAbstractSpinBox*>())
-            field->setContextMenuPolicy(Qt::NoContextMenu);
+        for (auto* part : row.editor->findChildren<QWidget*>()) part->setContextMenuPolicy(Qt::NoContextMenu);
     row.editor->setObjectName(QStringLiteral("editor:") + key);
     row.reset->setObjectName(QStringLiteral("reset:") + key);
     row.reset->setIcon(icon("reset"));
