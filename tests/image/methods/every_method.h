@@ -128,20 +128,20 @@ class Studio {
     const std::string& scene() const { return shot_.scene; }
 
     /// The outputs after the shot's frames, in which everything was wanted.
-    Frame render(const Settings& settings) { return render(settings, shot_.frames, shot_.all_outputs); }
-    Frame render(const Settings& settings, int frames, bool all_outputs) {
+    Frame render(const Settings& settings) { return render(settings, shot_.frames); }
+    Frame render(const Settings& settings, int frames) {
         execution_->update(experiment(settings));
         execution_->restart();
         execution_->inspect(shot_.inspection);
         graph::FrameOptions options;
-        if (all_outputs) options.wanted = {"*"};
+        if (shot_.all_outputs) options.wanted = {"*"};
         Frame frame;
         for (int i = 0; i < frames; ++i) frame.report = execution_->run_frame(options);
         const auto& graph = execution_->graph();
         frame.main = main_result(*execution_);
         frame.valid = graph.read_image("valid").value_or(Image());
         for (const auto& resource : frame.report.resources) {
-            if (!resource.is_output || !all_outputs) continue;
+            if (!resource.is_output || !shot_.all_outputs) continue;
             if (auto texels = read_texels(resource); !texels.empty())
                 frame.images[resource.key] = std::move(texels);
             if (auto bytes = graph.read_buffer(resource.key)) {
