@@ -283,6 +283,7 @@ class FilledScreens : public Screens {
 };
 
 TEST_P(Screens, Start) {
+    ASSERT_TRUE(window.isVisible());
     take(window, "window-start");
     for (auto* menu : window.menuBar()->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
         if (!menu->title().isEmpty()) take_menu(*menu, "start-" + file_name(menu->title()));
@@ -354,6 +355,7 @@ TEST_P(FilledScreens, Views) {
 }
 
 TEST_P(FilledScreens, Menus) {
+    ASSERT_TRUE(window.isVisible());
     for (auto* menu : window.menuBar()->findChildren<QMenu*>())
         if (!menu->title().isEmpty()) take_menu(*menu, file_name(menu->title()));
 }
@@ -376,6 +378,7 @@ TEST_P(FilledScreens, MenusOfPanels) {
 
 /// Each action whose name ends in three dots promises one.
 TEST_P(FilledScreens, Dialogs) {
+    ASSERT_TRUE(window.isVisible());
     for (auto* action : window.actions())
         if (promises_a_dialog(*action) || action->objectName() == "manual" || action->objectName() == "about")
             take_dialog(*action, action->objectName());
@@ -400,6 +403,7 @@ TEST_P(FilledScreens, Explained) {
 }
 
 TEST_P(FilledScreens, SetUpSpace) {
+    ASSERT_TRUE(window.isVisible());
     trigger("set-up-space");
     take(window, "window-set-up-space");
 }
