@@ -10,6 +10,8 @@
 
 namespace ir::gui {
 
+constexpr const char* reason_property = "why_not";
+
 QAction* Actions::add(const QString& name, const QString& text, const char* icon,
                       const QList<QKeySequence>& keys, std::function<void()> run) {
     auto* action = new QAction(text, &window_);
@@ -54,6 +56,11 @@ void set_reason(QAction& action, const QString& why_not) {
     const auto help = action.data().toString();
     action.setEnabled(why_not.isEmpty());
     action.setToolTip(why_not.isEmpty() ? help : QStringLiteral("%1.\n%2").arg(help, why_not));
+    action.setProperty(reason_property, why_not);
+}
+
+QString reason_of(const QAction& action) {
+    return action.property(reason_property).toString();
 }
 
 void enable_with_experiment(const Session& session, const QList<QAction*>& actions) {

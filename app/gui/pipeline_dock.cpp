@@ -165,8 +165,8 @@ void PipelineDock::add_shaders(QMenu& menu, const PassReport& pass) {
     };
     add("pass-open", tr("Open a shader"), tr("In your editor, as the program has it"), none,
         &PipelineDock::shader_wanted);
-    add("pass-copy", tr("Edit copy of a shader"), edit->data().toString(),
-        edit->isEnabled() ? none : edit->toolTip().section(QLatin1Char('\n'), -1),
+    const auto refusal = reason_of(*edit);
+    add("pass-copy", tr("Edit copy of a shader"), edit->data().toString(), refusal.isEmpty() ? none : refusal,
         &PipelineDock::copy_wanted);
 }
 
