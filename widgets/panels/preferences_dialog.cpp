@@ -17,6 +17,8 @@ PreferencesDialog::PreferencesDialog(const std::vector<ParameterDescription>& pr
     setMinimumWidth(480);
     panel_->set_parameters("preferences", preferences, tr("For all projects"));
     for (auto* list : panel_->findChildren<QComboBox*>()) add_map_pictures(*list);
+    // A dialog is as wide as they are. Those that wrapped were cut at twice the scale.
+    for (auto* label : panel_->findChildren<QLabel*>()) label->setWordWrap(false);
     given_->setObjectName(QStringLiteral("given"));
     given_->setWordWrap(true);
     auto* note = new QLabel(tr("A choice takes effect at once."));
