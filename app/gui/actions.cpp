@@ -59,7 +59,7 @@ void set_reason(QAction& action, const QString& why_not) {
     action.setProperty(reason_property, why_not);
 }
 
-QString reason_of(const QAction& action) {
+QString why_disabled(const QAction& action) {
     return action.property(reason_property).toString();
 }
 

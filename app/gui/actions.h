@@ -39,7 +39,7 @@ class Actions {
 /// Also while it is disabled, a tooltip says what an action would do, and why it cannot. Its data is what it
 /// does; without a reason it is enabled.
 void set_reason(QAction& action, const QString& why_not);
-QString reason_of(const QAction& action);
+QString why_disabled(const QAction& action);
 /// They are enabled while there is an experiment, from now on.
 void enable_with_experiment(const Session& session, const QList<QAction*>& actions);
 

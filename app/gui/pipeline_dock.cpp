@@ -165,7 +165,7 @@ void PipelineDock::add_shaders(QMenu& menu, const PassReport& pass) {
     };
     add("pass-open", tr("Open a shader"), tr("In your editor, as the program has it"), none,
         &PipelineDock::shader_wanted);
-    const auto refusal = reason_of(*edit);
+    const auto refusal = why_disabled(*edit);
     add("pass-copy", tr("Edit copy of a shader"), edit->data().toString(), refusal.isEmpty() ? none : refusal,
         &PipelineDock::copy_wanted);
 }
