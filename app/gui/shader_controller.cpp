@@ -5,7 +5,6 @@
 
 #include "app/engine/run_frames.h"
 #include "app/gui/text_of.h"
-#include "projects/check.h"
 #include "renderers/core/error.h"
 #include "renderers/core/line_diff.h"
 #include "renderers/core/words.h"
@@ -68,19 +67,8 @@ void ShaderController::edit_copy(const QString& file) {
     if (const auto* chosen = session_.experiment()) edit(chosen->id, file.toStdString(), 1);
 }
 
-/// In a project that comes from somebody else it is one's own change, which nobody has to allow.
 void ShaderController::edit(std::string experiment, std::string file, int line) {
-    if (const auto& document = session_.document(); !document.shaders_allowed) {
-        const auto waits = [&](const auto& each) {
-            return !projects::why_shaders_wait(document, each).empty();
-        };
-        if (std::ranges::any_of(document.experiments, waits))
-            return notices_.say(tr("First allow, or remove, what others have changed in shaders"));
-        session_.edit([](const projects::Project& project) {
-            return projects::edits::set_shaders_allowed(project, true);
-        });
-        session_.end_gesture();
-    }
+    if (do_shaders_wait(session_.document())) return notices_.say(first_allow());
     notices_.attempt(
         [&] {
             dock_.open(text_of(copies_.open(experiment, file).string()), line);

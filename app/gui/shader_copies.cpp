@@ -1,10 +1,12 @@
 #include "app/gui/shader_copies.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <utility>
 
 #include "app/gui/known_projects.h"
 #include "app/gui/text_of.h"
+#include "projects/check.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
 #include "renderers/core/hash.h"
@@ -40,11 +42,35 @@ int length(const std::string& hunks) {
     return lines.added + lines.removed;
 }
 
+/// In a project that comes from somebody else, too: one's own change is one that nobody has to allow.
+projects::EditPtr own_change(const projects::Project& project, const std::string& experiment,
+                             const std::string& file, const std::string& hunks) {
+    auto change = projects::edits::set_shader(project, experiment, file, hunks);
+    if (project.shaders_allowed || hunks.empty()) return change;
+    if (do_shaders_wait(project)) throw UsageError(first_allow().toStdString());
+    std::vector<projects::EditPtr> both;
+    both.push_back(projects::edits::set_shaders_allowed(project, true));
+    auto label = change->label();
+    both.push_back(std::move(change));
+    return projects::edits::group(std::move(label), std::move(both));
+}
+
 fs::path unsaved_folder() {
     return shader_copies_folder() / ("unsaved-" + std::to_string(QCoreApplication::applicationPid()));
 }
 
 }  // namespace
+
+bool do_shaders_wait(const projects::Project& project) {
+    return std::ranges::any_of(project.experiments, [&](const auto& each) {
+        return !projects::why_shaders_wait(project, each).empty();
+    });
+}
+
+QString first_allow() {
+    return QCoreApplication::translate("ShaderCopies",
+                                       "First allow, or remove, what others have changed in shaders");
+}
 
 ShaderCopies::ShaderCopies(Session& session, fs::path shaders)
     : session_(session), shaders_(std::move(shaders)) {
@@ -168,7 +194,7 @@ void ShaderCopies::take_up(const fs::path& path, Copy& copy, std::string text) {
     }
     const auto before = std::exchange(copy.text, text);
     session_.edit([&](const projects::Project& project) {
-        return projects::edits::set_shader(project, copy.experiment, copy.file, hunks);
+        return own_change(project, copy.experiment, copy.file, hunks);
     });
     session_.end_gesture();
     if (!is_taken(copy)) {

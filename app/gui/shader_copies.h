@@ -11,6 +11,10 @@
 
 namespace ir::gui {
 
+/// Whether changes that others have made in shaders wait for a person to allow them; and what is said then.
+bool do_shaders_wait(const projects::Project& project);
+QString first_allow();
+
 /// Copies of shader files that a person edits for an experiment, with an editor of their own. What is saved
 /// in one becomes the experiment's change of that file, in steps that can be undone; what is undone leaves
 /// the file again. They lie in the person's data. What no change can be made of stays in the file; where

@@ -189,15 +189,20 @@ void CompareView::connect_pane(ImageView* view, int pane) {
     connect(view, &ImageView::camera_moved, this,
             [this, pane](const CameraPose& pose) { camera_from(pane, pose); });
     connect(view, &ImageView::camera_gesture_finished, this,
-            [this, pane] { emit camera_gesture_finished(std::max(0, picture_of(pane, {}))); });
+            [this, pane] { emit camera_gesture_finished(camera_of(pane)); });
     connect(view, &ImageView::wipe_moved, this, [this](double fraction) {
         all_.wipe = fraction;
         emit wipe_moved(fraction);
     });
 }
 
+/// The picture whose camera a pane has: a reference has that of its picture.
+int CompareView::camera_of(int pane) const {
+    return all_.in_row(std::max(0, picture_of(pane, {})));
+}
+
 void CompareView::camera_from(int pane, const CameraPose& pose) {
-    const int picture = std::max(0, picture_of(pane, {}));
+    const int picture = camera_of(pane);
     set_camera(pose, all_.linked ? std::nullopt : std::optional(picture));
     emit camera_moved(pose, picture);
 }

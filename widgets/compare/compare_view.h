@@ -98,6 +98,7 @@ class CompareView : public QWidget {
     const CompareMode& rules() const { return CompareMode::of(all_.mode); }
     std::vector<ImageView*> views_where(bool row_difference) const;
     void connect_pane(ImageView* view, int pane);
+    int camera_of(int pane) const;
     void camera_from(int pane, const CameraPose& pose);
     int picture_of(int pane, QPoint pixel) const;
     bool is_of_second(int pane, QPoint pixel) const;

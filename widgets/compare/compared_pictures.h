@@ -78,11 +78,12 @@ struct ComparedPictures {
     QString sizes_differ(int pictures_compared) const;
     QString noise_unknown() const;
 
+    /// The picture that stands there or that the reference there is of.
+    int in_row(int place) const { return place < count() ? place : place - count(); }
+
   private:
     bool has_pair_end() const;
     bool has_reference_of(int picture) const;
-    /// The one that a reference is of.
-    int in_row(int place) const { return place < count() ? place : place - count(); }
 };
 
 }  // namespace ir::widgets

@@ -292,6 +292,26 @@ TEST_F(EditedCopyTest, ShadersOfOthersWaitUntilTheyAreAllowed) {
     EXPECT_EQ(window.banners().text("shaders-of-others"), "");
 }
 
+TEST_F(EditedCopyTest, OnesOwnChangeInAProjectOfOthersIsOneStep) {
+    auto project = window.session().document();
+    project.shaders_allowed = false;
+    const auto place = std::filesystem::path(folder.path().toStdString()) / "a.interreflect";
+    projects::save_project(project, place, "");
+    window.session().files().close();
+    ASSERT_TRUE(window.open_path(QString::fromStdString(place.string())));
+    qputenv(ShaderDock::editor_variable, "true {file}");  // which saves nothing
+    edit_copy();
+    EXPECT_FALSE(window.session().open_project().undo_stack().can_undo()) << "nothing has changed yet";
+    qputenv(ShaderDock::editor_variable, ('"' + folder.filePath("editor") + "\" {file}").toUtf8());
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    EXPECT_TRUE(window.session().document().shaders_allowed);
+    trigger("undo");
+    EXPECT_TRUE(shaders().empty());
+    EXPECT_FALSE(window.session().document().shaders_allowed);
+    EXPECT_FALSE(window.session().open_project().undo_stack().can_undo()) << "it was one step";
+}
+
 TEST_F(ShadersWindowTest, ALinkCopiesThePlaceOrOpensTheEditor) {
     tell({fault});
     QApplication::clipboard()->clear();

@@ -102,6 +102,26 @@ TEST_P(StagesTest, EachPictureIsComparedWithItsOwnReference) {
     EXPECT_EQ(view->findChild<QLabel*>("stage-number")->text(), "RMSE 0.1");
 }
 
+TEST_P(StagesTest, AReferenceHasTheCameraOfItsPicture) {
+    view->set_camera(CameraPose());
+    view->set_linked(false);
+    view->set_references(true, {nullptr, flat(0.6f, "truth"), nullptr});
+    view->set_stage_pair({1, StagePair::reference});
+    wait_for_differences(*view);
+    view->panes().set_tool(ImageView::Tool::orbit);
+    auto &second = *view->views()[1], &reference = *view->views().back();
+    ASSERT_FLOAT_EQ(reference.image().at(0, 0), 0.6f);
+    QSignalSpy moves(view.get(), &CompareView::camera_moved);
+    QTest::mousePress(&reference, Qt::LeftButton, {}, {60, 60});
+    QTest::mouseMove(&reference, {90, 70});
+    QTest::mouseRelease(&reference, Qt::LeftButton, {}, {90, 70});
+    ASSERT_GE(moves.count(), 1);
+    EXPECT_EQ(moves.last()[1].toInt(), 1);
+    EXPECT_NE(second.camera().pose(), CameraPose());
+    EXPECT_EQ(reference.camera().pose(), second.camera().pose());
+    EXPECT_EQ(view->views()[0]->camera().pose(), CameraPose());
+}
+
 TEST_P(StagesTest, WhatHasNoDifferenceLeavesNoBandEmpty) {
     const auto far = flat(0.6f, "far"), near = flat(0.7f, "near");
     const auto show_methods = [&](std::vector<PicturePtr> references) {
