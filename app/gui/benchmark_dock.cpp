@@ -11,6 +11,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
 #include "renderers/core/write_file.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::gui {
 namespace {
@@ -88,7 +89,9 @@ void BenchmarkDock::connect_runs() {
     });
     connect(&runs_, &BenchmarkRuns::finished, this, [this](const engine::BenchmarkReport& report) {
         reports_[running_] = report;
-        emit said(tr("%1: %n row(s) measured", nullptr, int(report.rows.size())).arg(text_of(running_)));
+        emit said(
+            tr("%1: %2 measured")
+                .arg(text_of(running_), widgets::counted(int(report.rows.size()), tr("row"), tr("rows"))));
         running_.clear();
         update();
     });

@@ -68,6 +68,7 @@ void Finder::add_buffers(std::vector<Findable>& all) {
         const auto key = text_of(output.key);
         all.push_back({tr("Buffer"), output.label, output.group, key + QLatin1Char('\n') + output.doc});
         all.back().icon = widgets::icon(widgets::sign_of(output.kind));
+        all.back().picture = [this, owner, key = output.key] { return workspace_.thumbnail({owner, key}); };
         all.back().go = [this, key = output.key] { workspace_.views().show_output(key); };
     }
 }

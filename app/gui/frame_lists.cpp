@@ -39,6 +39,13 @@ FrameLists::FrameLists(Session& session, const Preferences& preferences, LivePic
     buffers_->setMinimumWidth(240);
     buffers_->view()->setDragEnabled(true);
     add_buffer_actions();
+    workspace_.set_thumbnails([this](const widgets::ViewSource& source) {
+        const auto* chosen = session_.experiment();
+        const auto found = chosen && chosen->id == source.owner
+                               ? thumbnails_.find(views_.pictures().key_of(source))
+                               : thumbnails_.end();
+        return found == thumbnails_.end() ? QImage() : found->second;
+    });
     timings_->view()->setRootIsDecorated(false);
     timings_->set_name_width(80);
     counters_->view()->setRootIsDecorated(false);

@@ -44,9 +44,9 @@ LayoutController::LayoutController(QMainWindow& window, DockLayout& docks, widge
         .add("layout-keep", tr("&Keep this layout …"), nullptr, {QKeySequence(modifiers | Qt::Key_0)},
              [this] { ask_for_name(); })
         ->setData(tr("Panels and views as they stand, for all projects"));
-    alone_ = actions_.add_switch("pictures-alone", tr("Pictures a&lone"), nullptr,
-                                 {QKeySequence(Qt::SHIFT | Qt::Key_F11)}, false,
-                                 [this](bool on) { show_pictures_alone(on); });
+    alone_ =
+        actions_.add_switch("pictures-alone", tr("Pictures a&lone"), nullptr, {QKeySequence(Qt::Key_F11)},
+                            false, [this](bool on) { show_pictures_alone(on); });
     if (remember_) {
         QSettings settings;
         const int count = settings.beginReadArray(group);

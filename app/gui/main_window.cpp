@@ -129,7 +129,7 @@ void MainWindow::add_actions() {
                                                    [this] { live_.render_again(); })});
     actions_.add("shaders", tr("Reload &shaders"), nullptr, {K(Qt::SHIFT | Qt::Key_F5)},
                  [this] { renderer_.reload_shaders(); });
-    actions_.add_switch("full-screen", tr("F&ull screen"), nullptr, {K(Qt::Key_F11)}, false,
+    actions_.add_switch("full-screen", tr("F&ull screen"), nullptr, {K(Qt::SHIFT | Qt::Key_F11)}, false,
                         [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     actions_.add("shortcuts", tr("&Keyboard shortcuts …"), nullptr, {K(Qt::Key_F1)},
                  [this] { show_shortcuts(); });

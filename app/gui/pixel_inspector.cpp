@@ -49,6 +49,9 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
       views_(workspace.views()),
       panel_(new widgets::InspectorPanel),
       explain_(new widgets::ExplainPanel) {
+    panel_->model().set_thumbnails([this](const std::string& key) {
+        return workspace_.thumbnail({experiment(), key});
+    });
     connect(&workspace_, &Workspace::cursor_moved, this, [this](QPoint pixel) {
         cursor_ = pixel;
         request();

@@ -20,6 +20,7 @@
 #include "renderers/image/metrics.h"
 #include "widgets/document/plot_options.h"
 #include "widgets/plot/plot_painter.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::gui {
 namespace {
@@ -60,6 +61,10 @@ QStringList changed_inputs(const Json& before, const Json& now) {
     for (const auto& [id, inputs] : old_ones.items())
         if (!new_ones.contains(id)) words << text_of(id);
     return words;
+}
+
+QString points_text(int count) {
+    return widgets::counted(count, PlotsDock::tr("point"), PlotsDock::tr("points"));
 }
 
 }  // namespace
@@ -276,8 +281,8 @@ void PlotsDock::finish(const std::string& id, const engine::ErrorStudy& study, c
         emit failed(state.problem);
     }
     const auto* now = plot(id);
-    emit said(tr("%1: %n point(s) measured", nullptr, count_measured(study))
-                  .arg(now ? text_of(now->name) : text_of(id)));
+    emit said(tr("%1: %2 measured")
+                  .arg(now ? text_of(now->name) : text_of(id), points_text(count_measured(study))));
     update();
 }
 
@@ -289,7 +294,7 @@ void PlotsDock::fail(const std::string& id, const QString& error, bool cancelled
     const int count = is_empty ? 0 : count_measured(state.running->study);
     if (state.numbers || is_empty) state.running.reset();
     state.problem = !cancelled      ? error
-                    : state.running ? tr("Cancelled after %n point(s); they are not kept", nullptr, count)
+                    : state.running ? tr("Cancelled after %1, not kept").arg(points_text(count))
                                     : QString();
     if (!cancelled) emit failed(error);
     if (cancelled) emit said(tr("Cancelled the plot"));

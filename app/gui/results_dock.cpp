@@ -12,6 +12,7 @@
 #include "app/gui/text_of.h"
 #include "projects/changes.h"
 #include "projects/scene_files.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::gui {
 namespace {
@@ -35,9 +36,8 @@ ResultsDock::ResultsDock(Session& session, LivePictures& live, Renderer& rendere
     confirm_ = [this](int count) {
         return QMessageBox::warning(
                    this, tr("Delete results"),
-                   tr("Delete %n result(s) from the disk? This cannot be undone: results are no part of "
-                      "undo.",
-                      nullptr, count),
+                   tr("Delete %1 from the disk? This cannot be undone: results are no part of undo.")
+                       .arg(widgets::counted(count, tr("result"), tr("results"))),
                    QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Yes;
     };
     using Panel = widgets::ResultsPanel;

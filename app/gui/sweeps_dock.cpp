@@ -17,6 +17,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
 #include "widgets/document/makers.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::gui {
 namespace {
@@ -135,8 +136,10 @@ void SweepsDock::connect_runs() {
     connect(&runs_, &SweepRuns::finished, this, [this] {
         end_run({});
         const auto failures = count_failed(run_sheet_);
-        emit said(failures == 0 ? tr("The sweep is through")
-                                : tr("The sweep is through; %1 variation(s) failed").arg(failures));
+        emit said(failures == 0
+                      ? tr("The sweep is through")
+                      : tr("The sweep is through; %1 failed")
+                            .arg(widgets::counted(int(failures), tr("variation"), tr("variations"))));
     });
     connect(&runs_, &SweepRuns::failed, this, [this](const QString& error, bool cancelled) {
         end_run(cancelled ? QString() : error);

@@ -49,6 +49,7 @@ ViewPane* Workspace::make_pane(int view) {
 }
 
 void Workspace::connect_pane(int view, ViewPane& pane) {
+    pane.header().set_thumbnails([this](const ViewSource& source) { return thumbnail(source); });
     connect(&pane.header(), &widgets::ViewHeader::state_chosen, this, [this, view](const ViewState& state) {
         area_->set_active(view);
         views_.set_state(view, state);

@@ -20,6 +20,13 @@ class Workspace : public QObject {
     PictureTools& tools() { return tools_; }
     widgets::ViewArea& area() { return *area_; }
     widgets::ViewPane* pane(int view) const { return panes_[std::size_t(view)]; }  ///< null: never open
+    /// A small picture of a buffer for lists; null where there is none.
+    QImage thumbnail(const widgets::ViewSource& source) const {
+        return thumbnails_ ? thumbnails_(source) : QImage();
+    }
+    void set_thumbnails(std::function<QImage(const widgets::ViewSource&)> thumbnails) {
+        thumbnails_ = std::move(thumbnails);
+    }
     widgets::ViewPane& active_pane() const { return *pane(area_->active()); }
 
     // What the active view shows: A, or the difference.
@@ -70,6 +77,7 @@ class Workspace : public QObject {
     Session& session_;
     LivePictures& live_;
     widgets::ImageView::Surface surface_;
+    std::function<QImage(const widgets::ViewSource&)> thumbnails_;
     PictureTools tools_;
     std::array<widgets::ViewPane*, widgets::ViewArea::max_views> panes_{};
     widgets::ViewArea* area_;  ///< makes the first pane at once

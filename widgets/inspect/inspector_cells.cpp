@@ -10,6 +10,7 @@
 #include "renderers/image/colour_map.h"
 #include "widgets/image/display.h"
 #include "widgets/inspect/inspector_model.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 /// What the cells of the inspector show.
@@ -173,7 +174,8 @@ QString InspectorModel::tooltip(const Node& node) const {
           << QStringLiteral("<tt>%1</tt>").arg(QString::fromStdString(buffer.key).toHtmlEscaped());
     if (!buffer.available)
         lines << tr("Not computed, because nothing shows it. Click “not computed” to have it computed.");
-    return lines.join(QStringLiteral("<br>"));
+    return (thumbnails_ ? picture_text(thumbnails_(buffer.key)) : QString()) +
+           lines.join(QStringLiteral("<br>"));
 }
 
 QVariant InspectorModel::value_data(const Node& node, int column, int role) const {

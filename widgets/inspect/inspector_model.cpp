@@ -163,8 +163,19 @@ InspectorFilter::InspectorFilter(QObject* parent) : QSortFilterProxyModel(parent
 }
 
 void InspectorFilter::set_text(const QString& text) {
-    text_ = text.trimmed();
-    invalidateFilter();
+    text_ = text.simplified();
+    for (const auto letters : {Letters::all, Letters::some}) {
+        letters_ = letters;
+        invalidateFilter();
+        if (has_buffer()) break;
+    }
+}
+
+/// Beside the rows that always stay.
+bool InspectorFilter::has_buffer() const {
+    for (int i = 0; i < rowCount(); ++i)
+        if (hasChildren(index(i, 0))) return true;
+    return false;
 }
 
 bool InspectorFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
@@ -174,8 +185,7 @@ bool InspectorFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
     if (!parent.isValid() && (key == QStringLiteral("position") || key == QStringLiteral("world")))
         return true;                                   // where the numbers are from is always of use
     if (at.parent().parent().isValid()) return false;  // channels follow their buffer
-    return at.data().toString().contains(text_, Qt::CaseInsensitive) ||
-           key.contains(text_, Qt::CaseInsensitive);
+    return fit_of(text_, at.data().toString(), {key, parent.data().toString()}, letters_) > 0;
 }
 
 }  // namespace ir::widgets

@@ -3,17 +3,20 @@
 #include <QAbstractItemModel>
 #include <QColor>
 #include <QIcon>
+#include <QImage>
 #include <QPoint>
 #include <QSet>
 #include <QSortFilterProxyModel>
 #include <QString>
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "renderers/core/output.h"
+#include "widgets/models/word_search.h"
 
 namespace ir::widgets {
 
@@ -63,6 +66,10 @@ class InspectorModel : public QAbstractItemModel {
     /// Says "being computed" of a buffer until it is available.
     void mark_wanted(const QString& key);
     int not_computed() const;
+    /// Small pictures for tooltips, by key of the buffer; null: there is none.
+    void set_thumbnails(std::function<QImage(const std::string&)> thumbnails) {
+        thumbnails_ = std::move(thumbnails);
+    }
     /// The pixel that a column stands for.
     std::optional<QPoint> place_of(int column) const;
     /// A header line, then a line a buffer's channel: group, key, channel, unit, cursor, pins; all digits.
@@ -99,6 +106,7 @@ class InspectorModel : public QAbstractItemModel {
     QString tooltip(const Node& node) const;
 
     Readings readings_;
+    std::function<QImage(const std::string&)> thumbnails_;
     std::vector<QPoint> pins_;
     std::vector<Node> nodes_;
     std::vector<int> top_;
@@ -107,7 +115,7 @@ class InspectorModel : public QAbstractItemModel {
     bool world_known_ = false;             ///< once known its row stays, so that rows do not jump
 };
 
-/// Rows whose name, key or group contains a text.
+/// Rows that fit the words of a text (`fit_of`), by name, key or group.
 class InspectorFilter : public QSortFilterProxyModel {
     Q_OBJECT
   public:
@@ -118,7 +126,10 @@ class InspectorFilter : public QSortFilterProxyModel {
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
   private:
+    bool has_buffer() const;
+
     QString text_;
+    Letters letters_ = Letters::all;
 };
 
 }  // namespace ir::widgets

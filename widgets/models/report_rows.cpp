@@ -118,17 +118,24 @@ Cell queue_cell(const PassReport& pass) {
 
 const char* sign_of(OutputKind kind) {
     switch (kind) {
+        case OutputKind::image:
+            return "image";
+        case OutputKind::pyramid:
+            return "pyramid";
+        case OutputKind::stack:
+            return "stack";
         case OutputKind::point_set:
+            return "points";
         case OutputKind::line_set:
+            return "lines";
         case OutputKind::glyphs:
-            return "scene";
+            return "glyphs";
         case OutputKind::sphere_values:
             return "orbit";
         case OutputKind::table:
             return "table";
-        default:
-            return "image";
     }
+    return "image";
 }
 
 QString bytes_text(std::uint64_t bytes) {

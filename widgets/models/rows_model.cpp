@@ -1,7 +1,6 @@
 #include "widgets/models/rows_model.h"
 
 #include <QApplication>
-#include <QBuffer>
 #include <QColor>
 #include <QFont>
 #include <QIcon>
@@ -9,21 +8,13 @@
 #include <QPixmap>
 
 #include "widgets/style/icons.h"
+#include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {
 
 constexpr int sign_size = 16;  // logical pixels
-
-/// As a tooltip shows it.
-QString picture_text(const QImage& picture) {
-    if (picture.isNull()) return {};
-    QByteArray file;
-    QBuffer buffer(&file);
-    picture.save(&buffer, "PNG");
-    return QStringLiteral("<img src='data:image/png;base64,%1'><br>").arg(QLatin1String(file.toBase64()));
-}
 
 bool same_shape(const std::vector<Row>& a, const std::vector<Row>& b) {
     if (a.size() != b.size()) return false;

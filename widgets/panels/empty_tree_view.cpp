@@ -4,12 +4,19 @@
 
 namespace ir::widgets {
 
-void paint_empty_text(QAbstractItemView& view, const QString& text) {
-    if (view.model() && view.model()->rowCount() > 0) return;
+namespace {
+
+void paint_text(QAbstractItemView& view, const QString& text) {
     QPainter painter(view.viewport());
     painter.setPen(view.palette().color(QPalette::PlaceholderText));
     painter.drawText(view.viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
                      text);
+}
+
+}  // namespace
+
+void paint_empty_text(QAbstractItemView& view, const QString& text) {
+    if (!view.model() || view.model()->rowCount() == 0) paint_text(view, text);
 }
 
 EmptyTreeView::EmptyTreeView(const QString& empty_text, QWidget* parent)
@@ -23,7 +30,13 @@ void EmptyTreeView::set_empty_text(const QString& text) {
 
 void EmptyTreeView::paintEvent(QPaintEvent* event) {
     QTreeView::paintEvent(event);
-    paint_empty_text(*this, empty_text_);
+    if (!is_any_shown()) paint_text(*this, empty_text_);
+}
+
+bool EmptyTreeView::is_any_shown() const {
+    for (int i = 0; model() && i < model()->rowCount(); ++i)
+        if (!isRowHidden(i, {})) return true;
+    return false;
 }
 
 }  // namespace ir::widgets

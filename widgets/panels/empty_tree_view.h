@@ -19,6 +19,8 @@ class EmptyTreeView : public QTreeView {
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    bool is_any_shown() const;
+
     QString empty_text_;
 };
 

@@ -2,15 +2,19 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QTextDocument>
 #include <QTimer>
+#include <QToolTip>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <numeric>
 
+#include "widgets/models/word_search.h"
 #include "widgets/panels/controls.h"
+#include "widgets/style/rich_text.h"
 
 namespace ir::widgets {
 namespace {
@@ -20,58 +24,19 @@ constexpr int column_margin = 14, icon_size = 16;
 constexpr std::size_t max_shown = 200;
 enum Column { kind, name, place, keys };
 
-/// Fits are sums over words; a name that is nearly the query stands before a long one.
-constexpr int at_start = 1000, at_word = 800, within = 500, elsewhere = 200, with_gaps = 100;
-
-/// Whether all letters of the word come in this order, without too much between them.
-bool has_letters(const QString& text, const QString& word) {
-    constexpr qsizetype gaps = 3;  // times the word's length
-    for (qsizetype start = text.indexOf(word[0], 0, Qt::CaseInsensitive); start >= 0;
-         start = text.indexOf(word[0], start + 1, Qt::CaseInsensitive)) {
-        qsizetype at = start;
-        for (const QChar letter : word.sliced(1))
-            if (at >= 0) at = text.indexOf(letter, at + 1, Qt::CaseInsensitive);
-        if (at >= 0 && at - start < gaps * word.size()) return true;
-    }
-    return false;
-}
-
-bool begins_word(const QString& text, qsizetype at) {
-    return at > 0 && !text[at - 1].isLetterOrNumber();
-}
-
-int fit_of_word(const QString& word, const Findable& what) {
-    const QString& name = what.name;
-    int best = 0;
-    for (qsizetype at = name.indexOf(word, 0, Qt::CaseInsensitive); at >= 0;
-         at = name.indexOf(word, at + 1, Qt::CaseInsensitive))
-        best = std::max(best, at == 0 ? at_start : begins_word(name, at) ? at_word : within);
-    if (best > 0) return best;
-    for (const auto& other : {what.also, what.kind, what.place})
-        if (other.contains(word, Qt::CaseInsensitive)) return elsewhere;
-    return word.size() > 1 && has_letters(name, word) ? with_gaps : 0;
-}
-
 }  // namespace
 
-int fit_of(const QString& query, const Findable& what) {
-    constexpr int max_length = 99;
-    int sum = 0;
-    const auto words = query.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    for (const auto& word : words) {
-        const int fit = fit_of_word(word, what);
-        if (fit == 0) return 0;
-        sum += fit;
-    }
-    return words.isEmpty() ? 1 : sum + max_length - std::min(max_length, int(what.name.size()));
-}
-
 std::vector<std::size_t> found(const QString& query, const std::vector<Findable>& all) {
-    std::vector<int> fits;
-    for (const auto& each : all) fits.push_back(fit_of(query, each));
-    std::vector<std::size_t> order(all.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::erase_if(order, [&](std::size_t i) { return fits[i] == 0; });
+    std::vector<int> fits(all.size());
+    std::vector<std::size_t> order;
+    for (const auto letters : {Letters::all, Letters::some}) {
+        if (!order.empty()) break;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const auto& what = all[i];
+            fits[i] = fit_of(query, what.name, {what.also, what.kind, what.place}, letters);
+            if (fits[i] > 0) order.push_back(i);
+        }
+    }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return fits[a] > fits[b]; });
     return order;
@@ -99,7 +64,7 @@ FinderDialog::FinderDialog(std::vector<Findable> all, QWidget* parent)
     list_->header()->setSectionResizeMode(QHeaderView::Fixed);
     list_->header()->setMinimumSectionSize(0);
     list_->viewport()->installEventFilter(this);
-    nothing_ = new QLabel(tr("Nothing has all of these words."), this);
+    nothing_ = new QLabel(nothing_fits(), this);
     layout->addWidget(line_);
     layout->addWidget(nothing_);
     layout->addWidget(list_, 1);
@@ -128,7 +93,6 @@ void FinderDialog::search(const QString& query) {
         item->setForeground(kind, palette().color(QPalette::PlaceholderText));
         item->setForeground(place, palette().color(QPalette::PlaceholderText));
         item->setTextAlignment(keys, Qt::AlignRight | Qt::AlignVCenter);
-        item->setToolTip(name, is_open ? what.also : what.why_not);
         if (is_open) continue;
         item->setForeground(name, palette().color(QPalette::PlaceholderText));
         item->setText(place, what.why_not);
@@ -159,15 +123,33 @@ void FinderDialog::fit_columns() {
 
 bool FinderDialog::eventFilter(QObject* watched, QEvent* event) {
     if (watched == list_->viewport() && event->type() == QEvent::Resize) fit_columns();
+    if (watched == list_->viewport() && event->type() == QEvent::ToolTip) {
+        show_tip(*static_cast<QHelpEvent*>(event));
+        return true;
+    }
     if (watched == line_ && moves_through(list_, event)) return true;
     return QDialog::eventFilter(watched, event);
 }
 
+const Findable* FinderDialog::at(const QTreeWidgetItem* item) const {
+    return item ? &all_[item->data(kind, Qt::UserRole).toULongLong()] : nullptr;
+}
+
+void FinderDialog::show_tip(const QHelpEvent& event) const {
+    const auto* item = list_->itemAt(event.pos());
+    const auto* what = at(item);
+    if (!what) return QToolTip::hideText();
+    const auto words = what->why_not.isEmpty() ? what->also : what->why_not;
+    const auto picture = what->picture ? picture_text(what->picture()) : QString();
+    QToolTip::showText(event.globalPos(),
+                       picture.isEmpty() ? words : picture + Qt::convertFromPlainText(words),
+                       list_->viewport(), list_->visualItemRect(item));
+}
+
 void FinderDialog::go() {
-    const auto* item = list_->currentItem();
-    if (!item) return;
-    const auto& what = all_[item->data(kind, Qt::UserRole).toULongLong()];
-    if (!what.why_not.isEmpty()) return;
+    const auto* chosen = at(list_->currentItem());
+    if (!chosen || !chosen->why_not.isEmpty()) return;
+    const auto& what = *chosen;
     // Once this has given the keyboard back: what is gone to may take it.
     QTimer::singleShot(0, parent(), what.go);
     accept();

@@ -2,12 +2,15 @@
 
 #include <QDialog>
 #include <QIcon>
+#include <QImage>
 #include <functional>
 #include <vector>
 
+class QHelpEvent;
 class QLabel;
 class QLineEdit;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace ir::widgets {
 
@@ -20,13 +23,11 @@ struct Findable {
     QString why_not = {};  ///< empty: it can be gone to
     std::function<void()> go = {};
     QIcon icon = {};
+    std::function<QImage()> picture = {};  ///< asked for when it is pointed at
 };
 
-/// How well the words of a query fit, 0: one of them does not. Each has to be in the name, kind, place or
-/// other words; best at the beginning of the name or of a word of it, then anywhere in it, then with letters
-/// left out.
-int fit_of(const QString& query, const Findable& what);
-/// Those that fit, as indices, best first; equal ones, and all without a query, in their order.
+/// Those that fit the words (`fit_of`), as indices, best first; equal ones, and all without a query, in their
+/// order.
 std::vector<std::size_t> found(const QString& query, const std::vector<Findable>& all);
 
 /// One line to type in, and below it what fits; Enter goes to the chosen one.
@@ -42,6 +43,8 @@ class FinderDialog : public QDialog {
     void search(const QString& query);
     void fit_columns();
     void go();
+    const Findable* at(const QTreeWidgetItem* item) const;
+    void show_tip(const QHelpEvent& event) const;
 
     std::vector<Findable> all_;
     QLineEdit* line_;

@@ -8,13 +8,15 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 #include <algorithm>
-
-#include "widgets/panels/empty_tree_view.h"
+#include <functional>
 
 namespace ir::widgets {
 
 RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWidget* parent)
-    : QWidget(parent), model_(new RowsModel(headings, this)), view_(new EmptyTreeView(empty_text, this)) {
+    : QWidget(parent),
+      model_(new RowsModel(headings, this)),
+      view_(new EmptyTreeView(empty_text, this)),
+      empty_text_(empty_text) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(view_);
@@ -77,7 +79,7 @@ void RowsPanel::set_searchable(const QString& hint) {
     static_cast<QVBoxLayout*>(layout())->insertWidget(0, search_);
     connect(search_, &QLineEdit::textChanged, this, &RowsPanel::search);
     connect(search_, &QLineEdit::returnPressed, this, [this] {
-        const auto found = first_match({});
+        const auto found = best_fit();
         if (!found.isValid()) return;
         view_->setCurrentIndex(found);
         emit row_clicked(found.data(RowsModel::key_role).toString());
@@ -86,38 +88,53 @@ void RowsPanel::set_searchable(const QString& hint) {
 
 void RowsPanel::search() {
     if (!search_) return;
-    const auto words = search_->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const QString query = search_->text().simplified();
     restoring_ = true;
-    show_matching({}, words);
-    words.isEmpty() ? restore_folding({}) : view_->expandAll();
+    bool is_any = false;
+    for (const auto letters : {Letters::all, Letters::some})
+        if (!is_any) is_any = show_fitting({}, query, letters);
+    query.isEmpty() ? restore_folding({}) : view_->expandAll();
     restoring_ = false;
+    view_->set_empty_text(query.isEmpty() ? empty_text_ : nothing_fits());
+}
+
+/// How a row fits, by what is seen of it, its key and the groups that it is in.
+int RowsPanel::fit(const QModelIndex& row, Letters letters) const {
+    QStringList others{row.data(RowsModel::key_role).toString()};
+    for (auto above = row.parent(); above.isValid(); above = above.parent())
+        others << above.data().toString();
+    return fit_of(search_->text(), row.data().toString(), others, letters);
 }
 
 /// Whether one is shown.
-bool RowsPanel::show_matching(const QModelIndex& parent, const QStringList& words) {
+bool RowsPanel::show_fitting(const QModelIndex& parent, const QString& query, Letters letters) {
     bool is_any = false;
     for (int i = 0; i < model_->rowCount(parent); ++i) {
         const auto row = model_->index(i, 0, parent);
-        const auto text = row.data().toString() + QLatin1Char(' ') + row.data(RowsModel::key_role).toString();
-        const bool matches = std::all_of(words.begin(), words.end(), [&](const QString& word) {
-            return text.contains(word, Qt::CaseInsensitive);
-        });
-        const bool is_shown = show_matching(row, matches ? QStringList() : words) || matches;
+        const bool is_shown = show_fitting(row, query, letters) || query.isEmpty() || fit(row, letters) > 0;
         view_->setRowHidden(i, parent, !is_shown);
         is_any |= is_shown;
     }
     return is_any;
 }
 
-/// Without children of its own, as those are groups.
-QModelIndex RowsPanel::first_match(const QModelIndex& parent) const {
-    for (int i = 0; i < model_->rowCount(parent); ++i) {
-        if (view_->isRowHidden(i, parent)) continue;
-        const auto row = model_->index(i, 0, parent);
-        if (!model_->hasChildren(row)) return row;
-        if (const auto below = first_match(row); below.isValid()) return below;
-    }
-    return {};
+/// The one that fits best, without children of its own, as those are groups.
+QModelIndex RowsPanel::best_fit() const {
+    QModelIndex best;
+    int most = 0;
+    const std::function<void(const QModelIndex&)> look = [&](const QModelIndex& parent) {
+        for (int i = 0; i < model_->rowCount(parent); ++i) {
+            if (view_->isRowHidden(i, parent)) continue;
+            const auto row = model_->index(i, 0, parent);
+            look(row);
+            if (const int its = fit(row, Letters::some); !model_->hasChildren(row) && its > most) {
+                most = its;
+                best = row;
+            }
+        }
+    };
+    look({});
+    return best;
 }
 
 void RowsPanel::set_picture_size(QSize size) {

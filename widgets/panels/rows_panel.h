@@ -3,9 +3,10 @@
 #include <QWidget>
 
 #include "widgets/models/rows_model.h"
+#include "widgets/models/word_search.h"
+#include "widgets/panels/empty_tree_view.h"
 
 class QLineEdit;
-class QTreeView;
 
 namespace ir::widgets {
 
@@ -16,15 +17,15 @@ class RowsPanel : public QWidget {
   public:
     RowsPanel(const QStringList& headings, const QString& empty_text, QWidget* parent = nullptr);
     void set_rows(std::vector<Row> rows);
-    /// A line above the rows: those without all of its words, in key or name, are hidden, but for groups of
-    /// shown ones. Enter clicks the first, Esc clears it.
+    /// A line above the rows: those without all of its words, in name, key or group, are hidden, but for
+    /// groups of shown ones. Enter clicks the one that fits best, Esc clears it.
     void set_searchable(const QString& hint);
     /// Size of pictures in the first column, logical pixels.
     void set_picture_size(QSize size);
     /// The first column gives way to the others only down to this many logical pixels.
     void set_name_width(int width) { name_width_ = width; }
     RowsModel& model() { return *model_; }
-    QTreeView* view() { return view_; }
+    EmptyTreeView* view() { return view_; }
 
   signals:
     void row_clicked(const QString& key);
@@ -37,11 +38,12 @@ class RowsPanel : public QWidget {
     void restore_folding(const QModelIndex& parent);
     void fit_columns();
     void search();
-    bool show_matching(const QModelIndex& parent, const QStringList& words);
-    QModelIndex first_match(const QModelIndex& parent) const;
+    int fit(const QModelIndex& row, Letters letters) const;
+    bool show_fitting(const QModelIndex& parent, const QString& query, Letters letters);
+    QModelIndex best_fit() const;
     void copy();
     RowsModel* model_;
-    QTreeView* view_;
+    EmptyTreeView* view_;
     QLineEdit* search_ = nullptr;
     QString empty_text_;
     QHash<QString, bool> open_;  ///< what a person folded or unfolded

@@ -66,6 +66,15 @@ constexpr Drawing drawings[] = {
     {"experiment", "<path d='M6 1.5h4 M6.5 1.5v5L2.5 14.5h11L9.5 6.5v-5 M4.3 11h7.4'/>"},
     {"comparison", "<path d='M2 3h12v10H2z M8 1v14'/><path d='M8 3h6v10H8z' fill='#808080' stroke='none'/>"},
     {"image", "<path d='M2 3h12v10H2z M2 11l3.5-4 3 3.5 2-2 3.5 3'/><circle cx='11' cy='6' r='.9'/>"},
+    {"pyramid", "<path d='M1.5 3h8v10h-8z M11 8h3.5v5H11z'/><path d='M1.5 11l2.5-3 2 2 1.5-1.5 2 2'/>"},
+    {"stack", "<path d='M1.5 5.5h9.5V14H1.5z M3.8 5.5V3.3h9.5v8.4H11 M6 3.3V1.5h8.5v8h-1.2'/>"},
+    {"points",
+     "<g fill='#808080'><circle cx='3.5' cy='12' r='1'/><circle cx='6' cy='7' r='1'/><circle cx='9.5' cy='10.5' "
+     "r='1'/><circle cx='11' cy='4' r='1'/><circle cx='13.3' cy='9' r='1'/><circle cx='3' cy='3.5' r='1'/></g>"},
+    {"lines", "<path d='M2 13L7 2.5 M4.5 14l9-6.5 M8.5 14L14 3'/>"},
+    {"glyphs",
+     "<path d='M2.5 13L6 7.5 M6 7.5l-2.2.7 M6 7.5l.2 2.3 M9.5 13.5L13 8 M13 8l-2.2.7 M13 8l.2 2.3 M7.5 6.5L11 "
+     "1.5 M11 1.5l-2.2.7 M11 1.5l.2 2.3'/>"},
     {"analysis", "<path d='M4.5 1.5v13 M4.5 4.5h9 M4.5 8H9 M1.5 11.5h6'/>"},
     {"sweep", "<path d='M2 2h4.5v4.5H2z M9.5 2H14v4.5H9.5z M2 9.5h4.5V14H2z M9.5 9.5H14V14H9.5z'/>"},
     {"plot",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QString>
 #include <string>
 
@@ -9,5 +10,8 @@ namespace ir::widgets {
 inline QString escaped(const std::string& text) {
     return QString::fromStdString(text).toHtmlEscaped();
 }
+
+/// The picture and an end of line; empty where there is none.
+QString picture_text(const QImage& picture);
 
 }  // namespace ir::widgets

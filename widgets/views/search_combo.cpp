@@ -1,12 +1,16 @@
 #include "widgets/views/search_combo.h"
 
+#include <QHelpEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QScreen>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/panels/controls.h"
+#include "widgets/style/rich_text.h"
 
 namespace ir::widgets {
 namespace {
@@ -19,6 +23,7 @@ SearchCombo::SearchCombo(QWidget* parent)
     : QComboBox(parent),
       popup_(new QFrame(this, Qt::Popup)),
       line_(new QLineEdit(popup_)),
+      nothing_(new QLabel(nothing_fits(), popup_)),
       list_(new QListView(popup_)) {
     popup_->setFrameShape(QFrame::StyledPanel);
     popup_->setAttribute(Qt::WA_NoMouseReplay);  // a click on this closes the list, and does not open it anew
@@ -31,10 +36,12 @@ SearchCombo::SearchCombo(QWidget* parent)
     list_->setFrameShape(QFrame::NoFrame);
     list_->setFocusPolicy(Qt::NoFocus);
     list_->setAccessibleName(tr("What fits"));
+    list_->viewport()->installEventFilter(this);
     auto* layout = new QVBoxLayout(popup_);
     layout->setContentsMargins(2, 2, 2, 2);
     layout->setSpacing(2);
     layout->addWidget(line_);
+    layout->addWidget(nothing_);
     layout->addWidget(list_);
     connect(line_, &QLineEdit::textChanged, this, &SearchCombo::search);
     connect(line_, &QLineEdit::returnPressed, this, [this] { choose(list_->currentIndex()); });
@@ -70,22 +77,29 @@ void SearchCombo::initStyleOption(QStyleOptionComboBox* option) const {
 }
 
 void SearchCombo::search(const QString& query) {
-    const auto words = query.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    int heading = -1, first = -1;
+    int best = -1;
+    for (const auto letters : {Letters::all, Letters::some})
+        if (best < 0) best = show_fitting(query, letters);
+    nothing_->setVisible(best < 0);
+    list_->setCurrentIndex(model()->index(best, 0));
+}
+
+/// The entry that fits best; -1: none does.
+int SearchCombo::show_fitting(const QString& query, Letters letters) {
+    int heading = -1, best = -1, most = 0;
     for (int i = 0; i < count(); ++i) {
-        const auto entry = model()->index(i, 0);
-        const bool is_heading = !entry.flags().testFlag(Qt::ItemIsEnabled);
+        const bool is_heading = !model()->index(i, 0).flags().testFlag(Qt::ItemIsEnabled);
         if (is_heading) heading = i;
-        const auto text =
-            QStringList{itemText(heading), itemText(i), itemData(i).toString()}.join(QLatin1Char(' '));
-        const bool matches = !is_heading && std::all_of(words.begin(), words.end(), [&](const QString& word) {
-            return text.contains(word, Qt::CaseInsensitive);
-        });
-        list_->setRowHidden(i, !matches);
-        if (matches && heading >= 0) list_->setRowHidden(heading, false);
-        if (matches && first < 0) first = i;
+        const int fit =
+            is_heading ? 0 : fit_of(query, itemText(i), {itemText(heading), itemData(i).toString()}, letters);
+        list_->setRowHidden(i, fit == 0);
+        if (fit > 0 && heading >= 0) list_->setRowHidden(heading, false);
+        if (fit > most) {
+            most = fit;
+            best = i;
+        }
     }
-    list_->setCurrentIndex(model()->index(first, 0));
+    return best;
 }
 
 void SearchCombo::choose(const QModelIndex& entry) {
@@ -97,8 +111,20 @@ void SearchCombo::choose(const QModelIndex& entry) {
     emit textActivated(itemText(row));
 }
 
+void SearchCombo::show_tip(const QHelpEvent& event) const {
+    const auto entry = list_->indexAt(event.pos());
+    const auto key = entry.data(Qt::UserRole).toString();
+    const auto picture = pictures_ && !key.isEmpty() ? pictures_(key) : QImage();
+    QToolTip::showText(event.globalPos(), picture_text(picture) + entry.data(Qt::ToolTipRole).toString(),
+                       list_->viewport(), list_->visualRect(entry));
+}
+
 bool SearchCombo::eventFilter(QObject* watched, QEvent* event) {
     if (watched == line_ && moves_through(list_, event)) return true;
+    if (watched == list_->viewport() && event->type() == QEvent::ToolTip) {
+        show_tip(*static_cast<QHelpEvent*>(event));
+        return true;
+    }
     return QComboBox::eventFilter(watched, event);
 }
 

@@ -28,7 +28,7 @@ constexpr int min_width = 22;
 constexpr int letters_of_a_source = 10;
 
 template <class Combo = QComboBox>
-QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip, int letters) {
+Combo* make_combo(QWidget* parent, const QString& name, const QString& tip, int letters) {
     auto* combo = new Combo(parent);
     combo->setObjectName(name);
     combo->setToolTip(tip);
@@ -142,8 +142,13 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
     result.badge->setContentsMargins(3, 0, 3, 0);
     result.owner = make_combo(result.line, QStringLiteral("owner-") + name,
                               tr("Experiment or image that is shown"), letters_of_a_source);
-    result.output = make_combo<SearchCombo>(result.line, QStringLiteral("output-") + name,
+    auto* outputs = make_combo<SearchCombo>(result.line, QStringLiteral("output-") + name,
                                             tr("Output or buffer that is shown"), letters_of_a_source);
+    outputs->set_pictures([this, member](const QString& key) {
+        const auto& owner = (fields_.state.*member).owner;
+        return thumbnails_ ? thumbnails_({owner, key.toStdString()}) : QImage();
+    });
+    result.output = outputs;
     result.part =
         make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"), 7);
     result.part->setMinimumWidth(result.part->sizeHint().width());  // "Slice 12"

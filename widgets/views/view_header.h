@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QImage>
 #include <QWidget>
+#include <functional>
 
 #include "widgets/views/view_state.h"
 
@@ -21,6 +23,10 @@ class ViewHeader : public QWidget {
     void set_fields(const ViewFields& fields);
     const ViewFields& fields() const { return fields_; }
     void show_layers_shown(bool shown);
+    /// Small pictures for the tooltips of buffers; null: there is none.
+    void set_thumbnails(std::function<QImage(const ViewSource&)> thumbnails) {
+        thumbnails_ = std::move(thumbnails);
+    }
 
   signals:
     /// A person changed something; what else follows from it (an owner without that output) is the
@@ -53,6 +59,7 @@ class ViewHeader : public QWidget {
     void choose(Change change);
 
     ViewFields fields_;
+    std::function<QImage(const ViewSource&)> thumbnails_;
     SourceLine a_, b_;
     QComboBox *mode_ = nullptr, *difference_ = nullptr;
     QToolButton *pictures_ = nullptr, *swap_ = nullptr, *link_ = nullptr, *table_ = nullptr,

@@ -105,7 +105,7 @@ TEST_F(FinderTest, LooksAtExperimentsAndThroughCameras) {
 TEST_F(FinderTest, CarriesActionsOutAndShowsTheirKeys) {
     find("full screen");
     EXPECT_EQ(first(), "Full screen");
-    EXPECT_EQ(first(3), "F11");
+    EXPECT_EQ(first(3), "Shift+F11");
     EXPECT_EQ(first(2), "Window");
     escape();
     find("duplicate experiment");

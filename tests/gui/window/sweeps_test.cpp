@@ -138,7 +138,7 @@ TEST_F(SweepsWindowTest, AnotherSweepIsSeenWhileOneRuns) {
     fake.allowed = 1000;
     ASSERT_TRUE(finish());
     ASSERT_FALSE(said.isEmpty());
-    EXPECT_EQ(said.last().at(0).toString(), "The sweep is through; 1 variation(s) failed");
+    EXPECT_EQ(said.last().at(0).toString(), "The sweep is through; 1 variation failed");
 }
 
 TEST_F(SweepsWindowTest, AClickLoadsTheSettingInOneStep) {

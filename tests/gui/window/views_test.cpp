@@ -1,11 +1,13 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QHelpEvent>
 #include <QLineEdit>
 #include <QListView>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QToolTip>
 #include <QTreeView>
 #include <memory>
 
@@ -122,6 +124,8 @@ TEST_F(ViewsTest, OutputsAreSearchedByWordsAndHaveIconsByKind) {
     };
     EXPECT_EQ(icon_of("Picture"), icon_of("Depth"));
     EXPECT_NE(icon_of("Picture"), icon_of("Cloud"));
+    EXPECT_NE(icon_of("Picture"), icon_of("Levels"));
+    EXPECT_NE(icon_of("Levels"), icon_of("Slices"));
     EXPECT_NE(icon_of("Cloud"), icon_of("Numbers"));
     auto* line = combo->findChild<QLineEdit*>();
     auto* list = combo->findChild<QListView*>();
@@ -162,6 +166,30 @@ TEST_F(ViewsTest, OutputsAreSearchedByWordsAndHaveIconsByKind) {
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(cloud).center());
     ASSERT_TRUE(settle());
     EXPECT_EQ(views().shown_key(), "cloud");
+}
+
+TEST_F(ViewsTest, ABufferThatIsPointedAtInAListShowsItsPicture) {
+    std::vector<std::string> asked;
+    workspace().set_thumbnails([&](const widgets::ViewSource& source) {
+        asked.push_back(source.output);
+        QImage picture(8, 6, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        return source.output == "depth" ? picture : QImage();
+    });
+    auto* combo = header("output-a");
+    combo->showPopup();
+    auto* list = combo->findChild<QListView*>();
+    const auto tip = [&](const char* label) {
+        const auto at = list->visualRect(list->model()->index(combo->findText(label), 0)).center();
+        QHelpEvent event(QEvent::ToolTip, at, list->viewport()->mapToGlobal(at));
+        QApplication::sendEvent(list->viewport(), &event);
+        return QToolTip::text();
+    };
+    EXPECT_TRUE(asked.empty()) << "only what is pointed at";
+    EXPECT_TRUE(tip("Depth").startsWith("<img")) << QToolTip::text().toStdString();
+    EXPECT_FALSE(tip("Levels").contains("<img"));
+    EXPECT_TRUE(QToolTip::text().contains("levels"));
+    combo->hidePopup();
 }
 
 TEST_F(ViewsTest, EachKindOfOutputHasItsViewer) {

@@ -235,6 +235,11 @@ class Soak : public testing::TestWithParam<std::string> {
     /// As it was at first.
     void go_back() {
         while (steps() > begin_) session().undo();
+        // Hidden views keep frame buffers in the size that they had last.
+        trigger("views-4");
+        for (int view = 0; view < widgets::ViewArea::max_views; ++view)
+            window().views().set_state(view, {.a = {first_, {}}});
+        QApplication::processEvents();
         trigger("views-1");
         window().views().show_owner(first_);
         window().views().set_inspection(first_, {});

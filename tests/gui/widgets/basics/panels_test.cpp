@@ -365,5 +365,40 @@ TEST(RowsPanelTest, ValuesStandBesideTheirNamesInAWidePanel) {
     EXPECT_LE(panel.view()->columnWidth(0) + panel.view()->columnWidth(1), 180) << "long names are cut";
 }
 
+TEST(RowsPanelTest, SearchesAsTheFinderDoes) {
+    RowsPanel panel({"Buffer"}, "Nothing is here.");
+    panel.set_searchable("Search");
+    const auto row = [](const char* key, const char* name) { return Row{key, {{name}}}; };
+    Row first{"pass:g", {{"G-buffer"}}}, second{"pass:t", {{"Tracing"}}};
+    first.children = {row("g.depth", "Depth"), row("g.depths", "All depths")};
+    second.children = {row("t.hits", "Hit points")};
+    panel.set_rows({first, second});
+    auto* line = panel.findChild<QLineEdit*>("search");
+    const auto shown = [&](const char* query) {
+        line->setText(query);
+        QStringList keys;
+        for (const char* key : {"g.depth", "g.depths", "t.hits"}) {
+            const auto at = panel.model().index_of(key);
+            const bool is_hidden = panel.view()->isRowHidden(at.row(), at.parent()) ||
+                                   panel.view()->isRowHidden(at.parent().row(), {});
+            if (!is_hidden) keys << key;
+        }
+        return keys;
+    };
+    EXPECT_EQ(shown("tracing hit"), QStringList("t.hits")) << "words of the group, too";
+    EXPECT_EQ(shown("dpth"), QStringList({"g.depth", "g.depths"})) << "letters may be left out";
+    EXPECT_EQ(shown("t.h"), QStringList("t.hits")) << "not also with letters left out";
+    EXPECT_EQ(shown("xyzzy"), QStringList());
+    EXPECT_EQ(panel.view()->empty_text(), nothing_fits());
+    QSignalSpy clicked(&panel, &RowsPanel::row_clicked);
+    EXPECT_EQ(shown("depths").size(), 1);
+    EXPECT_EQ(shown("depth").size(), 2);
+    QTest::keyClick(line, Qt::Key_Return);
+    ASSERT_EQ(clicked.count(), 1);
+    EXPECT_EQ(clicked.last()[0].toString(), "g.depth") << "it fits best";
+    EXPECT_EQ(shown("").size(), 3);
+    EXPECT_EQ(panel.view()->empty_text(), "Nothing is here.");
+}
+
 }  // namespace
 }  // namespace ir::widgets

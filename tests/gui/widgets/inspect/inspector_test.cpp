@@ -223,6 +223,8 @@ TEST(InspectorFilter, FindsBuffersByNameKeyAndGroup) {
     EXPECT_EQ(filter.rowCount(filter.index(0, 0, filter.index(2, 0))), 3) << "with its channels";
     filter.set_text("gbuffer");
     EXPECT_EQ(filter.rowCount(filter.index(2, 0)), 2) << "a group's name shows all of it";
+    filter.set_text("nrml");
+    EXPECT_EQ(filter.rowCount(filter.index(2, 0)), 1) << "letters may be left out";
     model.set_readings(readings({1, 1}));
     filter.set_text("");
     EXPECT_EQ(filter.rowCount(), 5);
