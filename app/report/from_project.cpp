@@ -58,10 +58,12 @@ bool fit(const Picture& a, const Picture& b) {
 
 class ProjectReport {
   public:
-    ProjectReport(const projects::Project& project, const fs::path& folder, const Work& work)
+    ProjectReport(const projects::Project& project, const fs::path& folder, const Work& work,
+                  const Subject& subject)
         : project_(project),
           folder_(folder),
           work_(work),
+          subject_(subject),
           contents_(projects::read_contents(project, folder, work.cancel)),
           now_(projects::with_contents(project, contents_)),
           index_(projects::ResultIndex::load(folder)) {}
@@ -86,6 +88,9 @@ class ProjectReport {
         for (const auto& analysis : project_.analyses) add_analysis(analysis);
         report_.settings = settings_of(report_.galleries);
         report_.provenance = provenance_of(report_.galleries);
+        if (!unkept_.empty())
+            report_.provenance.notes.push_back("As the window showed it, not kept in the project: " +
+                                               projects::printable(listed(unkept_), 300) + ".");
         return std::move(report_);
     }
 
@@ -115,15 +120,24 @@ class ProjectReport {
     void read_experiment(const Experiment& experiment) {
         const auto* kept = index_.find(experiment.last_kept_key);
         const auto* file = kept ? projects::file_of(*kept, projects::main_role) : nullptr;
-        if (!file) return lack(name_of(experiment) + " has no kept result.");
+        const auto shown = subject_.unkept.find(experiment.id);
+        const auto unkept = shown == subject_.unkept.end() ? Unkept() : shown->second;
+        const bool is_kept = unkept.file.empty();
+        if (is_kept && !file)
+            return lack(name_of(experiment) + " has no kept result" +
+                        (unkept.problem.empty() ? "" : ", and none is shown: " + unkept.problem) + ".");
         Found found{{}, experiment.id, experiment.scene + "/" + experiment.camera};
         try {
-            found.picture = read_picture(name_of(experiment), folder_ / "results" / file->path);
+            found.picture = read_picture(name_of(experiment),
+                                         is_kept ? folder_ / "results" / file->path : unkept.file);
         } catch (const InputError&) {
-            return lack("The kept result of " + name_of(experiment) + " cannot be read.");
+            return lack("The " + std::string(is_kept ? "kept result" : "picture") + " of " +
+                        name_of(experiment) + " cannot be read.");
         }
         found.picture.caption = caption_of(experiment);
-        if (const auto changed = changes_of(experiment, *kept); !changed.empty()) {
+        if (!is_kept) {
+            unkept_.push_back(name_of(experiment));
+        } else if (const auto changed = changes_of(experiment, *kept); !changed.empty()) {
             found.picture.warning = "stale: " + changed;
             lack(name_of(experiment) + " is stale, its picture is of before: " + changed + ".");
         }
@@ -276,21 +290,24 @@ class ProjectReport {
     const projects::Project& project_;
     const fs::path folder_;
     const Work& work_;
+    const Subject& subject_;
     const projects::ContentHashes contents_;
     const projects::Project now_;  ///< with the content of its files
     const projects::ResultIndex index_;
     std::vector<Found> pictures_;
+    std::vector<std::string> unkept_;  ///< names of experiments
     Report report_;
 };
 
 }  // namespace
 
-Report report_of(const projects::Project& project, const fs::path& folder, const Work& work) {
-    return ProjectReport(project, folder, work).make();
+Report report_of(const projects::Project& project, const fs::path& folder, const Work& work,
+                 const Subject& subject) {
+    return ProjectReport(project, folder, work, subject).make();
 }
 
 Report pictures_of(const projects::Project& project, const fs::path& folder, const Work& work) {
-    return ProjectReport(project, folder, work).make_pictures();
+    return ProjectReport(project, folder, work, {}).make_pictures();
 }
 
 }  // namespace ir::report
