@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDesktopServices>
+#include <QMenu>
 #include <QTemporaryDir>
 #include <QUrl>
 #include <chrono>
@@ -102,11 +103,12 @@ class UnkeptFiles {
 };
 
 ReportController::ReportController(QWidget& window, Session& session, LivePictures& live, Renderer& renderer,
-                                   Notices& notices, Actions& actions)
+                                   DocumentDock& document, Notices& notices, Actions& actions)
     : window_(window),
       session_(session),
       live_(live),
       renderer_(renderer),
+      document_(document),
       notices_(notices),
       job_(window, notices, tr("Report"), "report") {
     action_ = actions.add("report", tr("&Report …"), nullptr, {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_R)},
@@ -122,6 +124,7 @@ ReportController::ReportController(QWidget& window, Session& session, LivePictur
         if (!is_writing()) unkept_.reset();
         update();
     });
+    connect(&document_.tree(), &widgets::ProjectPanel::menu_opening, this, &ReportController::fill_menu);
     connect(&live_, &LivePictures::state_changed, this, &ReportController::look_at);
     connect(&live_, &LivePictures::progressed, this, [this](const std::string& id) {
         if (unkept_) unkept_->set_progress(id, live_.doing(id), live_.progress(id));
@@ -132,12 +135,34 @@ ReportController::ReportController(QWidget& window, Session& session, LivePictur
     update();
 }
 
+QString ReportController::why_not() const {
+    return is_writing()              ? tr("A report is being written.")
+           : !session_.has_project() ? tr("No project is open.")
+           : session_.open_project().folder().empty()
+               ? tr("Save the project first: results are kept in its folder.")
+               : QString();
+}
+
 void ReportController::update() {
-    set_reason(*action_, is_writing()              ? tr("A report is being written.")
-                         : !session_.has_project() ? tr("No project is open.")
-                         : session_.open_project().folder().empty()
-                             ? tr("Save the project first: results are kept in its folder.")
-                             : QString());
+    set_reason(*action_, why_not());
+}
+
+void ReportController::fill_menu(const widgets::ItemRef& item, QMenu* menu) {
+    if (item.kind != widgets::ItemKind::comparison) return;
+    const auto id = item.id.toStdString();
+    auto* entry = menu->addAction(tr("Report …"));
+    entry->setObjectName(QStringLiteral("comparison-report"));
+    entry->setData(
+        tr("One HTML file of its two pictures, to wipe and flip, with metrics and settings; what is "
+           "not kept is shown and rendered first"));
+    set_reason(*entry, why_not());
+    menu->setToolTipsVisible(true);
+    connect(entry, &QAction::triggered, this, [this, id] {
+        const auto* comparison = projects::find_item(session_.document().comparisons, id);
+        if (!comparison) return;
+        const auto file = ask_for_file(text_of(comparison->name.empty() ? id : comparison->name));
+        if (!file.isEmpty()) write_comparison_to(file, id);
+    });
 }
 
 QString ReportController::ask_for_file(const QString& title) {
@@ -151,26 +176,45 @@ void ReportController::ask_for_sweep(const std::filesystem::path& folder, const 
 }
 
 void ReportController::write_to(const QString& file) {
+    write(file, {});
+}
+
+void ReportController::write_comparison_to(const QString& file, const std::string& comparison) {
     if (is_writing()) return;
-    unkept_ = ask_for_unkept();
+    const auto ids = lacking({comparison, {}});
+    if (std::ranges::any_of(ids,
+                            [&](const auto& id) { return live_.state(id) == LivePictures::State::absent; }))
+        document_.tree().activate({widgets::ItemKind::comparison, text_of(comparison)});
+    write(file, comparison);
+}
+
+void ReportController::write(const QString& file, const std::string& comparison) {
+    if (is_writing()) return;
+    unkept_ = ask_for_unkept({comparison, {}});
     for (const auto& id : unkept_->expected()) look_at(id);
-    write_to(file, [unkept = unkept_, folder = session_.open_project().folder()](const std::string& path,
-                                                                                 const report::Work& work) {
-        const report::Subject subject{unkept->wait(share_of(work, 0, 0.4))};
+    write_to(file, [comparison, unkept = unkept_, folder = session_.open_project().folder()](
+                       const std::string& path, const report::Work& work) {
+        const report::Subject subject{comparison, unkept->wait(share_of(work, 0, 0.4))};
         const auto made = report::report_of(unkept->project(), folder, share_of(work, 0.4, 0.7), subject);
         report::write_html(path, made, {}, share_of(work, 0.7, 1));
     });
 }
 
-std::shared_ptr<UnkeptFiles> ReportController::ask_for_unkept() {
-    using State = LivePictures::State;
-    auto unkept = std::make_shared<UnkeptFiles>(session_.document());
+std::vector<std::string> ReportController::lacking(const report::Subject& subject) const {
+    std::vector<std::string> ids;
+    const auto& registry = session_.registry();
     const auto now = projects::with_contents(session_.document(), session_.open_project().contents());
-    for (const auto& experiment : now.experiments) {
-        const auto& id = experiment.id;
-        if (live_.state(id) == State::absent || !session_.registry().find(experiment.method)) continue;
-        if (projects::result_state(now, experiment, session_.registry()) == projects::ResultState::current)
-            continue;
+    for (const auto& each : now.experiments)
+        if (takes_part(now, subject, each.id) && registry.find(each.method) &&
+            projects::result_state(now, each, registry) != projects::ResultState::current)
+            ids.push_back(each.id);
+    return ids;
+}
+
+std::shared_ptr<UnkeptFiles> ReportController::ask_for_unkept(const report::Subject& subject) {
+    auto unkept = std::make_shared<UnkeptFiles>(session_.document());
+    for (const auto& id : lacking(subject)) {
+        if (live_.state(id) == LivePictures::State::absent) continue;
         const auto why_not = why_no_picture(id);
         why_not.isEmpty() ? unkept->expect(id) : unkept->set_problem(id, why_not);
     }

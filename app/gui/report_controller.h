@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/gui/actions.h"
+#include "app/gui/document_dock.h"
 #include "app/gui/file_job.h"
 #include "app/gui/live_pictures.h"
 #include "app/gui/session.h"
@@ -21,13 +22,15 @@ class ReportController : public QObject {
     Q_OBJECT
   public:
     ReportController(QWidget& window, Session& session, LivePictures& live, Renderer& renderer,
-                     Notices& notices, Actions& actions);
+                     DocumentDock& document, Notices& notices, Actions& actions);
 
     /// Writes a report into a file, on the report's thread.
     using Maker = std::function<void(const std::string& file, const report::Work& work)>;
     /// Asks nothing. Of the document as it is now, saved or not: kept pictures, and where none is kept or it
     /// is stale those that views show, which are waited for.
     void write_to(const QString& file);
+    /// The same of a comparison, by its id. It is shown where its pictures are neither kept nor shown.
+    void write_comparison_to(const QString& file, const std::string& comparison);
     /// With another way to make it, for tests.
     void write_to(const QString& file, const Maker& make);
     bool is_writing() const { return job_.is_running(); }
@@ -40,8 +43,13 @@ class ReportController : public QObject {
     /// Empty: nowhere.
     QString ask_for_file(const QString& title);
     void update();
+    QString why_not() const;
+    void fill_menu(const widgets::ItemRef& item, QMenu* menu);
+    void write(const QString& file, const std::string& comparison);
+    /// What is not kept as the project has it now, of what the report is of.
+    std::vector<std::string> lacking(const report::Subject& subject) const;
     /// Of what views show and nothing keeps.
-    std::shared_ptr<UnkeptFiles> ask_for_unkept();
+    std::shared_ptr<UnkeptFiles> ask_for_unkept(const report::Subject& subject);
     /// A picture that is waited for may be there now, or will not come.
     void look_at(const std::string& experiment);
     void take(const std::string& experiment, const std::string& file, const std::string& error);
@@ -52,6 +60,7 @@ class ReportController : public QObject {
     Session& session_;
     LivePictures& live_;
     Renderer& renderer_;
+    DocumentDock& document_;
     Notices& notices_;
     QAction* action_;
     std::shared_ptr<UnkeptFiles> unkept_;  ///< of the report that is written; null: it waits for none

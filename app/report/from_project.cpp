@@ -48,6 +48,14 @@ class Groups {
     std::vector<std::size_t> parent_;
 };
 
+const projects::Comparison& comparison_of(const projects::Project& project, const std::string& id) {
+    const auto* found = projects::find_item(project.comparisons, id);
+    if (!found)
+        throw UsageError("no comparison '" + projects::printable(id, 60) + "' in the project" +
+                         known_are(id, words_of(project.comparisons, &projects::Comparison::id)));
+    return *found;
+}
+
 /// Opacity does not count.
 bool fit(const Picture& a, const Picture& b) {
     const auto semantic = engine::semantic_of(a.side, b.side);
@@ -64,15 +72,19 @@ class ProjectReport {
           folder_(folder),
           work_(work),
           subject_(subject),
+          comparison_(subject.comparison.empty() ? nullptr : &comparison_of(project, subject.comparison)),
           contents_(projects::read_contents(project, folder, work.cancel)),
           now_(projects::with_contents(project, contents_)),
           index_(projects::ResultIndex::load(folder)) {}
 
     Report make_pictures() {
-        report_.title = project_.name.empty() ? folder_.stem().string() : project_.name;
-        report_.kind = "Project";
-        report_.notes = projects::without_note_links(project_.notes);
+        report_.title = comparison_             ? name_of(*comparison_)
+                        : project_.name.empty() ? folder_.stem().string()
+                                                : project_.name;
+        report_.kind = comparison_ ? "Comparison" : "Project";
+        report_.notes = projects::without_note_links(comparison_ ? comparison_->notes : project_.notes);
         read_pictures();
+        tell_other_outputs();
         make_galleries();
         return std::move(report_);
     }
@@ -84,8 +96,10 @@ class ProjectReport {
             auto table = measure(gallery, work_.cancel);
             if (!table.rows.empty() || !table.notes.empty()) report_.metrics.push_back(std::move(table));
         }
-        for (const auto& plot : project_.plots) add_plot(plot);
-        for (const auto& analysis : project_.analyses) add_analysis(analysis);
+        if (!comparison_) {
+            for (const auto& plot : project_.plots) add_plot(plot);
+            for (const auto& analysis : project_.analyses) add_analysis(analysis);
+        }
         report_.settings = settings_of(report_.galleries);
         report_.provenance = provenance_of(report_.galleries);
         if (!unkept_.empty())
@@ -101,10 +115,12 @@ class ProjectReport {
         const double all = double(project_.experiments.size() + project_.images.size()) + 1;
         double done = 0;
         for (const auto& experiment : project_.experiments) {
+            if (!takes_part(project_, subject_, experiment.id)) continue;
             work_.tell("Reading " + name_of(experiment), 0.5 * done++ / all);
             read_experiment(experiment);
         }
         for (const auto& image : project_.images) {
+            if (!takes_part(project_, subject_, image.id)) continue;
             work_.tell("Reading " + name_of(image), 0.5 * done++ / all);
             try {
                 Found found{read_picture(name_of(image), projects::resolve(image.source, folder_)), image.id,
@@ -114,6 +130,20 @@ class ProjectReport {
             } catch (const InputError&) {
                 lack("The image " + name_of(image) + " cannot be read.");
             }
+        }
+    }
+
+    /// Files of results hold the main output.
+    void tell_other_outputs() {
+        for (const auto& comparison : project_.comparisons) {
+            if (comparison.output.empty() || (comparison_ && comparison_ != &comparison)) continue;
+            const auto* experiment = projects::find_item(project_.experiments, comparison.a);
+            const auto* method = experiment ? engine::registry().find(experiment->method) : nullptr;
+            if (!method) continue;
+            const auto* main = main_output(*method, projects::runnable_settings(*experiment, *method));
+            if (!main || main->key != comparison.output)
+                lack("The comparison " + name_of(comparison) + " is of '" + comparison.output +
+                     "'; its pictures here are the main results.");
         }
     }
 
@@ -128,8 +158,8 @@ class ProjectReport {
                         (unkept.problem.empty() ? "" : ", and none is shown: " + unkept.problem) + ".");
         Found found{{}, experiment.id, experiment.scene + "/" + experiment.camera};
         try {
-            found.picture = read_picture(name_of(experiment),
-                                         is_kept ? folder_ / "results" / file->path : unkept.file);
+            found.picture =
+                read_picture(name_of(experiment), is_kept ? folder_ / "results" / file->path : unkept.file);
         } catch (const InputError&) {
             return lack("The " + std::string(is_kept ? "kept result" : "picture") + " of " +
                         name_of(experiment) + " cannot be read.");
@@ -186,9 +216,9 @@ class ProjectReport {
         };
         for (const auto& comparison : project_.comparisons) {
             auto pair = pair_of(comparison.a, comparison.b);
-            if (!pair) continue;
+            if (!pair || (comparison_ && comparison_ != &comparison)) continue;
             pair->name = name_of(comparison);
-            pair->notes = comparison.notes;
+            pair->notes = comparison_ ? "" : comparison.notes;
             pair->mode = comparison.mode;
             pair->range = comparison.range;
             add(pair);
@@ -291,6 +321,7 @@ class ProjectReport {
     const fs::path folder_;
     const Work& work_;
     const Subject& subject_;
+    const projects::Comparison* const comparison_;  ///< null: of all
     const projects::ContentHashes contents_;
     const projects::Project now_;  ///< with the content of its files
     const projects::ResultIndex index_;
@@ -300,6 +331,12 @@ class ProjectReport {
 };
 
 }  // namespace
+
+bool takes_part(const projects::Project& project, const Subject& subject, const std::string& id) {
+    if (subject.comparison.empty()) return true;
+    const auto* comparison = projects::find_item(project.comparisons, subject.comparison);
+    return comparison && (comparison->a == id || comparison->b == id);
+}
 
 Report report_of(const projects::Project& project, const fs::path& folder, const Work& work,
                  const Subject& subject) {

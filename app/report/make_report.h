@@ -30,11 +30,14 @@ struct Unkept {
 
 /// What of a project a report is of.
 struct Subject {
+    std::string comparison = {};                ///< its id: what it compares, alone; empty: all
     std::map<std::string, Unkept> unkept = {};  ///< by experiment; they go before kept results
 };
+/// Of an experiment or image.
+bool takes_part(const projects::Project& project, const Subject& subject, const std::string& id);
 
 /// Kept results of the experiments, foreign images, and kept numbers of the plots; what is missing or stale
-/// is said. `folder` is the project's.
+/// is said. `folder` is the project's. Throws UsageError for a comparison that is not there.
 Report report_of(const projects::Project& project, const std::filesystem::path& folder, const Work& work = {},
                  const Subject& subject = {});
 

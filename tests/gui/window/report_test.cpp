@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -67,6 +68,43 @@ TEST_F(ReportTest, TakesWhatIsShownWhereNothingIsKept) {
     EXPECT_TRUE(report.text().contains("As the window showed it, not kept in the project: Fake truth and "));
     EXPECT_FALSE(QFile::exists(path("p.interreflect/results"))) << "nothing is kept for a report";
     for (const auto& each : renderer.exports) EXPECT_FALSE(QFile::exists(QString::fromStdString(each.file)));
+}
+
+TEST_F(ReportTest, OfAComparisonHasItsTwoPicturesAlone) {
+    save();
+    type_level("0.75");
+    trigger("match");
+    trigger("comparison-add");
+    const auto comparison = window.session().document().comparisons.at(0);
+    add_second_experiment(0.5);
+    window.views().show_owner(window.session().document().experiments.back().id);
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(window.live().state(comparison.a), LivePictures::State::absent);
+    reports().write_comparison_to(path("r.html"), comparison.id);
+    ASSERT_TRUE(wait());
+    const WrittenReport report(path("r.html"));
+    ASSERT_EQ(report.pictures().size(), 2u) << "what was not shown is rendered first";
+    EXPECT_EQ(report.pictures()[0].value, 0.75f);
+    EXPECT_EQ(report.pictures()[1].value, 0.25f);
+    EXPECT_TRUE(report.text().contains("<h1>" + QString::fromStdString(comparison.name) + "</h1>"));
+    EXPECT_FALSE(report.text().contains("Missing or stale"));
+}
+
+TEST_F(ReportTest, IsInTheMenuOfAComparison) {
+    trigger("match");
+    trigger("comparison-add");
+    const auto item = window.document().tree().selected();
+    ASSERT_EQ(item.kind, widgets::ItemKind::comparison);
+    QMenu menu;
+    emit window.document().tree().menu_opening(item, &menu);
+    auto* entry = menu.findChild<QAction*>("comparison-report");
+    ASSERT_TRUE(entry);
+    EXPECT_FALSE(entry->isEnabled());
+    EXPECT_TRUE(entry->toolTip().contains("Save the project first"));
+    save();
+    QMenu again;
+    emit window.document().tree().menu_opening(item, &again);
+    EXPECT_TRUE(again.findChild<QAction*>("comparison-report")->isEnabled());
 }
 
 TEST_F(ReportTest, WaitsForWhatIsBeingRendered) {
