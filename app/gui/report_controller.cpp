@@ -246,7 +246,7 @@ void ReportController::take(const std::string& id, const std::string& file, cons
     if (!unkept_ || !unkept_->has(file)) return;  // of somebody else
     const auto* experiment = session_.experiment(id);
     const auto* asked = projects::find_item(unkept_->project().experiments, id);
-    const bool is_same = experiment && asked &&
+    const bool is_same = experiment && asked && session_.registry().find(experiment->method) &&
                          projects::picture_inputs(session_.document(), *experiment, session_.registry()) ==
                              projects::picture_inputs(unkept_->project(), *asked, session_.registry());
     if (!error.empty()) return unkept_->answer(id, {{}, error});

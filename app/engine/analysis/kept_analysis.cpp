@@ -210,7 +210,8 @@ std::optional<KeptAnalysis> load_analysis(const fs::path& out, bool has_pictures
         ObjectReader one(each, file.string(), pointer);
         kept.result.pictures.push_back(read_picture(one));
     });
-    if (has_pictures && !kept.result.pictures.empty()) read_pixels(kept.result, out / projects::analysis_pictures);
+    if (has_pictures && !kept.result.pictures.empty())
+        read_pixels(kept.result, out / projects::analysis_pictures);
     return kept;
 }
 
