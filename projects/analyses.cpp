@@ -1,6 +1,7 @@
 #include "projects/analyses.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "projects/text.h"
 #include "renderers/core/error.h"
@@ -34,9 +35,23 @@ std::string why_not_counted(const AnalysisKind& kind, std::size_t count) {
     return "is about " + count_text(count) + ", and takes " + wanted;
 }
 
+std::string why_not_machines(const std::vector<std::string>& names) {
+    if (names.size() != 2)
+        return "compares two machines, and names " + std::to_string(names.size()) +
+               "; give gl and host, egl and osmesa, or none";
+    for (const auto& name : names)
+        if (!read_machine_name(name))
+            return "'" + printable(name, 60) +
+                   "' is no machine; give gl or host, egl or osmesa, or both with a plus";
+    if (read_machine_name(names[0]) == read_machine_name(names[1]))
+        return "compares '" + names[0] + "' with itself; name another machine";
+    return {};
+}
+
 std::string why_not_parameters(const AnalysisKind& kind, const Analysis& analysis,
                                const MethodDescription& method) {
     if (analysis.parameters.empty()) return {};
+    if (kind.compares_machines) return why_not_machines(analysis.parameters);
     if (!kind.takes_parameters) return "takes no parameters; leave them out";
     for (const auto& key : analysis.parameters)
         if (!find(method.parameters, key))
@@ -64,7 +79,11 @@ const std::vector<AnalysisKind>& analysis_kinds() {
         {"waterfall", "Error waterfall",
          "Which stage of a method owns the error: what is left of it when exact stand-ins take the place of "
          "one stage after another.",
-         1, 1, false, true, true}};
+         1, 1, false, true, true},
+        {"divergence", "Divergence",
+         "The first buffer that two processors or drivers make differently, and by how much each of those "
+         "behind it differs.",
+         1, 1, false, false, false, true}};
     return kinds;
 }
 
@@ -72,6 +91,23 @@ const AnalysisKind* find_analysis_kind(const std::string& key) {
     const auto& kinds = analysis_kinds();
     const auto found = std::ranges::find(kinds, key, &AnalysisKind::key);
     return found == kinds.end() ? nullptr : &*found;
+}
+
+std::optional<MachineName> read_machine_name(const std::string& text) {
+    MachineName name;
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, '+');) {
+        auto& part = word == "gl" || word == "host" ? name.processor : name.backend;
+        if (!part.empty() || (&part == &name.backend && word != "egl" && word != "osmesa")) return {};
+        part = word;
+    }
+    if (name == MachineName()) return {};
+    return name;
+}
+
+std::array<std::string, 2> machines_of(const Analysis& analysis) {
+    if (analysis.parameters.size() != 2) return {"gl", "host"};
+    return {analysis.parameters[0], analysis.parameters[1]};
 }
 
 std::string why_not_analysed(const Project& project, const Analysis& analysis, const Registry& registry) {
@@ -91,6 +127,8 @@ std::string why_not_analysed(const Project& project, const Analysis& analysis, c
             return "experiment '" + id + "' is named twice; take one out";
         experiments.push_back(experiment);
     }
+    if (kind->compares_machines && !analysis.reference.empty())
+        return "compares two machines with each other; take the reference out";
     if (kind->needs_reference && analysis.reference.empty()) return "has no reference; choose one";
     if (!analysis.reference.empty() && !is_picture(project, analysis.reference))
         return "there is no experiment or image '" + printable(analysis.reference, 60) +
@@ -115,7 +153,7 @@ Analysis analysis_of(const Project& project, const std::string& kind_key, const 
     analysis.id = free_id_in(project.analyses, kind->label);
     analysis.kind = kind->key;
     analysis.experiments = {first.id};
-    analysis.reference = first.reference;
+    if (!kind->compares_machines) analysis.reference = first.reference;
     const auto add = [&](bool is_same_method) {
         for (const auto& other : project.experiments) {
             const auto* method = registry.find(other.method);

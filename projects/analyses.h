@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +15,25 @@ struct AnalysisKind {
     std::string label, doc;  ///< for lists and tooltips
     std::size_t min_experiments = 1, max_experiments = 1;
     bool needs_one_method = false, needs_reference = false, takes_parameters = false;
+    /// Of two machines, which the parameters name, and judged by no reference.
+    bool compares_machines = false;
 };
 
 /// All that this build can answer.
 const std::vector<AnalysisKind>& analysis_kinds();
 /// Null for an unknown one.
 const AnalysisKind* find_analysis_kind(const std::string& key);
+
+/// How a machine is called: gl or host, egl or osmesa, or both with a plus. What is not named is as the
+/// machine that it is asked of has it.
+struct MachineName {
+    std::string backend, processor;
+    bool operator==(const MachineName&) const = default;
+};
+/// Nothing for other words.
+std::optional<MachineName> read_machine_name(const std::string& text);
+/// Those that an analysis compares; where it names none, device and host.
+std::array<std::string, 2> machines_of(const Analysis& analysis);
 
 /// Why the analysis cannot be carried out as the document has it, in one line; empty: nothing is known
 /// against it.

@@ -347,7 +347,8 @@ const Fields<Analysis>& analysis_fields() {
         {&Analysis::parameters,
          {.key = "parameters",
           .label = "Parameters",
-          .doc = "Keys of those that take part, separated by commas; empty: all",
+          .doc = "Keys of those that take part, separated by commas; empty: all. Of a divergence the two "
+                 "machines: gl or host, egl or osmesa, or both with a plus; empty: gl, host",
           .writing = Writing::unless_default}},
         {&Analysis::notes,
          {.key = "notes",

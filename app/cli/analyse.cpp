@@ -172,7 +172,7 @@ void add_analyse(CLI::App& app, Run& run) {
     auto* command = app.add_subcommand(
         "analyse",
         "Answer questions about a project's experiments: who disagrees, what matters, what makes a "
-        "difference, which stage owns the error");
+        "difference, which stage owns the error, where two machines part");
     command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene())->required();
     command->add_option("ID", flags->names, "Id or name of analyses of the project (default: all)");
     const auto kinds = words_of(projects::analysis_kinds(), &projects::AnalysisKind::key);
@@ -189,8 +189,10 @@ void add_analyse(CLI::App& app, Run& run) {
             "Id of the experiment or image that --kind judges by (default: the experiment's; '': none)")
         ->needs(kind);
     command
-        ->add_option("--parameter", flags->parameters,
-                     "Key of a parameter that takes part in --kind; may be repeated (default: all)")
+        ->add_option(
+            "--parameter", flags->parameters,
+            "Key of a parameter that takes part in --kind; may be repeated (default: all). Of divergence "
+            "a machine: gl or host, egl or osmesa, or both with a plus (default: gl and host)")
         ->needs(kind);
     command->add_option("--out", flags->out,
                         "Folder for " + std::string(projects::analysis_file) + " and " +

@@ -26,21 +26,14 @@ struct DivergeFlags {
     bool all = false, json = false, quiet = false;
 };
 
-/// "host", "osmesa,gl": backend and processor in place of those of the other options.
+/// "host", "osmesa+gl": backend and processor in place of those of the other options.
 engine::MachineOptions side_of(const MachineFlags& flags, const std::string& option,
                                const std::string& text) {
-    auto side = flags;
-    std::istringstream words(text);
-    for (std::string word; std::getline(words, word, ',');) {
-        if (word == "gl" || word == "host")
-            side.processor = word;
-        else if (word == "egl" || word == "osmesa")
-            side.backend = word;
-        else
-            throw UsageError(option + " '" + text +
-                             "': give gl or host, egl or osmesa, or both with a comma");
+    try {
+        return engine::machine_called(text, machine_options(flags));
+    } catch (const UsageError& error) {
+        throw UsageError(option + " " + error.what());
     }
-    return machine_options(side);
 }
 
 std::string short_number(double value) {
@@ -124,7 +117,7 @@ void add_diverge(CLI::App& app, Run& run) {
     command->add_option("METHOD", flags->method, method_doc)->required();
     command->add_option("--scene", flags->scene, "A .gltf or .glb file, or builtin:NAME")
         ->capture_default_str();
-    command->add_option("--a", flags->a, "gl or host, egl or osmesa, or both with a comma")
+    command->add_option("--a", flags->a, "gl or host, egl or osmesa, or both with a plus")
         ->capture_default_str();
     command->add_option("--b", flags->b, "The other one")->capture_default_str();
     command

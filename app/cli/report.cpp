@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct ReportFlags {
     MachineFlags machine;
-    std::string what, reference, out = "report.html", values = "auto", limit;
+    std::string what, reference, comparison, out = "report.html", values = "auto", limit;
     std::size_t pictures = report::usual_sweep_pictures;
     bool render = false, quiet = false;
 };
@@ -76,8 +76,22 @@ class ReportCommand {
         return work;
     }
 
+    void require_project() const {
+        if (!flags_.comparison.empty()) throw UsageError("--comparison is for projects, which have some");
+    }
+
+    /// A comparison by its id or name.
+    report::Subject subject_in(const projects::Project& project) const {
+        report::Subject subject{flags_.comparison, {}};
+        if (flags_.comparison.empty() || find_item(project.comparisons, flags_.comparison)) return subject;
+        for (const auto& each : project.comparisons)
+            if (each.name == flags_.comparison) subject.comparison = each.id;
+        return subject;
+    }
+
     int write_pair() {
         if (flags_.render) throw UsageError("--render is for projects: two pictures are there already");
+        require_project();
         files_.reads("P", flags_.what);
         files_.reads("REFERENCE", flags_.reference);
         check_out();
@@ -89,6 +103,7 @@ class ReportCommand {
         if (flags_.render)
             throw UsageError("--render is for projects; `sweep PROJECT NAME --out " + flags_.what +
                              " --resume` renders what a sweep lacks");
+        require_project();
         const fs::path folder = flags_.what;
         for (const auto& list : engine::sweep_lists(folder)) {
             files_.reads("P", list.string());
@@ -106,13 +121,14 @@ class ReportCommand {
         auto loaded = load_project(project);
         files_.reads(loaded);
         check_out();
+        const auto subject = subject_in(loaded.project);
         int status = done;
         if (flags_.render) {
-            status = render_lacking(loaded);
+            status = render_lacking(loaded, subject);
             loaded = load_project(project);
         }
         line_.begin("Report", 1);
-        return std::max(status, write(report::report_of(loaded.project, loaded.folder, work())));
+        return std::max(status, write(report::report_of(loaded.project, loaded.folder, work(), subject)));
     }
 
     void check_out() {
@@ -130,15 +146,16 @@ class ReportCommand {
     }
 
     /// What has no kept result or a stale one, and plots likewise.
-    int render_lacking(const projects::LoadedProject& loaded) {
+    int render_lacking(const projects::LoadedProject& loaded, const report::Subject& subject) {
         const auto now = as_on_disk(loaded);
         std::vector<const projects::Experiment*> experiments;
         for (const auto& experiment : loaded.project.experiments)
-            if (projects::result_state(now, experiment, engine::registry()) != projects::ResultState::current)
+            if (takes_part(loaded.project, subject, experiment.id) &&
+                projects::result_state(now, experiment, engine::registry()) != projects::ResultState::current)
                 experiments.push_back(&experiment);
         std::vector<const projects::ErrorPlot*> plots;
         for (const auto& plot : loaded.project.plots)
-            if (is_lacking(plot, loaded)) plots.push_back(&plot);
+            if (subject.comparison.empty() && is_lacking(plot, loaded)) plots.push_back(&plot);
         if (experiments.empty() && plots.empty()) return done;
         require_results(flags_.what, loaded.folder);
         engine::Machine machine(machine_options(flags_.machine));
@@ -200,12 +217,16 @@ class ReportCommand {
 void add_report(CLI::App& app, Run& run) {
     auto flags = std::make_shared<ReportFlags>();
     auto* command = app.add_subcommand(
-        "report", "One HTML file of a project, a sweep or two pictures, to be sent and opened in a browser");
+        "report",
+        "One HTML file of a project, a comparison, a sweep or two pictures, to be sent and opened in a "
+        "browser");
     command
         ->add_option("P", flags->what, "Project folder or packed file, the folder of a sweep, or a picture")
         ->check(no_scene())
         ->required();
     command->add_option("REFERENCE", flags->reference, "With a picture: what it is compared with");
+    command->add_option("--comparison", flags->comparison,
+                        "Id or name of a comparison of the project: its two pictures alone");
     command->add_option("--out", flags->out, "The file")->capture_default_str();
     command->add_flag("--render", flags->render,
                       "Render and keep what the project lacks or has stale, pictures and plots, before");

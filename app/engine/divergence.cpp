@@ -5,16 +5,23 @@
 #include <map>
 #include <set>
 
+#include "app/engine/analysis/analysis_run.h"
+#include "app/engine/analysis/bars.h"
+#include "app/engine/from_project.h"
 #include "app/engine/pictures.h"
 #include "app/engine/run_frames.h"
+#include "projects/analyses.h"
 #include "projects/text.h"
+#include "renderers/core/error.h"
+#include "renderers/core/words.h"
+#include "renderers/plot/plot_scale.h"
 
 namespace ir::engine {
 namespace {
 
 /// What a machine made of the experiment.
 struct MachineRun {
-    std::string machine;
+    std::string machine, main;  ///< main: key of the main result
     std::vector<ImageLayer> buffers;
     std::set<std::string> lists;                                         ///< those that are no images
     std::map<std::string, std::pair<std::size_t, std::string>> written;  ///< when, and by which pass, by key
@@ -29,6 +36,7 @@ MachineRun run_on(const Experiment& experiment, const MachineOptions& options, g
     const auto& info = machine.context().info();
     run.machine = gl::to_string(info.backend) + ", " + info.renderer + ", " + to_string(machine.processor());
     if (begun) begun(run.machine);
+    run.main = main_key(execution);
     const auto report = run_frames(execution, frame);
     machine.context().make_current();
     for (auto& layer : layers(execution, {"*"}))
@@ -82,6 +90,91 @@ std::vector<float> in_order(const Image& image) {
         std::sort(all.begin() + begin, all.end());
     }
     return all;
+}
+
+const ImageLayer* layer_of(const MachineRun& run, const std::string& key) {
+    const auto found = std::ranges::find(run.buffers, key, &ImageLayer::name);
+    return found == run.buffers.end() || run.lists.count(key) ? nullptr : &*found;
+}
+
+/// NaN where one of the two has a number.
+Image largest_difference(const Image& a, const Image& b) {
+    Image result(a.width, a.height, 1);
+    const auto channels = std::size_t(a.channels);
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const float x = a.pixels[i], y = b.pixels[i];
+        if (x == y || (std::isnan(x) && std::isnan(y))) continue;
+        auto& pixel = result.pixels[i / channels];
+        if (std::isnan(pixel)) continue;
+        const float difference = std::abs(x - y);
+        if (!(difference <= pixel)) pixel = difference;
+    }
+    return result;
+}
+
+void find_where(Divergence& found, const MachineRun& a, const MachineRun& b) {
+    const auto* first = found.first();
+    std::vector<std::string> keys{a.main};
+    if (first) keys.insert(keys.begin(), first->key);
+    for (const auto& key : keys) {
+        const auto *one = layer_of(a, key), *other = layer_of(b, key);
+        if (!one || !other || size_of(one->image) != size_of(other->image)) continue;
+        found.where = largest_difference(one->image, other->image);
+        found.where_key = key;
+        return;
+    }
+}
+
+/// A chart of more bars is not read.
+constexpr std::size_t max_bars = 40;
+
+std::string count_text(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + (count == 1 ? one : many);
+}
+
+/// Those that differ, in the order of their passes.
+PlotData chart_of(const Divergence& found, const SameWithin& same) {
+    const auto* first = found.first();
+    const std::string title = first ? "First that diverges: " + first->key : "No buffer diverges";
+    Bars bars(title, "Share of the values that differ",
+              {"Buffer", "Written by", "Values", "Differ", "Largest difference", "Finding"});
+    std::size_t alike = 0, lonely = 0, left_out = 0, listed = 0;
+    for (const auto& each : found.buffers) {
+        const bool has_numbers = each.values > 0;
+        alike += each.is_same() ? 1 : 0;
+        lonely += has_numbers || each.diverges || each.problem.empty() ? 0 : 1;
+        if (each.is_same() || (!has_numbers && !each.diverges)) continue;
+        if (++listed > max_bars && &each != first) {
+            ++left_out;
+            continue;
+        }
+        const double share = has_numbers ? double(each.differing) / double(each.values) : 1;
+        const auto finding = !each.problem.empty() ? each.problem
+                             : &each == first      ? "the first that diverges"
+                             : each.diverges       ? "diverges"
+                                                   : "the same within the tolerance";
+        bars.begin_row(each.key);
+        auto& bar = bars.add((each.key == found.where_key ? "where:" : "") + each.key, 0, share,
+                             {{each.key},
+                              {each.pass},
+                              has_numbers ? number_cell(double(each.values)) : PlotCell{"—"},
+                              has_numbers ? percent_cell(share) : PlotCell{"—"},
+                              has_numbers ? number_cell(each.largest) : PlotCell{"—"},
+                              {finding}});
+        if (each.diverges) bar.colour = &each == first ? tints::vermilion : tints::orange;
+    }
+    if (left_out > 0)
+        bars.add_problem(count_text(left_out, " more buffer differs", " more buffers differ") + " and " +
+                         (left_out == 1 ? "is" : "are") + " not listed; interreflect-cli diverge lists all");
+    std::vector<std::string> notes{"A: " + found.a, "B: " + found.b};
+    if (alike > 0) notes.push_back(count_text(alike, " buffer is", " buffers are") + " the same to the bit");
+    if (lonely > 0)
+        notes.push_back(count_text(lonely, " buffer is", " buffers are") +
+                        " of one machine alone and compared with nothing");
+    notes.push_back("numbers are the same within " + plot_number(100 * same.relative) + " % or " +
+                    plot_number(same.absolute) + "; a buffer diverges where more than " +
+                    plot_number(100 * same.share) + " % of its numbers are not");
+    return std::move(bars).finish(notes);
 }
 
 }  // namespace
@@ -142,6 +235,45 @@ Divergence find_divergence(const Experiment& experiment, const MachineOptions& a
     std::ranges::stable_sort(ordered, {}, [](const auto& each) { return each.first; });
     Divergence result{first.machine, second.machine, {}};
     for (auto& each : ordered) result.buffers.push_back(std::move(each.second));
+    find_where(result, first, second);
+    return result;
+}
+
+MachineOptions machine_called(const std::string& name, MachineOptions options) {
+    const auto read = projects::read_machine_name(name);
+    if (!read)
+        throw UsageError("'" + projects::printable(name, 60) +
+                         "': give gl or host, egl or osmesa, or both with a plus");
+    if (!read->backend.empty()) options.backend = read->backend;
+    if (!read->processor.empty())
+        options.processor = read->processor == "gl" ? Processor::gl : Processor::host;
+    return options;
+}
+
+AnalysisResult divergence(AnalysisRun& run) {
+    run.expect(2);
+    const auto names = projects::machines_of(run.analysis());
+    const auto a = machine_called(names[0], run.machine().options());
+    const auto b = machine_called(names[1], run.machine().options());
+    std::string what;
+    auto options = run.frame_options([&] { return what; });
+    const auto begun = [&](const std::string& name) {
+        if (!what.empty()) run.count_picture();
+        what = name;
+    };
+    const SameWithin same;
+    const auto experiment = from_project(run.project(), run.experiment(0), run.folder());
+    auto found = find_divergence(experiment, a, b, options, same, begun);
+    AnalysisResult result;
+    result.data = chart_of(found, same);
+    result.device = found.a + " / " + found.b;
+    if (!found.where.empty())
+        result.pictures.push_back({"where",
+                                   found.where_key,
+                                   "The largest difference of each pixel over its channels.",
+                                   false,
+                                   {},
+                                   std::move(found.where)});
     return result;
 }
 

@@ -32,6 +32,10 @@ struct Divergence {
     std::string a, b;  ///< backend, device and processor
     /// In the order in which the passes of A write them; what only one machine makes has a problem.
     std::vector<BufferDivergence> buffers;
+    /// Of the first that diverges, else of the main result: the largest difference of each pixel over its
+    /// channels. Empty where that is a list, or both have other sizes.
+    Image where = {};
+    std::string where_key = {};
     /// Null: none diverges.
     const BufferDivergence* first() const;
 };
@@ -41,6 +45,9 @@ struct Divergence {
 Divergence find_divergence(const Experiment& experiment, const MachineOptions& a, const MachineOptions& b,
                            const graph::FrameOptions& options, const SameWithin& same = {},
                            const std::function<void(const std::string& name)>& begun = {});
+
+/// The machine that a name means (projects/analyses.h), with all else of `options`. Throws UsageError.
+MachineOptions machine_called(const std::string& name, MachineOptions options);
 
 /// One buffer; channels are values of equal weight. The elements of a list may stand in any order, which
 /// atomics decide on a device: then each channel is compared by itself, and a problem says so.

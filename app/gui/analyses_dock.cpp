@@ -276,7 +276,8 @@ QString AnalysesDock::empty_text() const {
     const auto& open = session_.open_project();
     const auto what =
         tr("An analysis answers a question about experiments by rendering: where they disagree, which of "
-           "their numbers matter, which setting makes a difference, and which stage owns the error.");
+           "their numbers matter, which setting makes a difference, which stage owns the error, and where "
+           "two processors or drivers part.");
     return what + QStringLiteral("\n\n") +
            (document.experiments.empty() ? tr("It needs an experiment.")
             : open.is_read_only()        ? read_only_text(open)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSet>
 #include <thread>
 
 #include "app/gui/actions.h"
@@ -28,6 +29,7 @@ class ExportController : public QObject {
     QWidget& window_;
     const Exports& exports_;
     Notices& notices_;
+    QSet<QString> asked_;  ///< files that the renderer is to write
     std::thread tev_;
     bool is_sending_ = false;
 };

@@ -77,7 +77,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       docks_(*this, workspace_.area(), actions_),
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
       export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
-      report_(*this, session_, notices_, actions_),
+      report_(*this, session_, live_, renderer_, *document_, notices_, actions_),
       set_ups_(*this, session_, live_, workspace_, actions_),
       layouts_(*this, docks_, workspace_.area(), actions_, remember_),
       film_(*this, session_, live_, workspace_, preferences_, notices_, actions_),

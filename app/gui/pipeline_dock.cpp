@@ -84,7 +84,7 @@ void PipelineDock::leave_frame() {
 
 Pipeline PipelineDock::pipeline() const {
     const auto id = experiment();
-    auto pipeline = pipeline_of(live_.result(id)->report, {true, panel_->shows_skipped()});
+    auto pipeline = pipeline_of(live_.result(id)->report, {true, panel_->shows_skipped(), true});
     pipeline.title = views_.pictures().owner_name(id);
     return pipeline;
 }

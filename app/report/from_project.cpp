@@ -48,6 +48,14 @@ class Groups {
     std::vector<std::size_t> parent_;
 };
 
+const projects::Comparison& comparison_of(const projects::Project& project, const std::string& id) {
+    const auto* found = projects::find_item(project.comparisons, id);
+    if (!found)
+        throw UsageError("no comparison '" + projects::printable(id, 60) + "' in the project" +
+                         known_are(id, words_of(project.comparisons, &projects::Comparison::id)));
+    return *found;
+}
+
 /// Opacity does not count.
 bool fit(const Picture& a, const Picture& b) {
     const auto semantic = engine::semantic_of(a.side, b.side);
@@ -58,19 +66,25 @@ bool fit(const Picture& a, const Picture& b) {
 
 class ProjectReport {
   public:
-    ProjectReport(const projects::Project& project, const fs::path& folder, const Work& work)
+    ProjectReport(const projects::Project& project, const fs::path& folder, const Work& work,
+                  const Subject& subject)
         : project_(project),
           folder_(folder),
           work_(work),
+          subject_(subject),
+          comparison_(subject.comparison.empty() ? nullptr : &comparison_of(project, subject.comparison)),
           contents_(projects::read_contents(project, folder, work.cancel)),
           now_(projects::with_contents(project, contents_)),
           index_(projects::ResultIndex::load(folder)) {}
 
     Report make_pictures() {
-        report_.title = project_.name.empty() ? folder_.stem().string() : project_.name;
-        report_.kind = "Project";
-        report_.notes = projects::without_note_links(project_.notes);
+        report_.title = comparison_             ? name_of(*comparison_)
+                        : project_.name.empty() ? folder_.stem().string()
+                                                : project_.name;
+        report_.kind = comparison_ ? "Comparison" : "Project";
+        report_.notes = projects::without_note_links(comparison_ ? comparison_->notes : project_.notes);
         read_pictures();
+        tell_other_outputs();
         make_galleries();
         return std::move(report_);
     }
@@ -82,10 +96,15 @@ class ProjectReport {
             auto table = measure(gallery, work_.cancel);
             if (!table.rows.empty() || !table.notes.empty()) report_.metrics.push_back(std::move(table));
         }
-        for (const auto& plot : project_.plots) add_plot(plot);
-        for (const auto& analysis : project_.analyses) add_analysis(analysis);
+        if (!comparison_) {
+            for (const auto& plot : project_.plots) add_plot(plot);
+            for (const auto& analysis : project_.analyses) add_analysis(analysis);
+        }
         report_.settings = settings_of(report_.galleries);
         report_.provenance = provenance_of(report_.galleries);
+        if (!unkept_.empty())
+            report_.provenance.notes.push_back("As the window showed it, not kept in the project: " +
+                                               projects::printable(listed(unkept_), 300) + ".");
         return std::move(report_);
     }
 
@@ -96,10 +115,12 @@ class ProjectReport {
         const double all = double(project_.experiments.size() + project_.images.size()) + 1;
         double done = 0;
         for (const auto& experiment : project_.experiments) {
+            if (!takes_part(project_, subject_, experiment.id)) continue;
             work_.tell("Reading " + name_of(experiment), 0.5 * done++ / all);
             read_experiment(experiment);
         }
         for (const auto& image : project_.images) {
+            if (!takes_part(project_, subject_, image.id)) continue;
             work_.tell("Reading " + name_of(image), 0.5 * done++ / all);
             try {
                 Found found{read_picture(name_of(image), projects::resolve(image.source, folder_)), image.id,
@@ -112,18 +133,41 @@ class ProjectReport {
         }
     }
 
+    /// Files of results hold the main output.
+    void tell_other_outputs() {
+        for (const auto& comparison : project_.comparisons) {
+            if (comparison.output.empty() || (comparison_ && comparison_ != &comparison)) continue;
+            const auto* experiment = projects::find_item(project_.experiments, comparison.a);
+            const auto* method = experiment ? engine::registry().find(experiment->method) : nullptr;
+            if (!method) continue;
+            const auto* main = main_output(*method, projects::runnable_settings(*experiment, *method));
+            if (!main || main->key != comparison.output)
+                lack("The comparison " + name_of(comparison) + " is of '" + comparison.output +
+                     "'; its pictures here are the main results.");
+        }
+    }
+
     void read_experiment(const Experiment& experiment) {
         const auto* kept = index_.find(experiment.last_kept_key);
         const auto* file = kept ? projects::file_of(*kept, projects::main_role) : nullptr;
-        if (!file) return lack(name_of(experiment) + " has no kept result.");
+        const auto shown = subject_.unkept.find(experiment.id);
+        const auto unkept = shown == subject_.unkept.end() ? Unkept() : shown->second;
+        const bool is_kept = unkept.file.empty();
+        if (is_kept && !file)
+            return lack(name_of(experiment) + " has no kept result" +
+                        (unkept.problem.empty() ? "" : ", and none is shown: " + unkept.problem) + ".");
         Found found{{}, experiment.id, experiment.scene + "/" + experiment.camera};
         try {
-            found.picture = read_picture(name_of(experiment), folder_ / "results" / file->path);
+            found.picture =
+                read_picture(name_of(experiment), is_kept ? folder_ / "results" / file->path : unkept.file);
         } catch (const InputError&) {
-            return lack("The kept result of " + name_of(experiment) + " cannot be read.");
+            return lack("The " + std::string(is_kept ? "kept result" : "picture") + " of " +
+                        name_of(experiment) + " cannot be read.");
         }
         found.picture.caption = caption_of(experiment);
-        if (const auto changed = changes_of(experiment, *kept); !changed.empty()) {
+        if (!is_kept) {
+            unkept_.push_back(name_of(experiment));
+        } else if (const auto changed = changes_of(experiment, *kept); !changed.empty()) {
             found.picture.warning = "stale: " + changed;
             lack(name_of(experiment) + " is stale, its picture is of before: " + changed + ".");
         }
@@ -172,9 +216,9 @@ class ProjectReport {
         };
         for (const auto& comparison : project_.comparisons) {
             auto pair = pair_of(comparison.a, comparison.b);
-            if (!pair) continue;
+            if (!pair || (comparison_ && comparison_ != &comparison)) continue;
             pair->name = name_of(comparison);
-            pair->notes = comparison.notes;
+            pair->notes = comparison_ ? "" : comparison.notes;
             pair->mode = comparison.mode;
             pair->range = comparison.range;
             add(pair);
@@ -276,21 +320,31 @@ class ProjectReport {
     const projects::Project& project_;
     const fs::path folder_;
     const Work& work_;
+    const Subject& subject_;
+    const projects::Comparison* const comparison_;  ///< null: of all
     const projects::ContentHashes contents_;
     const projects::Project now_;  ///< with the content of its files
     const projects::ResultIndex index_;
     std::vector<Found> pictures_;
+    std::vector<std::string> unkept_;  ///< names of experiments
     Report report_;
 };
 
 }  // namespace
 
-Report report_of(const projects::Project& project, const fs::path& folder, const Work& work) {
-    return ProjectReport(project, folder, work).make();
+bool takes_part(const projects::Project& project, const Subject& subject, const std::string& id) {
+    if (subject.comparison.empty()) return true;
+    const auto* comparison = projects::find_item(project.comparisons, subject.comparison);
+    return comparison && (comparison->a == id || comparison->b == id);
+}
+
+Report report_of(const projects::Project& project, const fs::path& folder, const Work& work,
+                 const Subject& subject) {
+    return ProjectReport(project, folder, work, subject).make();
 }
 
 Report pictures_of(const projects::Project& project, const fs::path& folder, const Work& work) {
-    return ProjectReport(project, folder, work).make_pictures();
+    return ProjectReport(project, folder, work, {}).make_pictures();
 }
 
 }  // namespace ir::report

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <tuple>
 
 #include "renderers/core/bytes_text.h"
@@ -39,6 +40,7 @@ class Describing {
         for (const auto* pass : passes_) pipeline_.nodes.push_back({true, {row_of(*pass)}});
         for (const auto& resource : report_.resources) add(resource);
         for (std::size_t g = 0; g < groups_.size(); ++g) join(groups_[g], int(passes_.size() + g));
+        if (content_.marked && !content_.skipped) add_marks();
         return std::move(pipeline_);
     }
 
@@ -124,6 +126,51 @@ class Describing {
             pipeline_.edges.push_back({node, pass, Kind::reads, skips(pass)});
         for (const int pass : group.remember)
             pipeline_.edges.push_back({node, pass, Kind::remembers, skips(pass)});
+    }
+
+    /// Of a buffer that is drawn; -1: it is not.
+    int node_of(const std::string& key) const {
+        for (std::size_t n = passes_.size(); n < pipeline_.nodes.size(); ++n)
+            for (const auto& row : pipeline_.nodes[n].rows)
+                if (row.key == key) return int(n);
+        return -1;
+    }
+    /// Of two nodes of buffers that which is written later; -1 stands for none.
+    int later(int a, int b) const {
+        const auto written = [&](int node) {
+            return node < 0 ? -1 : groups_[std::size_t(node) - passes_.size()].writers.front();
+        };
+        return written(b) > written(a) ? b : a;
+    }
+
+    void add_marks() {
+        std::map<std::string, int> held;  ///< node on whose mark a buffer is that is not there
+        std::map<int, std::vector<std::string>> marks;
+        for (const auto& pass : report_.passes) {
+            if (!pass.culled) continue;
+            int holder = -1;
+            for (const auto* keys : {&pass.reads, &pass.reads_previous})
+                for (const auto& key : *keys) {
+                    const auto known = held.find(key);
+                    holder = later(holder, known == held.end() ? node_of(key) : known->second);
+                }
+            for (const auto& key : pass.writes)
+                if (node_of(key) < 0) held.emplace(key, holder);
+            marks[holder].push_back(pass.name);
+        }
+        for (const auto& [holder, names] : marks) {
+            const auto count = std::to_string(names.size());
+            const auto key =
+                "skipped " + (holder < 0 ? "" : pipeline_.nodes[std::size_t(holder)].rows[0].key);
+            std::string doc = names.size() == 1
+                                  ? "a pass is skipped, as nobody looks at what it writes:"
+                                  : count + " passes are skipped, as nobody looks at what they write:";
+            for (const auto& name : names) doc += "\n" + name;
+            if (holder >= 0)
+                pipeline_.edges.push_back(
+                    {holder, int(pipeline_.nodes.size()), Pipeline::Edge::Kind::reads, true});
+            pipeline_.nodes.push_back({true, {{key, "+ " + count, {}, doc, 0, true, false}}});
+        }
     }
 
     const FrameReport& report_;

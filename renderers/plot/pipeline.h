@@ -45,6 +45,7 @@ struct Pipeline {
 struct PipelineContent {
     bool measured = true;  ///< times and memory, which differ from run to run; descriptions
     bool skipped = true;   ///< passes and buffers that nobody looks at
+    bool marked = false;   ///< where these are left out: a mark on the last buffer that some would have read
 };
 
 Pipeline pipeline_of(const FrameReport& report, const PipelineContent& content = {});

@@ -55,7 +55,6 @@ AnalysisEditor::AnalysisEditor(QWidget* parent) : ItemForm(parent) {
     });
     reference_ = choice_row(grid, "reference");
     parameters_ = new TextField("parameters", this);
-    parameters_->setPlaceholderText(tr("all"));
     row(grid, analysis_field("parameters").text, parameters_);
     connect(parameters_, &TextField::chosen, this, [this](const QString& text) {
         emit edit_wanted(field_edit<Analysis>(
@@ -100,9 +99,14 @@ void AnalysisEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     QStringList keys;
     for (const auto& key : analysis.parameters) keys << q(key);
     parameters_->show_text(keys.join(QStringLiteral(", ")));
-    if (!shown.read_only)
-        set_usable(parameters_,
-                   kind && !kind->takes_parameters ? tr("This question takes no parameters.") : QString());
+    const bool compares = kind && kind->compares_machines;
+    parameters_->setPlaceholderText(compares ? QStringLiteral("gl, host") : tr("all"));
+    if (!shown.read_only) {
+        const bool takes = !kind || kind->takes_parameters || compares;
+        set_usable(parameters_, takes ? QString() : tr("This question takes no parameters."));
+        const bool judges = !compares || !analysis.reference.empty();  // what is wrong can be taken out
+        set_usable(reference_, judges ? QString() : tr("This question takes no reference."));
+    }
     const auto why_not = projects::why_not_analysed(shown.project, analysis, shown.registry);
     problem_->setText(why_not.empty() ? tr("The Analyses panel carries it out.")
                                       : tr("It cannot be carried out: it %1.").arg(q(why_not)));

@@ -123,7 +123,9 @@ QWidget* PipelinePanel::make_bar() {
     row->addWidget(new HeatLegend);
     skipped_ = new QCheckBox(tr("Skipped"));
     skipped_->setObjectName(QStringLiteral("skipped"));
-    skipped_->setToolTip(tr("Also passes and buffers that nobody looks at"));
+    skipped_->setToolTip(
+        tr("All passes and buffers that nobody looks at; else grey marks count the passes, and a click on "
+           "one shows them"));
     row->addWidget(skipped_);
     fit_ = add_icon_button(row, "fit-pipeline", "fit", tr("Show all (0)"));
     export_ = add_icon_button(row, "export-pipeline", "export", tr("Write the graph as SVG …"));
@@ -131,6 +133,7 @@ QWidget* PipelinePanel::make_bar() {
     connect(forward_, &QToolButton::clicked, this, [this] { step(1); });
     connect(whole_, &QToolButton::clicked, this, [this] { emit step_wanted({}); });
     connect(skipped_, &QCheckBox::toggled, this, &PipelinePanel::skipped_chosen);
+    connect(view_, &PipelineView::skipped_clicked, skipped_, [this] { skipped_->setChecked(true); });
     connect(fit_, &QToolButton::clicked, view_, &PipelineView::fit);
     connect(export_, &QToolButton::clicked, this, &PipelinePanel::export_wanted);
     return bar;

@@ -196,7 +196,7 @@ void PipelineView::mouseReleaseEvent(QMouseEvent* event) {
     if (!found.row) return;
     const auto key = QString::fromStdString(found.row->key);  // answers may change what is shown
     if (!found.node->is_pass) return emit buffer_clicked(key);
-    if (!found.row->skipped) emit pass_clicked(key);
+    found.row->skipped ? emit skipped_clicked() : emit pass_clicked(key);
 }
 
 void PipelineView::wheelEvent(QWheelEvent* event) {

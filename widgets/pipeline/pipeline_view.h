@@ -39,6 +39,7 @@ class PipelineView : public QGraphicsView {
 
   signals:
     void pass_clicked(const QString& name);
+    void skipped_clicked();  ///< a pass that did not run, or the mark of some
     void buffer_clicked(const QString& key);
     /// Of what is under the cursor, or by a key of the pass that is marked, else of the buffer.
     void pass_menu_wanted(const QString& name, QPoint global_position);

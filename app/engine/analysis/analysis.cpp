@@ -16,11 +16,12 @@ AnalysisResult run_analysis(Machine& machine, const projects::Project& project,
     static const std::map<std::string, Answer> answers{{"disagreement", disagreement},
                                                        {"sensitivity", sensitivity},
                                                        {"attribution", attribution},
-                                                       {"waterfall", waterfall}};
+                                                       {"waterfall", waterfall},
+                                                       {"divergence", divergence}};
     AnalysisRun run(machine, project, analysis, folder, callbacks);
     auto result = answers.at(analysis.kind)(run);
     result.valid = run.valid();
-    result.device = machine.context().info().renderer;
+    if (result.device.empty()) result.device = machine.context().info().renderer;
     return result;
 }
 

@@ -75,6 +75,16 @@ void AnalysisRun::note(const std::string& line) {
     if (std::ranges::find(notes_, line) == notes_.end()) notes_.push_back(line);
 }
 
+graph::FrameOptions AnalysisRun::frame_options(std::function<std::string()> what) const {
+    graph::FrameOptions options;
+    options.cancel = callbacks_.cancel;
+    options.memory_budget = callbacks_.memory_budget;
+    options.progress = [this, what = std::move(what)](const std::string& pass, double part) {
+        tell(what() + ": " + pass, part);
+    };
+    return options;
+}
+
 Image AnalysisRun::picture(const projects::Experiment& experiment, const std::string& what) {
     check();
     tell(what, 0);
@@ -86,11 +96,7 @@ Image AnalysisRun::picture(const projects::Experiment& experiment, const std::st
     }
     if (!kept) {
         Execution execution(machine_, from_project(project_, experiment, folder_), shared_);
-        graph::FrameOptions options;
-        options.cancel = callbacks_.cancel;
-        options.memory_budget = callbacks_.memory_budget;
-        options.progress = [&](const std::string& pass, double part) { tell(what + ": " + pass, part); };
-        run_frames(execution, options);
+        run_frames(execution, frame_options([&] { return what; }));
         machine_.context().make_current();
         kept.emplace();
         kept->image = main_result(execution);

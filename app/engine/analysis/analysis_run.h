@@ -17,6 +17,8 @@ class AnalysisRun {
 
     const projects::Project& project() const { return project_; }
     const projects::Analysis& analysis() const { return analysis_; }
+    const std::filesystem::path& folder() const { return folder_; }
+    Machine& machine() { return machine_; }
     /// As it runs; by its place in the analysis.
     projects::Experiment experiment(std::size_t index) const;
     const std::string& name(std::size_t index) const;  ///< of the experiment, for people
@@ -26,6 +28,10 @@ class AnalysisRun {
 
     /// How many pictures will be asked for, for the progress; may be told again.
     void expect(std::size_t pictures) { expected_ = pictures; }
+    /// Of one of these, with cancel, budget and progress; `what` says then what it is. It must not outlive
+    /// this.
+    graph::FrameOptions frame_options(std::function<std::string()> what) const;
+    void count_picture() { ++done_; }  ///< one of them is there; picture() and reference() count their own
     /// The values of the main result. `what` says for the progress what it is. Throws UsageError where it
     /// has not the size and channels of those before.
     Image picture(const projects::Experiment& experiment, const std::string& what);
@@ -75,5 +81,6 @@ AnalysisResult disagreement(AnalysisRun& run);
 AnalysisResult sensitivity(AnalysisRun& run);
 AnalysisResult attribution(AnalysisRun& run);
 AnalysisResult waterfall(AnalysisRun& run);
+AnalysisResult divergence(AnalysisRun& run);  // divergence.cpp
 
 }  // namespace ir::engine

@@ -179,7 +179,7 @@ void write_analysis(const projects::Project& project, const projects::Analysis& 
     if (!result.valid.empty()) add(valid_layer, result.valid);
     auto& files = real_file_system();
     files.create_directories(out);
-    write_exr(files, out / projects::analysis_pictures, layers, {});
+    if (!layers.empty()) write_exr(files, out / projects::analysis_pictures, layers, {});
     write_atomically(files, out / projects::analysis_file, projects::pretty_json(json));
 }
 
@@ -210,7 +210,8 @@ std::optional<KeptAnalysis> load_analysis(const fs::path& out, bool has_pictures
         ObjectReader one(each, file.string(), pointer);
         kept.result.pictures.push_back(read_picture(one));
     });
-    if (has_pictures) read_pixels(kept.result, out / projects::analysis_pictures);
+    if (has_pictures && !kept.result.pictures.empty())
+        read_pixels(kept.result, out / projects::analysis_pictures);
     return kept;
 }
 

@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -119,7 +120,7 @@ class AnalysesWindowTest : public WindowTest {
 
 TEST_F(AnalysesWindowTest, AsksRunsAndShowsTheAnswer) {
     EXPECT_TRUE(offers_one());
-    EXPECT_EQ(find<QToolButton>("new")->menu()->actions().size(), 4);
+    EXPECT_EQ(find<QToolButton>("new")->menu()->actions().size(), 5);
     ask("sensitivity");
     ASSERT_EQ(window.session().document().analyses.size(), 1u);
     EXPECT_EQ(analysis().experiments.front(), window.session().experiment()->id);
@@ -224,6 +225,27 @@ TEST_F(AnalysesWindowTest, WhatCannotBeAskedIsEditedInTheProject) {
     });
     ASSERT_TRUE(settle());
     EXPECT_TRUE(find<QToolButton>("run")->isEnabled()) << find<QToolButton>("run")->toolTip().toStdString();
+}
+
+TEST_F(AnalysesWindowTest, ADivergenceNamesMachinesAndNoReference) {
+    ask("divergence");
+    EXPECT_TRUE(find<QToolButton>("run")->isEnabled()) << "device and host, unless others are named";
+    auto& editor = window.document().editor();
+    window.document().select({widgets::ItemKind::analysis, QString::fromStdString(analysis().id)});
+    auto* machines = editor.findChild<QLineEdit*>("parameters");
+    ASSERT_TRUE(machines && machines->isEnabled());
+    EXPECT_EQ(machines->placeholderText(), "gl, host");
+    EXPECT_FALSE(editor.findChild<QWidget*>("reference")->isEnabled());
+    machines->setFocus();
+    QTest::keyClicks(machines, "osmesa+host, cuda");
+    QTest::keyClick(machines, Qt::Key_Return);
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(find<QToolButton>("run")->isEnabled());
+    EXPECT_TRUE(find<QToolButton>("run")->toolTip().contains("'cuda' is no machine"));
+    trigger("undo");
+    press("run");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(bars(), 3u);
 }
 
 /// The real thing, without a fake.

@@ -7,9 +7,11 @@
 
 #include "app/engine/execution.h"
 #include "app/gui/renderer.h"
+#include "renderers/core/error.h"
 #include "renderers/core/method.h"
 #include "renderers/core/transport.h"
 #include "renderers/image/atlas.h"
+#include "renderers/image/exr.h"
 #include "widgets/image/image_view.h"
 
 namespace ir::gui {
@@ -206,7 +208,10 @@ class FakeRenderer final : public Renderer {
             emit surface_arrived({request.tag, surface_error, surface, request.asker});
         });
     }
-    void export_layers(engine::ExportRequest request) override { exports.push_back(std::move(request)); }
+    void export_layers(engine::ExportRequest request) override {
+        exports.push_back(std::move(request));
+        QTimer::singleShot(0, this, [this, request = exports.back()] { answer(request); });
+    }
     void keep(engine::KeepRequest request) override {
         keeps.push_back(request);
         QTimer::singleShot(0, this, [this, request] {
@@ -248,6 +253,26 @@ class FakeRenderer final : public Renderer {
             std::erase_if(result->images, [](const auto& each) { return !each.first.key.empty(); });
         result->report = report(request, computed);
         emit result_arrived(result);
+    }
+
+    /// Writes the main result alone.
+    void answer(const engine::ExportRequest& request) {
+        std::string error = export_error;
+        try {
+            for (auto asked = requests.rbegin(); error.empty(); ++asked) {
+                if (asked == requests.rend()) throw Error("there is no complete picture to export");
+                if (asked->tag != request.tag) continue;
+                const auto level = asked->experiment.settings.find("level");
+                const bool is_set = level != asked->experiment.settings.end();
+                const auto value = is_set ? std::get<double>(level->second) : 0.25;
+                const auto picture = paint(asked->experiment, {}, float(value));
+                write_exr(request.file, {{"", standard_channels(3), picture}}, {});
+                break;
+            }
+        } catch (const std::exception& failure) {
+            error = failure.what();
+        }
+        emit exported(request.tag, request.file, error);
     }
 
     engine::Experiment sized(engine::Experiment experiment, const std::string& key) const {
@@ -397,6 +422,7 @@ class FakeRenderer final : public Renderer {
     std::optional<engine::SurfacePoint> surface = engine::SurfacePoint{{0.5, -1, 0.25}, {0, 1, 0}, 2};
     std::string surface_error;
     std::vector<engine::ExportRequest> exports;
+    std::string export_error;  ///< of every file that is to be written
     std::vector<engine::KeepRequest> keeps;
     /// What the render thread does; without it nothing answers.
     std::function<engine::KeepResult(const engine::KeepRequest&)> on_keep;

@@ -9,6 +9,7 @@
 #include "app/gui/dialog_folder.h"
 #include "tests/gui/window/opened_files.h"
 #include "tests/gui/window/sweeps_fixture.h"
+#include "tests/gui/window/written_report.h"
 #include "widgets/panels/finder_dialog.h"
 
 namespace ir::gui {
@@ -92,10 +93,16 @@ class TenTasks : public SweepsWindowTest {
         open();
         EXPECT_TRUE(is_entered);
     }
-    void expect_report() {
+    /// Of pictures of one value each.
+    void expect_report(const std::vector<float>& values) {
         ASSERT_TRUE(QTest::qWaitFor([&] { return !window.reports().is_writing(); }, 60000));
         EXPECT_EQ(QFileInfo(opened.file()).suffix(), "html") << "the browser shows it";
-        EXPECT_GT(QFileInfo(opened.file()).size(), 1000);
+        const WrittenReport report(opened.file());
+        std::vector<float> shown;
+        for (const auto& each : report.pictures()) shown.push_back(each.value);
+        EXPECT_EQ(shown, values);
+        EXPECT_TRUE(report.text().contains("<h2>Metrics</h2>") || report.text().contains("<h2>Plots</h2>"));
+        EXPECT_FALSE(report.text().contains("Missing or stale"));
     }
     /// Of the editor of what is chosen in the project.
     template <class Widget>
@@ -223,17 +230,18 @@ TEST_F(TenTasks, SweepTwoParametersWithPlotAndReport) {
     click_tab(*find<QTabBar>("tabs"), widgets::SweepPanel::plot_tab);
     EXPECT_GT(panel().plot().data().count(), 0u);
     enter_file([&] { click_entry(find<QToolButton>("files"), "report"); });
-    expect_report();
+    expect_report({4, 4, 2, 2, 1, 1, 1});  // the last one is the ground truth
     EXPECT_LE(count, 13);
 }
 
 TEST_F(TenTasks, ShareAComparison) {
     save();
+    type_level("0.75");
     press("match");
     press("comparison-add");
     ASSERT_EQ(window.session().document().comparisons.size(), 1u);
     enter_file([&] { press("report"); });
-    expect_report();
+    expect_report({0.75f, 0.25f});
     EXPECT_LE(count, 4);
 }
 

@@ -53,6 +53,49 @@ class AnalyseCommand : public CommandTest {
     Json json_;
 };
 
+TEST_F(AnalyseCommand, DivergenceIsThatOfDiverge) {
+    json_["analyses"] = {{{"id", "part"}, {"kind", "divergence"}, {"experiments", {"few"}}}};
+    store();
+    const auto text = output(command("--svg " + file("d.svg") + " --csv " + file("d.csv")));
+    const auto told = Json::parse(read(kept("part") / "analysis.json"));
+    const auto diverged = Json::parse(
+        run("diverge hbao --set directions=4 --set max_distance=0.5 --size 16x12 --json --quiet").out);
+    ASSERT_TRUE(diverged["first"].is_string()) << "a picture so small has edges that count";
+    const auto first = diverged["first"].get<std::string>();
+    EXPECT_EQ(told["chart"]["title"], "First that diverges: " + first) << text;
+    EXPECT_TRUE(has(told["device"].get<std::string>(), " / "));
+    EXPECT_TRUE(has(text, "note: A: ") && has(text, ", gl\n")) << text;
+    EXPECT_TRUE(has(text, "note: B: ") && has(text, ", host\n")) << text;
+    // Buffers stand in the order of diverge, with its numbers.
+    std::vector<std::string> listed, expected;
+    std::istringstream lines(read(file("d.csv")));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "Buffer,Written by,Values,Differ,Largest difference,Finding");
+    while (std::getline(lines, line)) listed.push_back(line.substr(0, line.find(',')));
+    for (const auto& buffer : diverged["buffers"]) {
+        const bool differs =
+            buffer.contains("largest") && (buffer["largest"] != 0 || buffer.contains("problem"));
+        if (differs || buffer["diverges"].get<bool>()) expected.push_back(buffer["key"]);
+    }
+    EXPECT_EQ(listed, expected);
+    const auto layers = read_exr(kept("part") / "pictures.exr");
+    ASSERT_EQ(layers.size(), 1u);
+    EXPECT_EQ(layers[0].name, "where");
+    EXPECT_EQ(layers[0].image.channels, 1);
+    float most = 0;
+    for (const float value : layers[0].image.pixels) most = std::max(most, value);
+    for (const auto& buffer : diverged["buffers"]) {
+        if (buffer["key"] == first) {
+            EXPECT_NEAR(most, buffer["largest"].get<float>(), 1e-5);
+        }
+    }
+    output("report " + project() + " --out " + file("r.html"));
+    EXPECT_TRUE(has(read(file("r.html")), "First that diverges: " + first));
+    expect_refused(command("--kind divergence --experiment few --parameter cuda --parameter host"), 3,
+                   "'cuda' is no machine");
+}
+
 TEST_F(AnalyseCommand, AnswersWhatTheProjectAsksAndKeepsIt) {
     const auto text = output(command(""));
     EXPECT_TRUE(has(text, "who: Nearest to the reference")) << text;

@@ -98,7 +98,18 @@ TEST(Pipeline, WhatNobodyLooksAtIsMarkedOrLeftOut) {
     EXPECT_TRUE(row_named(all, "why <&>")->skipped);
     EXPECT_TRUE(row_named(all, "reasons")->skipped);
     EXPECT_FALSE(row_named(all, "light")->skipped);
+    const auto marked = pipeline_of(sample_frame(), {true, false, true});
+    EXPECT_EQ(row_named(marked, "why <&>"), nullptr);
+    const auto& mark = marked.nodes.back().rows.front();
+    EXPECT_TRUE(mark.skipped);
+    EXPECT_EQ(mark.text, "+ 1");
+    EXPECT_NE(mark.doc.find("why <&>"), std::string::npos) << mark.doc;
+    const auto& edge = marked.edges.back();
+    EXPECT_TRUE(edge.skipped);
+    EXPECT_EQ(edge.to, int(marked.nodes.size()) - 1);
     const auto needed = pipeline_of(sample_frame(), {true, false});
+    EXPECT_EQ(needed.nodes.size() + 1, marked.nodes.size());
+    EXPECT_EQ(needed.edges.size() + 1, marked.edges.size());
     EXPECT_EQ(row_named(needed, "why <&>"), nullptr);
     EXPECT_EQ(row_named(needed, "reasons"), nullptr);
     EXPECT_EQ(needed.nodes.size(), 3u + 3u);

@@ -63,6 +63,32 @@ TEST_F(AnalysesTest, SayWhatIsWrongWithThem) {
     EXPECT_EQ(why_not(), "has no reference; choose one");
 }
 
+TEST_F(AnalysesTest, OfDivergenceNameTwoMachines) {
+    EXPECT_EQ(read_machine_name("host"), (MachineName{"", "host"}));
+    EXPECT_EQ(read_machine_name("osmesa+gl"), (MachineName{"osmesa", "gl"}));
+    for (const char* wrong : {"", "cuda", "gl+host", "egl+osmesa", "gl,host", "egl++gl"})
+        EXPECT_FALSE(read_machine_name(wrong)) << wrong;
+    analysis.kind = "divergence";
+    analysis.experiments = {"copy"};
+    EXPECT_EQ(why_not(), "");
+    EXPECT_EQ(machines_of(analysis), (std::array<std::string, 2>{"gl", "host"}));
+    analysis.parameters = {"egl", "osmesa"};
+    EXPECT_EQ(why_not(), "");
+    EXPECT_EQ(machines_of(analysis), (std::array<std::string, 2>{"egl", "osmesa"}));
+    analysis.parameters = {"host"};
+    EXPECT_EQ(why_not(), "compares two machines, and names 1; give gl and host, egl and osmesa, or none");
+    analysis.parameters = {"host", "cuda"};
+    EXPECT_NE(why_not().find("'cuda' is no machine; give gl or host"), std::string::npos);
+    analysis.parameters = {"host", "host"};
+    EXPECT_EQ(why_not(), "compares 'host' with itself; name another machine");
+    analysis.parameters.clear();
+    analysis.reference = project.experiments[0].id;
+    EXPECT_EQ(why_not(), "compares two machines with each other; take the reference out");
+    project.experiments[0].reference = "copy";
+    EXPECT_EQ(analysis_of(project, "divergence", project.experiments[0].id, testing::registry()).reference,
+              "");
+}
+
 TEST_F(AnalysesTest, KeepTheirExperimentsFromBeingRemoved) {
     EXPECT_THROW(edits::remove<Experiment>(project, "copy"), UsageError);
     edits::remove<Analysis>(project, "q")->apply(project);

@@ -289,6 +289,35 @@ class Reports(unittest.TestCase):
         self.assertEqual(self.images(self.report(packed)), self.images(self.page))
         self.assertIn("unpack", self.cli("report", packed, "--render", status=2))
 
+    def test_a_comparison_alone(self):
+        for name in ("c", self.document["comparisons"][0]["name"]):
+            page = self.report(self.project, "--comparison", name)
+            self.assertEqual(page.faults, [])
+            self.assertEqual(page.all("p", class_="kind")[0]["text"], "Comparison")
+            self.assertEqual(page.all("h1")[0]["text"], self.document["comparisons"][0]["name"])
+            everything = self.images(self.page)
+            self.assertEqual(self.images(page), [everything[0], everything[2]])
+            self.assertEqual(page.all("svg"), [], "plots are of the project")
+            self.assertEqual(page.all("section", class_="lacks"), [])
+        self.assertIn("did you mean 'c'", self.cli("report", self.project, "--comparison", "cc", status=2))
+        self.assertIn("for projects", self.cli("report", self.kept("few"), self.kept("truth"), "--comparison", "c",
+                                               status=2))
+
+    def test_a_comparison_renders_what_it_lacks_alone(self):
+        project = self.folder / "other.interreflect"
+        project.mkdir()
+        small = {"scene": "box", "method": "view-normals", "size": [8, 6]}
+        (project / "project.json").write_text(json.dumps({
+            "schema": 6, "name": "Other", "scenes": self.document["scenes"],
+            "experiments": [{"id": name, "seed": seed, **small} for seed, name in enumerate("abx")],
+            "comparisons": [{"id": "c", "name": "C", "a": "a", "b": "b", "output": "position"}]}), encoding="utf-8")
+        page = self.report(project, "--comparison", "c", "--render")
+        self.assertEqual(len(self.images(page)), 2)
+        kept = json.loads((project / "results/index.json").read_text(encoding="utf-8"))["entries"]
+        self.assertEqual(sorted(result["experiment"] for result in kept), ["a", "b"])
+        lines = [e["text"] for e in page.all("li") if "lacks" in str(e["inside"])]
+        self.assertIn("The comparison C is of 'position'; its pictures here are the main results.", lines)
+
     def test_where_files_lie_stays_at_home(self):
         scene = self.folder / "triangle.gltf"
         corners = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0)
