@@ -93,9 +93,11 @@ std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std
                             });
         if (!wanted || !resource.available) continue;
         if (const auto* desc = graph.buffer_desc(resource.key)) {
-            const auto stride = std::max(1, graph::stride(*desc));
-            if (const auto bytes = graph.read_buffer(resource.key, resource.elements * stride))
-                result.push_back(buffer_layer(resource.key, *desc, *bytes, bytes->size() / stride));
+            const auto bytes = graph.read_buffer(resource.key);
+            const auto held = bytes ? bytes->size() / std::max(1, graph::stride(*desc)) : 0;
+            if (held > 0)
+                result.push_back(buffer_layer(resource.key, *desc, *bytes,
+                                              std::min<std::size_t>(held, resource.elements)));
             continue;
         }
         for (int level = 0; level < resource.levels; ++level)
