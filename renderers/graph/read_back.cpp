@@ -45,13 +45,18 @@ std::optional<Image> read_image(GraphCache& cache, const std::string& key, int l
     if (!copy.on_device && !copy.on_host) return std::nullopt;
     const auto& format = gl::info(shape.format);
     const int width = shape.level_width(level), height = shape.level_height(level);
-    std::vector<std::byte> raw(static_cast<std::size_t>(width) * height * format.bytes);
-    if (copy.on_host && level == 0)
-        std::memcpy(raw.data(), copy.host.data() + layer * raw.size(), raw.size());
-    else
-        cache.device.read_image(cache.pool.on_device(*physical, copy), shape, level, layer, raw);
+    const auto bytes = static_cast<std::size_t>(width) * height * format.bytes;
     Image image(width, height, format.channels);
-    to_floats(raw.data(), format, image.pixels);
+    if (copy.on_host && level == 0) {
+        to_floats(copy.host.data() + layer * bytes, format, image.pixels);
+    } else if (format.type == GL_FLOAT) {
+        cache.device.read_image(cache.pool.on_device(*physical, copy), shape, level, layer,
+                                std::as_writable_bytes(std::span(image.pixels)));
+    } else {
+        std::vector<std::byte> raw(bytes);
+        cache.device.read_image(cache.pool.on_device(*physical, copy), shape, level, layer, raw);
+        to_floats(raw.data(), format, image.pixels);
+    }
     return image;
 }
 

@@ -25,7 +25,7 @@ Settings settings_of(bool visibility, const char* paths) {
 }
 
 /// Much of it is hidden, outside of the view, or beyond the reach of all that is seen.
-const Shot court{.scene = "builtin:atrium?detail=0.1", .size = {24, 16}, .all_outputs = false};
+const Shot court{.scene = "builtin:atrium?detail=0.1", .size = {24, 16}, .wanted = Wanted::main};
 
 struct Form {
     bool visibility;

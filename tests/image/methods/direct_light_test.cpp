@@ -41,7 +41,7 @@ struct Mean {
 Mean mean_of(const Frame& frame, const std::string& variance) {
     double sum = 0, squares = 0;
     std::size_t count = 0;
-    const auto& noise = frame.images.at(variance);
+    const auto& noise = frame.images.at(variance).front().pixels;
     const auto pixels = frame.valid.pixels.size();
     for (std::size_t i = 0; i < pixels; ++i) {
         if (frame.valid.pixels[i] < 0.5f) continue;

@@ -102,9 +102,12 @@ inline Settings middle_settings(const MethodDescription& method, Settings settin
 struct Frame {
     FrameReport report;
     Image main, valid;
-    std::map<std::string, std::vector<float>> images;  ///< outputs, all levels and layers
+    std::map<std::string, std::vector<Image>> images;  ///< outputs, each level and layer
     std::map<std::string, std::vector<std::byte>> buffers;
 };
+
+/// The main result alone, all outputs but those that explain, or all.
+enum class Wanted { main, results, all };
 
 struct Shot {
     std::string scene = scenes.front(), backend = "";
@@ -112,7 +115,7 @@ struct Shot {
     int frames = 1;
     Inspection inspection = {};
     glm::ivec2 size{48, 32};
-    bool all_outputs = true;  ///< or the main result alone
+    Wanted wanted = Wanted::all;
 };
 
 /// A method on one scene. Settings are changed one after another, as in a window: what a change leaves valid
@@ -127,27 +130,27 @@ class Studio {
     const graph::Method& method() const { return method_; }
     const std::string& scene() const { return shot_.scene; }
 
-    /// The outputs after the shot's frames, in which everything was wanted.
+    /// The outputs that the shot wants, after its frames.
     Frame render(const Settings& settings) { return render(settings, shot_.frames); }
     Frame render(const Settings& settings, int frames) {
         execution_->update(experiment(settings));
         execution_->restart();
         execution_->inspect(shot_.inspection);
         graph::FrameOptions options;
-        if (shot_.all_outputs) options.wanted = {"*"};
+        options.wanted = wanted();
         Frame frame;
         for (int i = 0; i < frames; ++i) frame.report = execution_->run_frame(options);
         const auto& graph = execution_->graph();
         frame.main = main_result(*execution_);
         frame.valid = graph.read_image("valid").value_or(Image());
         for (const auto& resource : frame.report.resources) {
-            if (!resource.is_output || !shot_.all_outputs) continue;
-            if (auto texels = read_texels(resource); !texels.empty())
-                frame.images[resource.key] = std::move(texels);
-            if (auto bytes = graph.read_buffer(resource.key)) {
+            if (!resource.is_output || !is_wanted(resource)) continue;
+            if (auto images = read_images(resource); !images.empty())
+                frame.images[resource.key] = std::move(images);
+            if (const auto* desc = graph.buffer_desc(resource.key)) {
                 // Beyond the elements in use is rubbish.
-                const std::size_t used = resource.elements * graph::stride(*graph.buffer_desc(resource.key));
-                bytes->resize(std::min(bytes->size(), used));
+                auto bytes = graph.read_buffer(resource.key, resource.elements * graph::stride(*desc));
+                if (!bytes) continue;
                 frame.buffers[resource.key] = std::move(*bytes);
             }
         }
@@ -166,14 +169,26 @@ class Studio {
         return result;
     }
 
+    std::vector<std::string> wanted() const {
+        if (shot_.wanted == Wanted::all) return {"*"};
+        std::vector<std::string> keys;
+        for (const auto& output : method_.description.outputs)
+            if (shot_.wanted == Wanted::results && !output.explains) keys.push_back(output.key);
+        return keys;
+    }
+
+    bool is_wanted(const ResourceReport& resource) const {
+        return shot_.wanted == Wanted::all || (shot_.wanted == Wanted::results && !resource.explains);
+    }
+
     /// Of all levels and layers.
-    std::vector<float> read_texels(const ResourceReport& resource) const {
-        std::vector<float> texels;
+    std::vector<Image> read_images(const ResourceReport& resource) const {
+        std::vector<Image> images;
         for (int level = 0; level < resource.levels; ++level)
             for (int layer = 0; layer < resource.layers; ++layer)
-                if (const auto image = execution_->graph().read_image(resource.key, level, layer))
-                    texels.insert(texels.end(), image->pixels.begin(), image->pixels.end());
-        return texels;
+                if (auto image = execution_->graph().read_image(resource.key, level, layer))
+                    images.push_back(std::move(*image));
+        return images;
     }
 
     const graph::Method& method_;
@@ -181,10 +196,11 @@ class Studio {
     std::unique_ptr<engine::Execution> execution_;
 };
 
-/// One for each of `scenes`.
+/// One for each of `scenes`, in which all but explanations is wanted.
 inline std::vector<Studio> studios(const graph::Method& method, glm::ivec2 size) {
     std::vector<Studio> all;
-    for (const auto& scene : scenes) all.emplace_back(method, Shot{.scene = scene, .size = size});
+    for (const auto& scene : scenes)
+        all.emplace_back(method, Shot{.scene = scene, .size = size, .wanted = Wanted::results});
     return all;
 }
 
