@@ -68,6 +68,24 @@ void DisplayMemory::load(const projects::Json& json) {
     if (!json.is_object()) return;
     for (const auto& [buffer, display] : json.items())
         displays_[{shared, buffer}] = display_from_json(display);
+    if (chosen(light)) return;
+    // As it was remembered before, and may be written by hand: of a buffer.
+    for (const auto& [key, display] : displays_)
+        if (display.mode == Display::Mode::colour && !is_exposed_alike(display, {}) &&
+            !key.second.starts_with("difference:")) {
+            choose(light, Display(display));
+            return;
+        }
+}
+
+bool is_exposed_alike(const Display& a, const Display& b) {
+    return a.exposure == b.exposure && a.tone_map == b.tone_map;
+}
+
+Display exposed_like(Display display, const Display& other) {
+    display.exposure = other.exposure;
+    display.tone_map = other.tone_map;
+    return display;
 }
 
 projects::Json to_json(const Display& display) {

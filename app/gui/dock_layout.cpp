@@ -10,6 +10,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "app/gui/actions.h"
@@ -32,6 +33,8 @@ struct Layout {
     const char* title = nullptr;  ///< in menus; null: only by its name
     widgets::ViewArea::Arrangement views = widgets::ViewArea::Arrangement::one;
     const char* former = nullptr;  ///< name that it had, which still stands in people's scripts
+    const char* doc = nullptr;     ///< of the menu's entry, where the title does not say it
+    bool compares = false;         ///< begins with a comparison, where there is something to compare
 };
 
 const QList<Layout>& layouts() {
@@ -42,7 +45,14 @@ const QList<Layout>& layouts() {
                      "timeline",   "frames",  "benchmarks", "profile", "pipeline", "shaders"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
-        {"compare", {"display", "metrics"}, QT_TR_NOOP("Compare"), two_views},
+        {"compare",
+         {"display", "metrics"},
+         QT_TR_NOOP("Compare"),
+         two_views,
+         nullptr,
+         QT_TR_NOOP("Both pictures side by side with their metrics; Alt+2 … Alt+6 and Alt+8 show them by "
+                    "wipe, lens, flip, difference and in stages"),
+         true},
         {"results", {"results"}},
         {"plots", {"plots"}, QT_TR_NOOP("Plots")},
         {"sweeps", {"sweeps"}, QT_TR_NOOP("Sweeps")},
@@ -66,6 +76,18 @@ const QList<Layout>& layouts() {
     return all;
 }
 
+/// Panels beside the views, and where they stand.
+constexpr std::pair<const char*, Qt::DockWidgetArea> sides[] = {{"parameters", Qt::LeftDockWidgetArea},
+                                                                {"buffers", Qt::RightDockWidgetArea}};
+/// By how much a width differs from what it was set to, where separators and rounding took some.
+constexpr int width_slack = 12;
+
+/// On a large screen a few words more are read; the views have the most of it in any case.
+int side_width(Qt::DockWidgetArea area, int window_width) {
+    const int more = std::clamp(window_width / 12 - 110, 0, 160);
+    return area == Qt::LeftDockWidgetArea ? 300 + more / 2 : 340 + more;
+}
+
 bool is_in_front(const QDockWidget* dock) {
     return dock && dock->isVisible() && !dock->visibleRegion().isEmpty();
 }
@@ -77,9 +99,10 @@ void focus_into(QWidget* content) {
     content->setFocus(Qt::ShortcutFocusReason);
 }
 
-/// Curves, tables and drawings: as high as a view, where they are opened.
+/// Curves, tables, pictures and drawings: as high as a view, where they are opened.
 bool wants_room(const QString& name) {
-    static const QStringList all{"plots", "sweeps", "analyses", "benchmarks", "profile", "pipeline"};
+    static const QStringList all{"results", "plots",      "sweeps",  "analyses", "timeline",
+                                 "frames",  "benchmarks", "profile", "pipeline"};
     return all.contains(name);
 }
 
@@ -92,6 +115,26 @@ DockLayout::DockLayout(QMainWindow& window, widgets::ViewArea& views, Actions& a
     window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    window_.installEventFilter(this);
+}
+
+bool DockLayout::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &window_ && event->type() == QEvent::Resize) follow_width();
+    return QObject::eventFilter(watched, event);
+}
+
+void DockLayout::follow_width() {
+    if (is_cramped_ || is_hidden_) return;
+    const int before = std::exchange(followed_width_, window_.width());
+    for (const auto& [name, area] : sides) {
+        const int was = side_width(area, before), is = side_width(area, followed_width_);
+        for (auto* each : docks()) {
+            if (!is_in_front(each) || each->isFloating() || window_.dockWidgetArea(each) != area) continue;
+            if (was != is && std::abs(each->width() - was) <= width_slack)
+                window_.resizeDocks({each}, {is}, Qt::Horizontal);
+            break;
+        }
+    }
 }
 
 void DockLayout::add(const QString& name, const QString& title, QWidget* content, const QKeySequence& key) {
@@ -213,9 +256,9 @@ void DockLayout::arrange() {
     tabify("pipeline", "shaders");
     for (auto* each : docks()) each->show();
     for (const char* front : {"display", "buffers", "parameters", "messages"}) dock(front)->raise();
-    // On a large screen a few words more are read; the views have the most of it in any case.
-    const int more = std::clamp(window_.width() / 12 - 110, 0, 160);
-    window_.resizeDocks({dock("parameters"), dock("buffers")}, {300 + more / 2, 340 + more}, Qt::Horizontal);
+    followed_width_ = window_.width();
+    for (const auto& [name, area] : sides)
+        window_.resizeDocks({dock(name)}, {side_width(area, followed_width_)}, Qt::Horizontal);
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
     // They have something to say only when somebody asks; what is wrong stands in banners.
@@ -230,11 +273,13 @@ QStringList DockLayout::names() {
     return names;
 }
 
-QList<std::pair<QString, QString>> DockLayout::titles() {
-    QList<std::pair<QString, QString>> titles;
+QList<DockLayout::Entry> DockLayout::entries() {
+    QList<Entry> entries;
     for (const auto& layout : layouts())
-        if (layout.title) titles.append({QLatin1String(layout.name), tr(layout.title)});
-    return titles;
+        if (layout.title)
+            entries.append(
+                {QLatin1String(layout.name), tr(layout.title), layout.doc ? tr(layout.doc) : QString()});
+    return entries;
 }
 
 void DockLayout::load(const QByteArray& state) {
@@ -257,7 +302,8 @@ QString DockLayout::present_name(const QString& name) {
 void DockLayout::apply(const QString& name) {
     const auto& layout = *std::ranges::find(layouts(), present_name(name), &Layout::name);
     arrange();
-    views_.arrange(layout.views);
+    const bool compares = layout.compares && compare_ && compare_();
+    views_.arrange(compares ? widgets::ViewArea::Arrangement::one : layout.views);
     QList<QDockWidget*> tall;
     for (auto* each : docks()) {
         each->setVisible(layout.docks.contains(each->objectName()));
@@ -286,6 +332,7 @@ void DockLayout::show(bool shown) {
     is_hidden_ = !shown;
     if (shown) {
         window_.restoreState(hidden_, dock_version);
+        QMetaObject::invokeMethod(this, &DockLayout::follow_width, Qt::QueuedConnection);
         return;
     }
     hidden_ = window_.saveState(dock_version);

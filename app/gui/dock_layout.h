@@ -5,7 +5,7 @@
 #include <QRect>
 #include <QSize>
 #include <QStringList>
-#include <utility>
+#include <functional>
 
 class QAction;
 class QDockWidget;
@@ -48,12 +48,18 @@ class DockLayout : public QObject {
     /// The default arrangement, with one view.
     void restore_default();
     static QStringList names();
-    /// Names and titles of those that a menu offers.
-    static QList<std::pair<QString, QString>> titles();
+    /// Those that a menu offers.
+    struct Entry {
+        QString name, title, doc;
+    };
+    static QList<Entry> entries();
     /// What an arrangement is called now; it may have been called otherwise. Throws UsageError that lists the
     /// known ones.
     static QString present_name(const QString& name);
     void apply(const QString& name);
+    /// What layouts for comparing call: the active view begins to compare, unless there is nothing to
+    /// compare.
+    void set_compare(std::function<bool()> begins) { compare_ = std::move(begins); }
     /// The panels as they stand, and back.
     QByteArray save() const { return arrangement(); }
     void load(const QByteArray& state);
@@ -72,6 +78,9 @@ class DockLayout : public QObject {
     /// Other docks may be seen now.
     void seen_changed();
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     QDockWidget* dock(const QString& name) const;
     QList<QDockWidget*> docks() const;
@@ -82,12 +91,16 @@ class DockLayout : public QObject {
     void toggle(QDockWidget* dock);
     QByteArray arrangement() const;  ///< as it is with a project
     void set_cramped(bool cramped);
+    /// Panels at the sides that nobody made wider or narrower are as wide as suits the window.
+    void follow_width();
 
     QMainWindow& window_;
     widgets::ViewArea& views_;
     Actions& actions_;
-    QByteArray hidden_;  ///< the arrangement while the welcome page is shown
-    QByteArray other_;   ///< that of small screens on a large one, and the other way round
+    std::function<bool()> compare_;
+    QByteArray hidden_;       ///< the arrangement while the welcome page is shown
+    QByteArray other_;        ///< that of small screens on a large one, and the other way round
+    int followed_width_ = 0;  ///< the window's, which widths of panels suit
     bool has_project_ = false, is_hidden_ = false, is_cramped_ = false;
 };
 

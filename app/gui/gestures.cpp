@@ -13,6 +13,8 @@ QList<QPair<QString, QString>> gestures() {
         {QObject::tr("See what can be done at a pixel"), QObject::tr("Right click")},
         {QObject::tr("See one of several pictures (Wipe, Flip, Difference)"), QObject::tr("Hold 1 … 9")},
         {QObject::tr("Choose two of a row to be compared (Stages)"), QObject::tr("1 … 9, 0 for none")},
+        {QObject::tr("See one of several pictures alone, and all again (Inspect)"),
+         QObject::tr("Double click; Esc")},
         {QObject::tr("Go on to the next picture (Flip)"), QObject::tr("Tab")},
         {QObject::tr("Move the divider (Wipe)"), QObject::tr("Drag it")},
         {QObject::tr("Move, resize what is drawn (Rectangle, Line)"),

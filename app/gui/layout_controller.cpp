@@ -7,7 +7,7 @@
 #include <QMessageBox>
 #include <QSettings>
 
-#include "widgets/views/view_area.h"
+#include "app/gui/workspace.h"
 
 namespace ir::gui {
 namespace {
@@ -18,12 +18,12 @@ constexpr auto modifiers = Qt::CTRL | Qt::ALT | Qt::SHIFT;
 
 }  // namespace
 
-LayoutController::LayoutController(QMainWindow& window, DockLayout& docks, widgets::ViewArea& views,
+LayoutController::LayoutController(QMainWindow& window, DockLayout& docks, Workspace& workspace,
                                    Actions& actions, bool remember)
     : QObject(&window),
       window_(window),
       docks_(docks),
-      views_(views),
+      workspace_(workspace),
       actions_(actions),
       remember_(remember),
       menu_(new QMenu(tr("&Layouts"), &window)),
@@ -34,12 +34,15 @@ LayoutController::LayoutController(QMainWindow& window, DockLayout& docks, widge
                      docks_.restore_default();
                  });
     int number = 0;
-    for (const auto& [name, title] : DockLayout::titles())
-        actions_.add(prefix + name, tr("Layout: %1").arg(title), nullptr,
-                     {QKeySequence(modifiers | Qt::Key(Qt::Key_1 + number++))}, [this, name = name] {
-                         end_pictures_alone();
-                         docks_.apply(name);
-                     });
+    for (const auto& [name, title, doc] : DockLayout::entries()) {
+        auto* action =
+            actions_.add(prefix + name, tr("Layout: %1").arg(title), nullptr,
+                         {QKeySequence(modifiers | Qt::Key(Qt::Key_1 + number++))}, [this, name = name] {
+                             end_pictures_alone();
+                             docks_.apply(name);
+                         });
+        if (!doc.isEmpty()) action->setToolTip(doc);
+    }
     actions_
         .add("layout-keep", tr("&Keep this layout …"), nullptr, {QKeySequence(modifiers | Qt::Key_0)},
              [this] { ask_for_name(); })
@@ -57,15 +60,24 @@ LayoutController::LayoutController(QMainWindow& window, DockLayout& docks, widge
                 own_[name] = {settings.value("docks").toByteArray(), settings.value("views").toByteArray()};
         }
     }
+    docks_.set_compare([this] { return compare(); });
     menu_->setToolTipsVisible(true);
     connect(menu_, &QMenu::aboutToShow, this, &LayoutController::fill_menu);
     fill_menu();
 }
 
+/// Side by side, unless the active view compares already; false: there is nothing to compare.
+bool LayoutController::compare() {
+    auto& views = workspace_.views();
+    if (views.pictures().owners().size() < 2) return false;
+    if (!widgets::compares(views.active_state().mode)) views.set_mode(widgets::ViewMode::side_by_side);
+    return true;
+}
+
 void LayoutController::keep(const QString& name) {
     const auto clean = name.simplified().left(max_name);
     if (clean.isEmpty()) return;
-    own_[clean] = {docks_.save(), views_.save()};
+    own_[clean] = {docks_.save(), workspace_.area().save()};
     write();
 }
 
@@ -73,7 +85,7 @@ void LayoutController::apply(const QString& name) {
     const auto found = own_.constFind(name);
     if (found == own_.constEnd()) return;
     end_pictures_alone();
-    views_.restore(found->views);
+    workspace_.area().restore(found->views);
     docks_.load(found->docks);
 }
 
@@ -113,7 +125,7 @@ void LayoutController::show_pictures_alone(bool alone) {
 void LayoutController::fill_menu() {
     menu_->clear();
     actions_.fill(menu_, "layout-default |");
-    for (const auto& [name, title] : DockLayout::titles()) menu_->addAction(actions_.find(prefix + name));
+    for (const auto& entry : DockLayout::entries()) menu_->addAction(actions_.find(prefix + entry.name));
     menu_->addSeparator();
     for (const auto& name : own_.keys())
         menu_->addAction(QString(name).replace('&', "&&"), this, [this, name] { apply(name); });

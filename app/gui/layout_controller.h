@@ -8,11 +8,9 @@
 
 class QMenu;
 
-namespace ir::widgets {
-class ViewArea;
-}
-
 namespace ir::gui {
+
+class Workspace;
 
 /// Layouts of the window by name: the program's, and a person's own, which all projects share. A child of the
 /// window.
@@ -20,7 +18,7 @@ class LayoutController : public QObject {
     Q_OBJECT
   public:
     /// Own layouts are read and kept where `remember` is set.
-    LayoutController(QMainWindow& window, DockLayout& docks, widgets::ViewArea& views, Actions& actions,
+    LayoutController(QMainWindow& window, DockLayout& docks, Workspace& workspace, Actions& actions,
                      bool remember);
 
     QMenu* menu() const { return menu_; }
@@ -35,6 +33,7 @@ class LayoutController : public QObject {
     struct Own {
         QByteArray docks, views;
     };
+    bool compare();
     void ask_for_name();
     void ask_to_remove(const QString& name);
     void show_pictures_alone(bool alone);
@@ -43,7 +42,7 @@ class LayoutController : public QObject {
 
     QMainWindow& window_;
     DockLayout& docks_;
-    widgets::ViewArea& views_;
+    Workspace& workspace_;
     Actions& actions_;
     const bool remember_;
     QMap<QString, Own> own_;

@@ -72,6 +72,7 @@ LightMover::LightMover(Session& session, Workspace& workspace, DocumentDock& doc
     auto& views = workspace_.views();
     connect(&views, &ViewModel::shown_changed, this, &LightMover::update_view);
     connect(&views, &ViewModel::linked_changed, this, &LightMover::update);
+    connect(&views, &ViewModel::active_changed, this, &LightMover::update);
     auto& tools = workspace_.tools();
     connect(&tools, &PictureTools::light_moved, this, [this](const glm::dvec3& position) {
         change("position", [position](LightSpec& light) {
@@ -91,11 +92,15 @@ void LightMover::update() {
 void LightMover::update_view(int view) {
     auto* pane = workspace_.pane(view);
     if (!pane || !session_.has_project()) return;
-    const auto light = placed();
+    auto light = placed();
+    if (light) light->tells = view == workspace_.area().active();
     const auto& state = workspace_.views().state(view);
     auto& board = pane->compare().panes();
-    for (int i = 0; i < board.pane_count(); ++i)
-        board.set_light(i, light && has_handles(state, *pane, i) ? light : std::nullopt);
+    for (int i = 0; i < board.pane_count(); ++i) {
+        const bool has = light && has_handles(state, *pane, i);
+        board.set_light(i, has ? light : std::nullopt);
+        if (has) light->tells = false;  // once is enough
+    }
 }
 
 std::optional<PlacedLight> LightMover::placed() const {

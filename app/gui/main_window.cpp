@@ -79,7 +79,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
       report_(*this, session_, live_, renderer_, *document_, notices_, actions_),
       set_ups_(*this, session_, live_, workspace_, actions_),
-      layouts_(*this, docks_, workspace_.area(), actions_, remember_),
+      layouts_(*this, docks_, workspace_, actions_, remember_),
       film_(*this, session_, live_, workspace_, preferences_, notices_, actions_),
       frames_(*this, session_, live_, workspace_, notices_, actions_),
       figure_(*this, session_, workspace_, notices_, actions_),

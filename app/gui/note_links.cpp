@@ -61,10 +61,10 @@ QString NoteLinks::go_to(const projects::NoteLink& link) {
 
 QString NoteLinks::go_to_view(const QString& number) {
     auto& area = workspace_.area();
-    const int view = number.toInt() - 1;
-    const auto open = area.open_views();
-    if (std::find(open.begin(), open.end(), view) == open.end()) return tr("that view is not open");
-    area.go_to(view);
+    const auto views = area.as_one_reads();
+    const int place = number.toInt();
+    if (place < 1 || place > int(views.size())) return tr("that view is not open");
+    area.go_to(views[std::size_t(place - 1)]);
     return {};
 }
 

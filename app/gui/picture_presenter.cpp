@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "app/gui/pixel_places.h"
@@ -32,10 +33,17 @@ std::shared_ptr<const Picture> changed(const Picture& picture, Change change) {
     return copy;
 }
 
-/// Of pictures of several owners the names of these alone, where all show the same of theirs: there is little
-/// room under pictures in a row.
-void leave_out_common_output(std::vector<std::shared_ptr<const Picture>>& pictures) {
+/// Of pictures of one owner what they show, and of several owners the names of these alone where all show the
+/// same of theirs: there is little room under pictures in a row.
+void leave_out_common(std::vector<std::shared_ptr<const Picture>>& pictures, const QString& owner) {
     if (pictures.size() < 2) return;
+    const QString begin = owner + QStringLiteral(" · ");
+    if (!owner.isEmpty() &&
+        std::ranges::all_of(pictures, [&](const auto& each) { return each->label.startsWith(begin); })) {
+        for (auto& each : pictures)
+            each = changed(*each, [&](Picture& named) { named.label.remove(0, begin.size()); });
+        return;
+    }
     const QString output =
         pictures.front()->label.mid(std::max(0, int(pictures.front()->label.lastIndexOf(" · "))));
     std::set<QString> names;
@@ -82,7 +90,13 @@ void PicturePresenter::update(int view, ViewPane& pane) {
 void PicturePresenter::name_stages(int view, std::vector<PicturePtr>& pictures) const {
     const auto& shown = views_.state(view);
     if (shown.mode != ViewMode::stages) return;
-    if (!shown.chain) return leave_out_common_output(pictures);
+    if (!shown.chain) {
+        const auto sources = views_.rules().pictures(shown);
+        const bool is_one =
+            std::ranges::all_of(sources, [&](const ViewSource& each) { return each.owner == shown.a.owner; });
+        const auto owner = is_one ? views_.pictures().owner_name(shown.a.owner) : std::string();
+        return leave_out_common(pictures, QString::fromStdString(owner));
+    }
     const auto chain = stages_of(session_, shown.a.owner);
     for (std::size_t i = 0; i < std::min(chain.size(), pictures.size()); ++i)
         pictures[i] = changed(*pictures[i], [&](Picture& named) { named.label = chain[i].label; });
@@ -114,11 +128,14 @@ void PicturePresenter::update_references(int view, CompareView& compare) {
 
 widgets::Display PicturePresenter::display_of(const ViewSource& source, int view) const {
     const auto* chosen = views_.chosen_display(views_.rules().display_key(source), view);
-    if (chosen) return *chosen;
-    auto display = views_.pictures().automatic_display(source);
-    if (display.mode == widgets::Display::Mode::colour)
-        display.exposure = shared_exposure(view, views_.pictures().picture(source)->semantic);
-    return display;
+    if (chosen && !views_.linked()) return *chosen;
+    const auto display = chosen ? *chosen : views_.pictures().automatic_display(source);
+    if (display.mode != widgets::Display::Mode::colour || !views_.rules().is_light(source)) return display;
+    if (const auto* light = views_.linked() ? views_.chosen_display(DisplayMemory::light, view) : nullptr)
+        return exposed_like(display, *light);
+    widgets::Display automatic;
+    automatic.exposure = shared_exposure(view, views_.pictures().picture(source)->semantic);
+    return exposed_like(display, automatic);
 }
 
 /// That of the first picture of this meaning in the view, and in linked views of all: else brightness could
@@ -133,12 +150,44 @@ double PicturePresenter::shared_exposure(int view, Semantic semantic) const {
     return 0;
 }
 
-bool PicturePresenter::take_exposure_change() {
-    std::map<Semantic, double> now;
-    if (views_.linked())
+bool PicturePresenter::take_shared_change() {
+    Shared now;
+    if (views_.linked()) {
         for (const auto semantic : {Semantic::radiance, Semantic::irradiance})
-            now[semantic] = shared_exposure(0, semantic);
-    return std::exchange(exposures_, now) != now;
+            now.exposures[semantic] = shared_exposure(0, semantic);
+        for (const int view : views_.open_views())
+            if (const auto own = own_difference(view)) now.ranges[view] = {own->low, own->high};
+    }
+    return std::exchange(shared_, now) != now;
+}
+
+/// How a view's differences are shown where neither a person nor another view has a say; absent: it has none.
+std::optional<widgets::Display> PicturePresenter::own_difference(int view) const {
+    const auto* compare = compares_[std::size_t(view)];
+    if (!compare || views_.rules().content_of(views_.state(view)) != ViewPane::Content::picture) return {};
+    return compare->own_difference_display();
+}
+
+/// Linked differences of one kind and meaning have one range, so that equal colours mean equal values. Those
+/// of rows, which no outlier widens, are apart from those that stand alone.
+std::optional<widgets::Display> PicturePresenter::difference_display(int view) const {
+    const auto* chosen = views_.chosen_display(views_.rules().difference_key(views_.state(view)), view);
+    if (chosen) return *chosen;
+    const auto own = own_difference(view);
+    if (!own || !views_.linked()) return {};
+    auto common = *own;
+    const auto meaning = [&](int each) {
+        const auto& compared = compares_[std::size_t(each)]->compared();
+        return std::tuple(compared.kind, compared.mode, compared.picture(0)->semantic,
+                          compared.picture(0)->unit);
+    };
+    for (const int each : views_.open_views()) {
+        const auto other = own_difference(each);
+        if (!other || meaning(each) != meaning(view)) continue;
+        common.low = std::min(common.low, other->low);
+        common.high = std::max(common.high, other->high);
+    }
+    return common == *own ? std::nullopt : std::optional(common);
 }
 
 void PicturePresenter::update_displays(int view, CompareView& compare) {
@@ -150,9 +199,9 @@ void PicturePresenter::update_displays(int view, CompareView& compare) {
         displays.push_back(picture->is_preview ? widgets::Display()
                                                : display_of(rules.meaning_of(shown, source), view));
     }
+    compares_[std::size_t(view)] = &compare;
     compare.set_displays(std::move(displays));
-    const auto* chosen = views_.chosen_display(rules.difference_key(shown), view);
-    compare.set_difference_display(chosen ? std::optional(*chosen) : std::nullopt);
+    compare.set_difference_display(difference_display(view));
 }
 
 QPoint PicturePresenter::pixel_of_result(int view, const Picture* picture, QPoint pixel) const {

@@ -14,8 +14,8 @@ class PicturePresenter {
     void set_linked(bool linked) { link_.set_linked(linked); }
     void update(int view, widgets::ViewPane& pane);
     void update_displays(int view, widgets::CompareView& compare);
-    /// Once after pictures came by which others are exposed, too.
-    bool take_exposure_change();
+    /// Once after pictures came by which others are exposed or coloured, too.
+    bool take_shared_change();
     /// What is explained is marked, also when it was chosen elsewhere. A mark on that pixel already stays: on
     /// a coarser level several of its pixels are the same one.
     void mark_explained(int view, widgets::ViewPane& pane);
@@ -32,13 +32,23 @@ class PicturePresenter {
     void update_references(int view, widgets::CompareView& compare);
     widgets::Display display_of(const widgets::ViewSource& source, int view) const;
     double shared_exposure(int view, Semantic semantic) const;
+    std::optional<widgets::Display> own_difference(int view) const;
+    std::optional<widgets::Display> difference_display(int view) const;
     /// The pixel of a pane's picture that shows one of the main result, and that picture's size.
     std::pair<QPoint, QSize> shown_pixel(int view, widgets::ViewPane& pane, QPoint pixel) const;
     QPoint pixel_of_result(int view, const widgets::Picture* picture, QPoint pixel) const;
 
+    /// What linked views share.
+    struct Shared {
+        std::map<Semantic, double> exposures;
+        std::map<int, std::pair<double, double>> ranges;  ///< of differences, by view
+        bool operator==(const Shared&) const = default;
+    };
+
     Session& session_;
     ViewModel& views_;
-    std::map<Semantic, double> exposures_;  ///< that linked views share
+    Shared shared_;
+    std::array<widgets::CompareView*, widgets::ViewArea::max_views> compares_{};
     widgets::ViewLink link_;  ///< of the pictures of all views: those of equal size move together
 };
 

@@ -18,11 +18,11 @@ std::vector<SeenPicture> shown_pictures(Workspace& workspace, bool& awaits) {
             return std::any_of(seen.begin(), seen.end(),
                                [&](const SeenPicture& each) { return each.shown.name == text; });
         };
-        if (has(name)) name = QObject::tr("%1 (view %2)").arg(name).arg(view + 1);
+        if (has(name)) name = QObject::tr("%1 (view %2)").arg(name).arg(workspace.area().number_of(view));
         for (int i = 2; has(name); ++i) name = QStringLiteral("%1 #%2").arg(picture->label).arg(i);
         seen.push_back({{name, picture}, display});
     };
-    for (const int view : workspace.area().open_views()) {
+    for (const int view : workspace.area().as_one_reads()) {
         auto* pane = workspace.pane(view);
         if (!pane || pane->content() != widgets::ViewPane::Content::picture) continue;
         const auto& compare = pane->compare();

@@ -35,7 +35,7 @@ ViewController::ViewController(Session& session, LivePictures& live, Playback& p
     connect(&views_, &ViewModel::active_changed, this, &ViewController::update_display);
     connect(&workspace_, &Workspace::picture_shown, this, &ViewController::update_display);
     using Panel = widgets::DisplayPanel;
-    connect(&display_, &Panel::display_chosen, &views_, &ViewModel::choose_display);
+    connect(&display_, &Panel::display_chosen, &workspace_, &Workspace::choose_display);
     connect(&display_, &Panel::automatic_chosen, this, [this] { views_.choose_display({}); });
     connect(&scenes_, &SceneShelf::changed, this, [this] {
         const auto* scene = scenes_.current();
@@ -90,7 +90,7 @@ void ViewController::step_output(int step) {
 void ViewController::change_display(const std::function<void(Display&)>& change) {
     auto display = workspace_.display();
     change(display);
-    views_.choose_display(display);
+    workspace_.choose_display(display);
 }
 
 void ViewController::add_display_actions() {
@@ -139,7 +139,7 @@ void ViewController::add_arrangement_actions() {
 void ViewController::add_compare_actions() {
     const auto add_mode = [this](const char* name, ViewMode mode, Qt::Key key) {
         add(name, widgets::mode_name(mode), nullptr, {K(Qt::ALT | key)},
-            [this, mode] { views_.set_mode(mode); });
+            [this, mode] { workspace_.set_mode(mode); });
     };
     add_mode("mode-single", ViewMode::single, Qt::Key_1);
     add_mode("mode-side-by-side", ViewMode::side_by_side, Qt::Key_2);

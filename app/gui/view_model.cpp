@@ -112,10 +112,19 @@ const Display* ViewModel::chosen_display(const std::string& key, int view) const
     return displays_.chosen(key, display_view(view));
 }
 
-void ViewModel::choose_display(const std::optional<Display>& display) {
+void ViewModel::choose_display(const std::optional<Display>& display, const Display* before) {
     const auto key = rules_.display_key(active_state());
     const int view = display_view(area_.active());
-    display ? displays_.choose(key, *display, view) : displays_.forget(key, view);
+    const bool is_shared = linked_ && rules_.shows_light(active_state());
+    if (is_shared && !display) displays_.forget(DisplayMemory::light);
+    const bool exposes = display && display->mode == Display::Mode::colour &&
+                         (!before || !is_exposed_alike(*display, *before));
+    if (is_shared && exposes) displays_.choose(DisplayMemory::light, *display);
+    const bool is_own = !is_shared || !before || !display || *display != exposed_like(*before, *display);
+    if (!display)
+        displays_.forget(key, view);
+    else if (is_own)
+        displays_.choose(key, *display, view);
     emit displays_changed();
 }
 

@@ -47,8 +47,10 @@ class ViewModel : public QObject {
     void set_linked(bool linked);
     /// How a buffer is shown in a view, by its key of ViewRules; null: nobody has chosen, automatic.
     const widgets::Display* chosen_display(const std::string& key, int view) const;
-    /// Of what the active view shows; absent: automatic.
-    void choose_display(const std::optional<widgets::Display>& display);
+    /// Of what the active view shows; absent: automatic. What is as it was `before` is not chosen. While
+    /// views are linked, exposure and tone map are those of all pictures of light.
+    void choose_display(const std::optional<widgets::Display>& display,
+                        const widgets::Display* before = nullptr);
 
     /// What a panel wants beside the views, by experiment; only of experiments that a view shows.
     void set_panel_wants(std::map<std::string, Want> wants, const std::string& panel = "inspector");

@@ -273,6 +273,16 @@ std::string ViewRules::display_key(const ViewState& state) const {
                                               : display_key(meaning_of(state, state.a));
 }
 
+bool ViewRules::is_light(const ViewSource& source) const {
+    const auto semantic = pictures_.picture(source)->semantic;
+    return semantic == Semantic::radiance || semantic == Semantic::irradiance;
+}
+
+bool ViewRules::shows_light(const ViewState& state) const {
+    return content_of(state) == ViewPane::Content::picture && state.mode != ViewMode::difference &&
+           is_light(meaning_of(state, state.a));
+}
+
 QString ViewRules::missing_stages(const ViewState& state) const {
     if (!state.chain || !state.more.empty()) return {};
     if (!has_stages(session_, state.a.owner))

@@ -47,6 +47,10 @@ class ViewRules {
     std::string display_key(const widgets::ViewState& state) const;
     std::string difference_key(const widgets::ViewState& state) const;
 
+    /// Pictures of light are exposed and mapped to what a screen can show.
+    bool is_light(const widgets::ViewSource& source) const;
+    bool shows_light(const widgets::ViewState& state) const;  ///< as A
+
     /// Why a row of stages is short, in one line; empty: it is not.
     QString missing_stages(const widgets::ViewState& state) const;
 

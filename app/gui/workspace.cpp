@@ -8,6 +8,7 @@
 #include "app/gui/printed.h"
 #include "app/gui/stage_chain.h"
 #include "projects/names.h"
+#include "widgets/compare/enlarger.h"
 
 namespace ir::gui {
 
@@ -26,6 +27,7 @@ Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, I
       surface_(surface),
       area_(new ViewArea([this](int view) { return make_pane(view); })),
       views_(session, live, images, kept, *area_),
+      alone_(views_),
       pictures_(session, views_),
       spaces_(live, renderer, views_) {
     connect(&views_, &ViewModel::shown_changed, this, &Workspace::update_view);
@@ -52,7 +54,8 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
     pane.header().set_thumbnails([this](const ViewSource& source) { return thumbnail(source); });
     connect(&pane.header(), &widgets::ViewHeader::state_chosen, this, [this, view](const ViewState& state) {
         area_->set_active(view);
-        views_.set_state(view, state);
+        const bool is_mode = state.mode != views_.state(view).mode;
+        views_.set_state(view, is_mode ? alone_.in_mode(view, state.mode) : state);
     });
     connect(&pane.header(), &widgets::ViewHeader::link_chosen, this,
             [this](bool linked) { views_.set_linked(linked); });
@@ -88,6 +91,10 @@ void Workspace::connect_compare(int view, ViewPane& pane) {
         state.pair = pair;
         views_.set_state(view, state);
     });
+    auto* enlarger = new widgets::Enlarger(compare, [this, view] { return alone_.is_shown(view); });
+    connect(enlarger, &widgets::Enlarger::alone_wanted, this,
+            [this, view](widgets::StagePair shown) { alone_.show(view, shown); });
+    connect(enlarger, &widgets::Enlarger::back_wanted, this, [this, view] { alone_.show_all(view); });
     connect(&compare, &CompareView::activated, this, [this, view] { area_->set_active(view); });
     connect(&compare, &CompareView::menu_wanted, this, [this, view](QPoint position) {
         area_->set_active(view);
@@ -110,6 +117,7 @@ void Workspace::connect_compare(int view, ViewPane& pane) {
     });
     connect(&compare, &CompareView::difference_shown, this, [this, view, &pane] {
         pictures_.update_displays(view, pane.compare());
+        update_shared(view);
         pane.update_summary();
         if (view == area_->active()) emit picture_shown();
     });
@@ -155,15 +163,20 @@ void Workspace::update_view(int view) {
     if (content == ViewPane::Content::picture) {
         pictures_.update(view, *pane(view));
         mark_said(view);
-        if (pictures_.take_exposure_change())
-            for (const int other : area_->open_views())
-                if (other != view && pane(other)) pictures_.update_displays(other, pane(other)->compare());
+        update_shared(view);
     } else {
         pane(view)->show_content(content);
         content == ViewPane::Content::space ? spaces_.update(view) : update_table(view);
     }
     update_camera(view);
     if (view == area_->active()) emit picture_shown();
+}
+
+/// In the other views.
+void Workspace::update_shared(int view) {
+    if (!pictures_.take_shared_change()) return;
+    for (const int other : area_->open_views())
+        if (other != view && pane(other)) pictures_.update_displays(other, pane(other)->compare());
 }
 
 void Workspace::mark_said(int view) {
@@ -247,7 +260,20 @@ Display Workspace::display() const {
 }
 
 bool Workspace::is_automatic() const {
-    return !views_.chosen_display(display_key(), area_->active());
+    const auto is_chosen = [this](const std::string& key) {
+        return views_.chosen_display(key, area_->active()) != nullptr;
+    };
+    const bool shares = views_.linked() && views_.rules().shows_light(views_.active_state());
+    return !is_chosen(display_key()) && !(shares && is_chosen(DisplayMemory::light));
+}
+
+void Workspace::set_mode(ViewMode mode) {
+    views_.set_active_state(alone_.in_mode(area_->active(), mode));
+}
+
+void Workspace::choose_display(const Display& chosen) {
+    const auto before = display();
+    views_.choose_display(chosen, &before);
 }
 
 void Workspace::open_comparison(const projects::Comparison& comparison) {
@@ -333,6 +359,7 @@ void Workspace::save(projects::Json& memory) const {
 void Workspace::load(const projects::Json& memory) {
     tools_.load(memory);
     spaces_.clear();
+    alone_.clear();
     const int known = views_.load(memory);
     const auto& views = member_or_null(memory, "views");
     const auto arrangement = field_or(views, "arrangement", std::string());

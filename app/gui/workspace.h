@@ -3,6 +3,7 @@
 #include <QObject>
 #include <array>
 
+#include "app/gui/picture_alone.h"
 #include "app/gui/picture_presenter.h"
 #include "app/gui/picture_tools.h"
 #include "app/gui/space_presenter.h"
@@ -29,11 +30,13 @@ class Workspace : public QObject {
     }
     widgets::ViewPane& active_pane() const { return *pane(area_->active()); }
 
+    void set_mode(widgets::ViewMode mode);  ///< of the active view
     // What the active view shows: A, or the difference.
     std::string display_key() const;
     std::shared_ptr<const widgets::Picture> display_picture() const;
     widgets::Display display() const;
     bool is_automatic() const;
+    void choose_display(const widgets::Display& display);  ///< as far as it is another one
 
     /// A comparison of the document in the active view, and the active view as one.
     void open_comparison(const projects::Comparison& comparison);
@@ -68,6 +71,7 @@ class Workspace : public QObject {
     void connect_table(int view, widgets::BufferTable& table);
     void update_view(int view);
     void update_header(int view);
+    void update_shared(int view);
     void mark_said(int view);
     void update_table(int view);
     void update_camera(int view);
@@ -82,6 +86,7 @@ class Workspace : public QObject {
     std::array<widgets::ViewPane*, widgets::ViewArea::max_views> panes_{};
     widgets::ViewArea* area_;  ///< makes the first pane at once
     ViewModel views_;
+    PictureAlone alone_;
     PicturePresenter pictures_;
     SpacePresenter spaces_;
 };

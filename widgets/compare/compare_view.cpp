@@ -268,7 +268,9 @@ void CompareView::fill(ImageView& view, const PaneContent& content, const QStrin
         view.set_picture(nullptr);
         return view.set_labels({});
     }
-    const QString title = content.difference || all_.count() < 2 ? QString() : all_.title(content.picture);
+    // In a row it stands below.
+    const bool is_named = !content.difference && all_.count() >= 2 && !rules().is_row();
+    const QString title = is_named ? all_.title(content.picture) : QString();
     // The reason stands in the place of what does not fit.
     const bool fits =
         rules().keeps_first() && all_.picture(content.picture)->size() == all_.pictures.front()->size();
@@ -302,8 +304,7 @@ void CompareView::fill_difference(ImageView& view, int slot) {
                           ? tr("Sizes differ: %1 and %2 pixels.").arg(size_text(left), size_text(right))
                           : QString()));
     }
-    Display display = rules().is_row() ? row_display() : result->automatic;
-    display.colour_map = map_for_difference(result->request.kind);  // it may be preferred since
+    Display display = own_difference_display().value_or(result->automatic);
     if (all_.difference_display) {
         display = *all_.difference_display;
         display.hide_invalid = true;
@@ -320,7 +321,7 @@ void CompareView::fill_difference(ImageView& view, int slot) {
 
 /// One range for the whole row, so that equal colours mean equal differences: that of the largest values, but
 /// of signed and absolute differences no more than a few RMSE, where outliers would leave all others pale.
-Display CompareView::row_display() const {
+std::optional<Display> CompareView::row_display() const {
     constexpr double max_rmse = 4;
     std::optional<Display> common;
     double rmse = 0;
@@ -337,7 +338,15 @@ Display CompareView::row_display() const {
         common->low = std::max(common->low, -max_rmse * rmse);
         common->high = std::min(common->high, max_rmse * rmse);
     }
-    return common.value_or(Display());
+    return common;
+}
+
+std::optional<Display> CompareView::own_difference_display() const {
+    if (std::ranges::none_of(contents_, &PaneContent::difference)) return {};
+    const auto* result = worker_->result(0);
+    auto own = rules().is_row() || !result ? row_display() : std::optional(result->automatic);
+    if (own) own->colour_map = map_for_difference(all_.kind);  // it may be preferred since
+    return own;
 }
 
 PaneBoard::Cell CompareView::cell_of(int pane, QSize grid) const {
@@ -353,7 +362,7 @@ PaneBoard::Cell CompareView::cell_of(int pane, QSize grid) const {
     }
     cell.caption = all_.title(content.picture);
     cell.clickable = content.picture < all_.count();
-    if (cell.clickable) cell.tip = tr("Click two stages to see their difference (1 … 9; 0: none)");
+    if (cell.clickable) cell.tip = tr("Click two for their difference (1 … 9; 0: none); double click: alone");
     cell.chosen = content.slot == ComparedPictures::pair_slot || content.picture == all_.pair.a ||
                   content.picture == all_.pair.b;
     return cell;

@@ -60,6 +60,8 @@ class CompareView : public QWidget {
     std::shared_ptr<const Picture> difference_picture() const;
     /// How differences are shown at present.
     const Display& difference_display() const { return shown_difference_; }
+    /// Where nobody says otherwise; absent: there is no difference (yet).
+    std::optional<Display> own_difference_display() const;
     /// A worker is under way.
     bool is_computing() const;
 
@@ -109,7 +111,7 @@ class CompareView : public QWidget {
     void show_difference(int slot);
     void fill(ImageView& view, const PaneContent& content, const QString& refusal);
     void fill_difference(ImageView& view, int slot);
-    Display row_display() const;
+    std::optional<Display> row_display() const;
     PaneBoard::Cell cell_of(int pane, QSize grid) const;
     QString number_of(int slot) const;
     QString tip_of(int slot) const;

@@ -19,6 +19,7 @@ struct PlacedLight {
     glm::dvec3 direction{0, -1, 0};  ///< of travel, of length one; a point has none
     double half_angle = 45;          ///< degrees, of a cone
     glm::dvec2 size{1};              ///< sides of a rectangle, diameters of a disk
+    bool tells = true;               ///< that it is out of sight, where it is
     bool moves() const { return shape != Shape::sun; }
     bool turns() const { return shape != Shape::point; }
     bool operator==(const PlacedLight&) const = default;

@@ -140,7 +140,7 @@ QString LightTool::hint() const {
         default:
             break;
     }
-    if (!is_active() || seen_at(state_, state_.light->position)) return {};
+    if (!is_active() || !state_.light->tells || seen_at(state_, state_.light->position)) return {};
     return tr("%1 is at the camera or behind it  ·  Ctrl+↑ moves it ahead").arg(state_.light->name);
 }
 

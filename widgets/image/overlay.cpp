@@ -225,12 +225,34 @@ QRectF legend_column(const CanvasState& state, const QRectF& view, qreal ratio) 
     return {{x, y}, size};
 }
 
+/// Where a legend that is a line begins.
+qreal legend_top(const CanvasState& state, const QRectF& view, qreal ratio) {
+    return std::min(std::max(picture_box(state).bottom(), 0.0), view.height() - legend_line_height(ratio));
+}
+
+/// Off the legend: below it where there is room for a line, else above.
+QRectF hint_room(const CanvasState& state, const QRectF& view, qreal ratio) {
+    constexpr qreal line = 40;
+    QRectF room = view;
+    if (!state.legend || !state.has_image() || !has_legend(state.pictures[0])) return room;
+    if (!legend_place(state, ratio).is_line) {
+        room.setRight(legend_column(state, view, ratio).left());
+        return room;
+    }
+    const qreal top = legend_top(state, view, ratio), bottom = top + legend_line_height(ratio);
+    if (view.bottom() - bottom < line * ratio)
+        room.setBottom(top);
+    else
+        room.setTop(bottom);
+    return room;
+}
+
 void paint_legends(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
     const auto place = legend_place(state, ratio);
     const QRectF picture = picture_box(state);
     if (place.is_line) {
         const qreal height = legend_line_height(ratio);
-        const qreal top = std::min(std::max(picture.bottom(), 0.0), view.height() - height);
+        const qreal top = legend_top(state, view, ratio);
         const int count = has_two_legends(state) ? 2 : 1;
         const QRectF row = QRectF(picture.left(), top, picture.width(), height) & view;
         // Of a narrow picture it may be wider.
@@ -508,15 +530,9 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     // Who has drawn a shape knows how, and in a small view the hint would cover it.
     const bool has_shape = (state.line_edited && !state.marks.line.isNull()) ||
                            (state.region_edited && !state.marks.region.isEmpty());
-    if (!state.hint.isEmpty() && !has_shape) {
-        QRectF room = view;
-        if (has_legends) {
-            const auto place = legend_place(state, ratio);
-            room.setBottom(view.bottom() - place.margins.height());
-            if (!place.is_line) room.setRight(legend_column(state, view, ratio).left());
-        }
-        paint_badge(painter, room, state.hint, Qt::AlignLeft | Qt::AlignBottom, Overlong::wrap, ratio);
-    }
+    if (!state.hint.isEmpty() && !has_shape)
+        paint_badge(painter, hint_room(state, view, ratio), state.hint, Qt::AlignLeft | Qt::AlignBottom,
+                    Overlong::wrap, ratio);
     if (has_legends) paint_legends(painter, state, view, ratio);
     painter.restore();
 }

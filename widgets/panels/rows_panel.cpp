@@ -11,6 +11,12 @@
 #include <functional>
 
 namespace ir::widgets {
+namespace {
+
+/// Of a panel's width that names take before values.
+constexpr double name_part = 0.6;
+
+}  // namespace
 
 RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWidget* parent)
     : QWidget(parent),
@@ -161,14 +167,16 @@ bool RowsPanel::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// The first column gives way to the others, and is no wider than it needs: values stand beside their names
-/// in a wide panel.
+/// The first column is no wider than it needs: values stand beside their names in a wide panel. In a narrow
+/// one it has its part before the others, which are scrolled to; a name that is cut tells less.
 void RowsPanel::fit_columns() {
     int others = 0;
     for (int c = 1; c < model_->columnCount(); ++c) others += view_->header()->sectionSize(c);
     const QAbstractItemView* view = view_;
     const int needed = std::max(view->sizeHintForColumn(0), view_->header()->sectionSizeHint(0));
-    view_->setColumnWidth(0, std::max(name_width_, std::min(needed, view_->viewport()->width() - others)));
+    const int room = view_->viewport()->width();
+    const int width = std::min(needed, std::max(room - others, int(name_part * room)));
+    view_->setColumnWidth(0, std::max(name_width_, width));
 }
 
 void RowsPanel::restore_folding(const QModelIndex& parent) {

@@ -22,7 +22,7 @@ class RowsPanel : public QWidget {
     void set_searchable(const QString& hint);
     /// Size of pictures in the first column, logical pixels.
     void set_picture_size(QSize size);
-    /// The first column gives way to the others only down to this many logical pixels.
+    /// The first column is cut only down to this many logical pixels.
     void set_name_width(int width) { name_width_ = width; }
     RowsModel& model() { return *model_; }
     EmptyTreeView* view() { return view_; }

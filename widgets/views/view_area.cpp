@@ -4,6 +4,10 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QLayout>
+#include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "widgets/style/theme.h"
 
@@ -20,7 +24,7 @@ std::size_t count_of(ViewArea::Arrangement arrangement) {
 }  // namespace
 
 ViewArea::ViewArea(std::function<QWidget*(int)> make, QWidget* parent)
-    : QMainWindow(parent), make_(std::move(make)), views_(max_views, nullptr) {
+    : QMainWindow(parent), make_(std::move(make)), views_(max_views, nullptr), titles_(max_views) {
     setWindowFlags(Qt::Widget);
     setDockOptions(AllowTabbedDocks | AllowNestedDocks | AnimatedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -68,9 +72,76 @@ void ViewArea::set_active(int number) {
     if (changed) emit active_changed(number);
 }
 
-void ViewArea::set_title(int number, const QString& title) {
-    docks_[std::size_t(number)]->setWindowTitle(title.isEmpty() ? tr("View %1").arg(number + 1)
-                                                                : tr("%1  %2").arg(number + 1).arg(title));
+/// A view is in the line of the uppermost one if it begins above that one's middle. Views behind a tab stand
+/// where the tab is, floating ones come last.
+std::vector<int> ViewArea::as_one_reads() const {
+    struct Place {
+        int view;
+        QRect where;
+    };
+    std::vector<Place> left;
+    std::vector<int> order, floating;
+    for (const int view : open_views()) {
+        if (dock(view)->isFloating()) {
+            floating.push_back(view);
+            continue;
+        }
+        QRect where = dock(view)->geometry();
+        for (const auto* each : tabifiedDockWidgets(dock(view)))
+            if (where.right() < 0 || where.bottom() < 0) where = each->geometry();
+        left.push_back({view, where});
+    }
+    const auto is_above = [](const Place& a, const Place& b) {
+        return std::tuple(a.where.top(), a.where.left(), a.view) <
+               std::tuple(b.where.top(), b.where.left(), b.view);
+    };
+    const auto is_before = [](const Place& a, const Place& b) {
+        return std::tuple(a.where.left(), a.where.top(), a.view) <
+               std::tuple(b.where.left(), b.where.top(), b.view);
+    };
+    while (!left.empty()) {
+        const int middle = std::min_element(left.begin(), left.end(), is_above)->where.center().y();
+        const auto below = std::partition(left.begin(), left.end(),
+                                          [&](const Place& each) { return each.where.top() < middle; });
+        std::sort(left.begin(), below, is_before);
+        for (auto each = left.begin(); each != below; ++each) order.push_back(each->view);
+        left.erase(left.begin(), below);
+    }
+    order.insert(order.end(), floating.begin(), floating.end());
+    return order;
+}
+
+int ViewArea::number_of(int view) const {
+    const auto order = as_one_reads();
+    const auto found = std::find(order.begin(), order.end(), view);
+    return found == order.end() ? 0 : int(found - order.begin()) + 1;
+}
+
+void ViewArea::set_title(int view, const QString& title) {
+    titles_[std::size_t(view)] = title;
+    number_titles();
+}
+
+void ViewArea::number_titles() {
+    int number = 0;
+    for (const int view : as_one_reads()) {
+        const QString& title = titles_[std::size_t(view)];
+        ++number;
+        dock(view)->setWindowTitle(title.isEmpty() ? tr("View %1").arg(number)
+                                                   : tr("%1  %2").arg(number).arg(title));
+    }
+}
+
+/// Once the layout has come to rest.
+void ViewArea::number_soon() {
+    if (std::exchange(numbering_, true)) return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            numbering_ = false;
+            number_titles();
+        },
+        Qt::QueuedConnection);
 }
 
 void ViewArea::mark_active() {
@@ -151,11 +222,13 @@ void ViewArea::open(int number) {
         if (beside->isFloating()) beside = nullptr;
         removeDockWidget(dock(number));
         addDockWidget(Qt::LeftDockWidgetArea, dock(number));
-        if (beside) {
-            const bool wide = beside->width() >= beside->height();
-            splitDockWidget(beside, dock(number), wide ? Qt::Horizontal : Qt::Vertical);
-        }
+        layout()->activate();  // views that were opened or closed just now have their sizes
+        const QSize room = beside ? beside->size() : QSize();
+        const auto way = room.width() >= room.height() ? Qt::Horizontal : Qt::Vertical;
+        if (beside) splitDockWidget(beside, dock(number), way);
         dock(number)->show();
+        const int half = (way == Qt::Horizontal ? room.width() : room.height()) / 2;
+        if (beside) resizeDocks({beside, dock(number)}, {half, half}, way);
         arranging_ = false;
         emit views_changed();
     }
@@ -167,7 +240,7 @@ void ViewArea::close_view(int number) {
 }
 
 void ViewArea::step_active(int step) {
-    const auto open = open_views();
+    const auto open = as_one_reads();
     if (open.empty()) return;
     std::size_t at = 0;
     for (std::size_t i = 0; i < open.size(); ++i)
@@ -210,6 +283,9 @@ bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
         event->ignore();  // a window without any view shows nothing
         return true;
     }
+    const auto type = event->type();
+    if (type == QEvent::Move || type == QEvent::Resize || type == QEvent::Show || type == QEvent::Hide)
+        number_soon();
     if (event->type() == QEvent::Close || event->type() == QEvent::Hide) {
         // The dock hides itself after this.
         QMetaObject::invokeMethod(

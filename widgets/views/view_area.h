@@ -10,7 +10,8 @@ class QDockWidget;
 namespace ir::widgets {
 
 /// One to four views as docks of their own: moved, tabbed, floated, closed; one of them is the active one, to
-/// which panels and keys belong. At least one stays.
+/// which panels and keys belong. At least one stays. A view keeps what it shows wherever it is moved; what it
+/// is called goes by its place.
 class ViewArea : public QMainWindow {
     Q_OBJECT
   public:
@@ -24,9 +25,14 @@ class ViewArea : public QMainWindow {
     QDockWidget* dock(int number) const { return docks_[std::size_t(number)]; }
     bool is_open(int number) const;
     std::vector<int> open_views() const;
+    /// What titles, links and people call an open view: its place, line by line from the upper left; 0: it is
+    /// not open.
+    int number_of(int view) const;
+    /// The open views in the order of their numbers.
+    std::vector<int> as_one_reads() const;
     int active() const { return active_; }
     void set_active(int number);
-    void set_title(int number, const QString& title);
+    void set_title(int view, const QString& title);
 
     void arrange(Arrangement arrangement);
     /// Opens another view beside the active one and makes it active; -1 when all are open.
@@ -54,11 +60,14 @@ class ViewArea : public QMainWindow {
     void take_all_out();
     void follow_focus(QWidget* now);
     void mark_active();
+    void number_titles();
+    void number_soon();
     std::function<QWidget*(int)> make_;
     std::vector<QDockWidget*> docks_;
     std::vector<QWidget*> views_;
+    std::vector<QString> titles_;
     int active_ = 0;
-    bool arranging_ = false;
+    bool arranging_ = false, numbering_ = false;
 };
 
 }  // namespace ir::widgets

@@ -45,6 +45,45 @@ TEST_F(CompareWindowTest, TheKindOfDifferenceIsChosenInTheHeader) {
     EXPECT_FLOAT_EQ(compare().difference_picture()->image->at(0, 0), 0.5f);
 }
 
+TEST_F(CompareWindowTest, LinkedDifferencesOfOneKindHaveOneRange) {
+    add_second_experiment(0.5);
+    trigger("views-2");
+    for (const int view : {0, 1}) {
+        widgets::ViewState state;
+        state.mode = ViewMode::difference;
+        state.a = {window.session().document().experiments[0].id, ""};
+        state.b = {window.session().document().experiments[std::size_t(view) + 1].id, ""};
+        views().set_state(view, state);
+    }
+    const auto range = [&](int view) {
+        const auto& display = workspace().pane(view)->compare().difference_display();
+        return std::pair(display.low, display.high);
+    };
+    const auto own = std::pair(-0.5, 0.5);  // of the larger one
+    EXPECT_TRUE(QTest::qWaitFor([&] { return range(0) == own && range(1) == own; }, 60000))
+        << range(0).second << " beside " << range(1).second;
+    trigger("link");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return range(0) != range(1); }, 60000)) << "each its own";
+    const int smaller = range(0).second < range(1).second ? 0 : 1;
+    EXPECT_EQ(range(1 - smaller), own);
+    trigger("link");
+    workspace().area().set_active(smaller);
+    trigger("views-1");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return range(smaller).second < 0.49; }, 60000)) << "alone again";
+}
+
+TEST_F(CompareWindowTest, TheLayoutCompareBeginsWithBoth) {
+    trigger("layout-compare");
+    EXPECT_EQ(workspace().area().open_views().size(), 1u);
+    EXPECT_EQ(views().active_state().mode, ViewMode::side_by_side);
+    EXPECT_EQ(views().active_state().b.owner, window.session().document().experiments[1].id);
+    trigger("mode-wipe");
+    trigger("layout-compare");
+    EXPECT_EQ(views().active_state().mode, ViewMode::wipe) << "they are compared already";
+    const auto tip = window.action("layout-compare")->toolTip();
+    EXPECT_TRUE(tip.contains("lens") && tip.contains("stages")) << tip.toStdString();
+}
+
 TEST_F(CompareWindowTest, SwapExchangesAAndB) {
     trigger("mode-difference");
     ASSERT_TRUE(wait_for_difference());

@@ -43,6 +43,20 @@ class LightHandlesTest : public WindowTest {
     const projects::LightSpec& light(std::size_t index = 0) { return first_lights().lights.at(index); }
 };
 
+TEST_F(LightHandlesTest, OnlyTheActiveViewSaysThatALightIsOutOfSight) {
+    add("point:position=0,0,5;flux=10");  // at the camera
+    trigger("views-2");
+    const auto hint = [&](int view) {
+        return window.workspace().pane(view)->compare().main_view().state().hint;
+    };
+    for (const int active : {0, 1}) {
+        window.workspace().area().set_active(active);
+        ASSERT_TRUE(settle());
+        EXPECT_TRUE(QTest::qWaitFor([&] { return hint(active).contains("at the camera"); })) << active;
+        EXPECT_EQ(hint(1 - active), QString());
+    }
+}
+
 TEST_F(LightHandlesTest, ADragIsShownAtOnceAndIsOneStep) {
     add("point:position=0.1,0.2,0.3;flux=10");
     ASSERT_TRUE(has_handles());

@@ -54,6 +54,22 @@ TEST_F(NoteLinksTest, AClickLeadsToAView) {
     }
 }
 
+TEST_F(NoteLinksTest, AViewIsCountedAsItsTitleDoes) {
+    auto& area = window.workspace().area();
+    trigger("views-2");
+    trigger("view-close");
+    const int left = area.open_views().front();
+    ASSERT_EQ(left, 1) << "the first was closed";
+    follow("view:2");
+    EXPECT_TRUE(says("not open"));
+    trigger("view-open");
+    ASSERT_EQ(area.open_views(), (std::vector{0, 1}));
+    follow("view:1");
+    EXPECT_EQ(area.active(), left);
+    follow("view:2");
+    EXPECT_EQ(area.active(), 0);
+}
+
 TEST_F(NoteLinksTest, LeadToParametersBuffersAndExperiments) {
     follow("parameter:max_distance");
     EXPECT_TRUE(window.docks().is_seen("parameters"));

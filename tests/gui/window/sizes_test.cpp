@@ -56,6 +56,30 @@ TEST_F(SizesTest, FourViewsInSpaceFitTheSmallestScreen) {
     expect_fits();
 }
 
+TEST_F(SizesTest, EachViewThatIsOpenedHasAFairShareOfTheRoom) {
+    window.resize(1280, 770);
+    open_scene();
+    const auto expect_fair = [&](std::size_t count) {
+        const auto& area = window.workspace().area();
+        ASSERT_EQ(area.open_views().size(), count);
+        for (const int view : area.open_views()) {
+            const auto* dock = area.dock(view);
+            // Titles and the gaps between views have their share, too.
+            EXPECT_TRUE(QTest::qWaitFor([&] {
+                return dock->width() > area.width() / 4 - 10 && dock->height() > area.height() / 4;
+            })) << view
+                << ": " << size_text(dock->size()).toStdString() << " of "
+                << size_text(area.size()).toStdString();
+        }
+    };
+    trigger("set-up-space");  // things in the scene, and a sphere of directions
+    expect_fair(3);
+    trigger("views-1");
+    window.inspector().explain({2, 2});
+    ASSERT_TRUE(settle());
+    expect_fair(2);
+}
+
 /// 1920×1200 at twice the scale.
 TEST_F(SizesTest, OnASmallScreenPanelsOfBothSidesStandBehindEachOther) {
     const QRect available(0, 0, 960, 600);
@@ -80,10 +104,20 @@ TEST_F(SizesTest, PanelsBesideTheViewsAreWiderOnALargeScreen) {
     window.docks().restore_default();
     ASSERT_TRUE(settle());
     EXPECT_NEAR(buffers->width(), 340, 10);
+    // By itself: the window grows onto a large screen.
     window.resize(3840, 2160);
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return buffers->width() > 490; })) << buffers->width();
     window.docks().restore_default();
     ASSERT_TRUE(settle());
     EXPECT_NEAR(buffers->width(), 500, 10);
+    // What a hand made wide stays so.
+    window.resizeDocks({window.findChild<QDockWidget*>("buffers")}, {700}, Qt::Horizontal);
+    ASSERT_TRUE(settle());
+    window.resize(3000, 2160);
+    window.resize(3840, 2160);
+    ASSERT_TRUE(settle());
+    EXPECT_NEAR(buffers->width(), 700, 10);
 }
 
 TEST_F(WindowTest, ASmallScreenHasAnArrangementOfItsOwn) {
@@ -191,9 +225,13 @@ TEST_F(SizesTest, CurvesAreAsHighAsAViewWhereTheyAreOpened) {
     window.resize(1280, 770);
     trigger("dock-messages");
     EXPECT_LT(window.findChild<QDockWidget*>("messages")->height(), window.height() / 3);
-    trigger("dock-plots");
-    const auto* plots = window.findChild<QDockWidget*>("plots");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return plots->height() >= window.height() / 3; })) << plots->height();
+    for (const char* name : {"plots", "timeline", "frames", "results"}) {
+        window.docks().restore_default();
+        trigger((std::string("dock-") + name).c_str());
+        const auto* dock = window.findChild<QDockWidget*>(name);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return dock->height() >= window.height() / 3; }))
+            << name << ": " << dock->height();
+    }
     for (const auto* tabs : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
         EXPECT_EQ(tabs->elideMode(), Qt::ElideNone) << "names that can be read";
 }

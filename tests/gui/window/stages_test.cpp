@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
 
@@ -74,6 +75,70 @@ TEST_F(StagesWindowTest, StagesComeAndGoWithTheSettings) {
     EXPECT_EQ(names(), QStringList({"Traced", "Composed"}));
     set_value("smooth", true);
     EXPECT_EQ(names(), QStringList({"Traced", "Smoothed", "Composed"}));
+}
+
+TEST_F(StagesWindowTest, AChosenExposureIsThatOfAllPicturesOfLight) {
+    const QTemporaryDir folder;
+    trigger("views-2");
+    workspace().area().set_active(1);
+    trigger("stages");
+    workspace().area().set_active(0);
+    const auto main = [&]() -> widgets::ImageView& { return workspace().pane(0)->compare().main_view(); };
+    const auto row = [&] { return workspace().pane(1)->compare().views(); };
+    const auto is_everywhere = [&](double exposure, widgets::Display::ToneMap map) {
+        auto all = row();
+        all.push_back(&main());
+        return std::all_of(all.begin(), all.end(), [&](auto* view) {
+            return view->display().exposure == exposure && view->display().tone_map == map;
+        });
+    };
+    using ToneMap = widgets::Display::ToneMap;
+    const double automatic = main().display().exposure;
+    ASSERT_TRUE(is_everywhere(automatic, ToneMap::none));
+    trigger("zebra");
+    EXPECT_TRUE(main().display().zebra);
+    EXPECT_FALSE(row().front()->display().zebra) << "the buffer's own";
+    trigger("brighter");
+    EXPECT_TRUE(is_everywhere(automatic + 0.5, ToneMap::none));
+    views().show_output("rough");
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(is_everywhere(automatic + 0.5, ToneMap::none)) << "another buffer";
+    EXPECT_FALSE(workspace().is_automatic());
+    auto* tone_map = window.findChild<QComboBox*>("tone-map");
+    choose(tone_map, "Filmic");
+    EXPECT_TRUE(is_everywhere(automatic + 0.5, ToneMap::filmic));
+    views().show_output("depth");
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(workspace().is_automatic()) << "no light";
+    trigger("buffer-main");
+    // Each has its own while views are not linked.
+    trigger("link");
+    trigger("brighter");
+    const double own = main().display().exposure;
+    EXPECT_NE(row().front()->display().exposure, own);
+    trigger("link");
+    EXPECT_TRUE(is_everywhere(automatic + 0.5, ToneMap::filmic));
+    window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
+    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    trigger("close");
+    ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(is_everywhere(automatic + 0.5, ToneMap::filmic)) << "remembered";
+    EXPECT_TRUE(main().display().zebra);
+    trigger("display-reset");
+    EXPECT_TRUE(is_everywhere(automatic, ToneMap::none));
+    EXPECT_TRUE(workspace().is_automatic());
+}
+
+/// A session of before had an exposure for each buffer.
+TEST_F(StagesWindowTest, AnExposureThatWasRememberedForABufferCounts) {
+    projects::Json memory;
+    workspace().save(memory);
+    memory["displays"] = {{"rough", {{"exposure", 3.0}, {"tone_map", "reinhard"}}}};
+    workspace().load(memory);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.view().display().exposure, 3.0);
+    EXPECT_EQ(window.view().display().tone_map, widgets::Display::ToneMap::reinhard);
 }
 
 TEST_F(StagesWindowTest, AnyStageIsComparedWithTheReference) {
@@ -172,6 +237,66 @@ TEST_F(StagesWindowTest, AnUnlinkedCameraIsThatOfItsPicture) {
     EXPECT_TRUE(window.session().camera().moved_pose(second)) << "it stands second in the row";
     EXPECT_FALSE(window.session().camera().moved_pose(first)) << "the B of other modes";
     window.session().camera().forget_move();
+}
+
+TEST_F(StagesWindowTest, ADoubleClickShowsAPictureAlone) {
+    trigger("stages");
+    const auto row = views().active_state();
+    const auto double_click = [&](widgets::ImageView* view) {
+        QTest::mouseDClick(view, Qt::LeftButton, {}, view->rect().center());
+        ASSERT_TRUE(settle());
+    };
+    double_click(compare().views()[1]);
+    EXPECT_EQ(views().active_state().mode, ViewMode::single);
+    EXPECT_EQ(views().active_state().a, row.more.front());
+    ASSERT_EQ(compare().views().size(), 1u);
+    EXPECT_EQ(window.view().picture()->label.section(" · ", -1), "Smoothed");
+    double_click(&window.view());
+    EXPECT_EQ(views().active_state(), row);
+    double_click(compare().difference_views()[0]);
+    EXPECT_EQ(views().active_state().mode, ViewMode::difference);
+    EXPECT_EQ(views().active_state().a, row.a);
+    EXPECT_EQ(views().active_state().b, row.more.front());
+    window.view().setFocus();
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(views().active_state(), row) << "Esc goes back, too";
+    // Side by side; the second one is of another experiment.
+    trigger("experiment-duplicate");
+    trigger("mode-side-by-side");
+    const auto both = views().active_state();
+    ASSERT_NE(both.a.owner, both.b.owner);
+    double_click(compare().views()[1]);
+    EXPECT_EQ(views().active_state().a, both.b);
+    EXPECT_EQ(window.session().experiment()->id, both.b.owner) << "what is shown is worked on";
+    trigger("mode-wipe");
+    EXPECT_EQ(views().active_state().a, both.a) << "another mode is of both again";
+    EXPECT_EQ(views().active_state().b, both.b);
+    trigger("mode-single");
+    const auto alone = views().active_state();
+    double_click(&window.view());
+    EXPECT_EQ(views().active_state(), alone) << "nothing stood beside it";
+    // A drawing hand shows nothing else.
+    trigger("mode-side-by-side");
+    trigger("rectangle");
+    double_click(compare().views()[0]);
+    EXPECT_EQ(views().active_state().mode, ViewMode::side_by_side);
+}
+
+/// In a row of one owner there is room for what the pictures differ in.
+TEST_F(StagesWindowTest, ARowSaysEachNameOnce) {
+    trigger("stages");
+    EXPECT_EQ(compare().panes().captions().front(), "A   Traced");
+    for (const auto* view : compare().views()) EXPECT_EQ(view->state().label, QString());
+    set_method("fake");
+    auto state = views().active_state();
+    state.chain = false;
+    state.more = {{state.a.owner, "depth"}, {state.a.owner, "noise"}};
+    views().set_active_state(state);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(names(), QStringList({"Picture", "Depth", "Noise"}));
+    trigger("mode-side-by-side");
+    EXPECT_NE(compare().views().front()->state().label, QString()) << "no captions there";
 }
 
 TEST_F(StagesWindowTest, SwappingMovesThePairAndMakesARowOfOnesOwn) {

@@ -55,6 +55,40 @@ TEST_F(ViewsTest, OneToFourViewsOpenAndCloseByKeysAndOneStays) {
     EXPECT_EQ(area().open_views().size(), 1u);
 }
 
+TEST_F(ViewsTest, ViewsAreNumberedAsOneReads) {
+    window.resize(1280, 770);
+    const auto number = [&](int view) { return area().dock(view)->windowTitle().left(1); };
+    const auto are_numbered = [&](const std::vector<std::pair<int, const char*>>& numbers) {
+        return QTest::qWaitFor([&] {
+            return std::all_of(numbers.begin(), numbers.end(), [&](const auto& each) {
+                return number(each.first) == QLatin1String(each.second);
+            });
+        });
+    };
+    trigger("views-2-stacked");
+    area().set_active(0);
+    trigger("view-open");  // beside the upper one
+    ASSERT_EQ(area().open_views().size(), 3u);
+    ASSERT_GT(area().dock(2)->x(), area().dock(0)->x());
+    EXPECT_TRUE(are_numbered({{0, "1"}, {2, "2"}, {1, "3"}}));
+    ASSERT_EQ(area().active(), 2);
+    for (const int next : {1, 0, 2}) {
+        trigger("view-next");
+        EXPECT_EQ(area().active(), next) << "in the order of their numbers";
+    }
+    area().set_active(0);
+    trigger("view-close");
+    EXPECT_TRUE(are_numbered({{2, "1"}, {1, "2"}}));
+    area().set_active(2);
+    trigger("views-1");
+    EXPECT_TRUE(are_numbered({{2, "1"}}));
+    EXPECT_EQ(area().open_views(), std::vector{2});
+    // Behind a tab a view is open, too.
+    trigger("view-open");
+    area().tabifyDockWidget(area().dock(2), area().dock(0));
+    EXPECT_TRUE(are_numbered({{2, "1"}, {0, "2"}}) || are_numbered({{0, "1"}, {2, "2"}}));
+}
+
 TEST_F(ViewsTest, AnyOutputOfAnyExperimentIsShownInAnyView) {
     add_second_experiment(0.75);
     trigger("views-2");

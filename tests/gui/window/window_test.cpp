@@ -365,7 +365,7 @@ TEST_F(WindowTest, LayoutsAreNamed) {
         EXPECT_FALSE(window.findChild<QDockWidget*>("timings")->isVisible());
     }
     QStringList titles;
-    for (const auto& [name, title] : DockLayout::titles()) titles << title;
+    for (const auto& entry : DockLayout::entries()) titles << entry.title;
     for (const char* title : {"Layered depth maps", "Photons", "Filters", "Compare", "Plots"})
         EXPECT_TRUE(titles.contains(title)) << title;
     trigger("layout-photons");

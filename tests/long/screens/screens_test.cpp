@@ -291,7 +291,7 @@ TEST_P(Screens, Start) {
 
 TEST_P(FilledScreens, Layouts) {
     take(window, "window-default");
-    for (const auto& [name, title] : DockLayout::titles()) {
+    for (const auto& [name, title, doc] : DockLayout::entries()) {
         window.docks().apply(name);
         ASSERT_TRUE(settle());
         take(window, "window-" + name);

@@ -400,5 +400,21 @@ TEST(RowsPanelTest, SearchesAsTheFinderDoes) {
     EXPECT_EQ(panel.view()->empty_text(), "Nothing is here.");
 }
 
+/// Lines of numbers, such as headings of columns, give way before names do.
+TEST(RowsPanelTest, NamesHaveTheRoomFirst) {
+    RowsPanel panel({"Buffer", "Size", "Memory", "Format"}, {});
+    panel.set_name_width(60);
+    Row row{"a", {}};
+    row.cells = {{"Own entry found or missing"}, {"512×512"}, {"1.00 MiB"}, {"RGBA, 16 bit float"}};
+    panel.set_rows({row});
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    const auto* view = panel.view();
+    const int named = QFontMetrics(view->font()).horizontalAdvance(row.cells[0].text);
+    panel.resize(named + 200, 200);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->columnWidth(0) > named; }))
+        << view->columnWidth(0) << " of " << view->viewport()->width() << " for " << named;
+}
+
 }  // namespace
 }  // namespace ir::widgets
