@@ -141,6 +141,9 @@ struct SurfaceRequest {
 struct SurfacePoint {
     glm::dvec3 position{0}, normal{0, 1, 0};  ///< of the triangle, of length one, on the side that is seen
     double free_way = 0;  ///< metres along the normal to the next surface; infinite for none
+    int part = 0;         ///< of Experiment::composition()
+    int node = 0;         ///< that draws it, index into SceneSummary::nodes
+    std::string object = {}, material = {};  ///< names; the node's may be empty
 };
 
 struct SurfaceResult {

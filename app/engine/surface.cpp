@@ -1,11 +1,26 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "app/engine/live_session.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/surface/triangle_plane.h"
+#include "renderers/scene/placed_mesh.h"
 
 namespace ir::engine {
+namespace {
+
+/// Above the nodes of each part of several stands one more.
+int part_of(const scene::Scene& scene, int node, std::size_t parts) {
+    if (parts == 1) return 0;
+    const auto& nodes = scene.nodes;
+    int top = node;
+    while (nodes[std::size_t(top)].parent >= 0) top = nodes[std::size_t(top)].parent;
+    return int(std::count_if(nodes.begin(), nodes.begin() + top,
+                             [](const scene::Node& each) { return each.parent < 0; }));
+}
+
+}  // namespace
 
 SurfaceResult LiveSession::find_surface(const SurfaceRequest& request) const {
     SurfaceResult result{request.tag, {}, {}, request.asker};
@@ -32,7 +47,15 @@ SurfaceResult LiveSession::find_surface(const SurfaceRequest& request) const {
     const auto position = request.origin + double(hit.distance) * direction;
     constexpr float own_surface = 1e-4f;  // part of the distance, in which single precision may lie
     const float free_way = bvh.closest(position, normal, own_surface * hit.distance, infinite);
-    result.point = {position, glm::normalize(glm::dvec3(normal)), free_way};
+    const auto& scene = execution.scene();
+    const int node = scene::node_of_triangle(scene, hit.triangle);
+    result.point = {position,
+                    glm::normalize(glm::dvec3(normal)),
+                    free_way,
+                    part_of(scene, node, execution.experiment().composition().size()),
+                    node,
+                    scene.nodes[std::size_t(node)].name,
+                    scene.materials[world.triangle_materials[hit.triangle]].name};
     return result;
 }
 

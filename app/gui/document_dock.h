@@ -17,6 +17,11 @@ class DocumentDock : public QWidget {
     widgets::ProjectPanel& tree() { return *tree_; }
     widgets::ItemEditor& editor() { return *editor_; }
     void select(const widgets::ItemRef& item) { tree_->select(item); }
+    /// A file of a scene, and one of its materials; empty: none.
+    void show_surface(const widgets::ItemRef& part, const QString& material) {
+        tree_->select(part);
+        editor_->show_surface(part, material);
+    }
     /// Takes over what is being typed: before saving.
     void commit() { editor_->commit(); }
 

@@ -1,6 +1,11 @@
 #include "app/gui/finder.h"
 
 #include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QPointer>
+#include <QToolButton>
+#include <algorithm>
 
 #include "app/gui/text_of.h"
 #include "renderers/core/resources_path.h"
@@ -16,10 +21,12 @@ namespace ir::gui {
 using widgets::Findable;
 using widgets::ItemKind;
 
-Finder::Finder(QWidget& window, Session& session, Workspace& workspace, DocumentDock& document,
-               ParameterDock& parameters, DockLayout& docks, FileController& files, Actions& actions)
+Finder::Finder(QWidget& window, Session& session, const SceneShelf& scenes, Workspace& workspace,
+               DocumentDock& document, ParameterDock& parameters, DockLayout& docks, FileController& files,
+               Actions& actions)
     : window_(window),
       session_(session),
+      scenes_(scenes),
       workspace_(workspace),
       document_(document),
       parameters_(parameters),
@@ -31,7 +38,8 @@ Finder::Finder(QWidget& window, Session& session, Workspace& workspace, Document
 }
 
 void Finder::open() {
-    auto* dialog = new widgets::FinderDialog(all(), &window_);
+    auto* dialog =
+        new widgets::FinderDialog(all(), tr("Find a buffer, a parameter, an action, a sample …"), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
@@ -53,8 +61,10 @@ std::vector<Findable> Finder::all() {
         add_buffers(all);
         add_parameters(all);
         add_items(all);
+        add_cameras(all);
     }
     add_actions(all);
+    if (session_.has_project()) add_panels(all);
     add_samples(all);
     add_pages(all);
     return all;
@@ -79,6 +89,7 @@ void Finder::add_parameters(std::vector<Findable>& all) {
     for (const auto& parameter : method->parameters) {
         all.push_back(
             {tr("Parameter"), text_of(parameter.label), text_of(parameter.key), text_of(parameter.doc)});
+        all.back().icon = widgets::icon("parameter");
         all.back().go = [this, key = parameter.key] { show_parameter(key); };
     }
 }
@@ -96,12 +107,65 @@ void Finder::add_items(std::vector<Findable>& all) {
         }
 }
 
+/// Of the scene's file; those that an item of the project stands for are found as that item.
+void Finder::add_cameras(std::vector<Findable>& all) {
+    const auto* scene = scenes_.current();
+    if (!scene) return;
+    for (const auto& name : scene->cameras) {
+        const auto& items = session_.document().cameras;
+        if (std::ranges::any_of(items, [&](const auto& item) { return item.scene_camera == name; })) continue;
+        all.push_back({tr("Camera"), text_of(name), tr("the scene's file"), tr("Looks through it")});
+        all.back().icon = widgets::icon("camera");
+        if (session_.open_project().is_read_only())
+            all.back().why_not = read_only_text(session_.open_project());
+        all.back().go = [this, name] {
+            docks_.raise("parameters");
+            parameters_.use_scene_camera(text_of(name));
+        };
+    }
+}
+
+/// What buttons of panels do, and what the menus of such buttons hold.
+void Finder::add_panels(std::vector<Findable>& all) {
+    const auto add = [&](const QDockWidget& dock, const QString& name, const QIcon& icon, const QString& also,
+                         bool can_do, std::function<void()> run) {
+        Findable found{tr("Action"), name, dock.windowTitle(), also};
+        found.icon = icon.isNull() ? widgets::icon("action") : icon;
+        if (!can_do) found.why_not = tr("cannot be done now");
+        found.go = [this, panel = dock.objectName(), run = std::move(run)] {
+            docks_.raise(panel);
+            run();
+        };
+        all.push_back(std::move(found));
+    };
+    for (const auto* dock : window_.findChildren<QDockWidget*>()) {
+        if (!dock->widget()) continue;
+        for (auto* button : widgets::actions_in(*dock->widget())) {
+            const auto* menu = button->menu();
+            if (!menu)
+                add(*dock, button->text(), button->icon(), button->toolTip(), button->isEnabled(),
+                    [button = QPointer(button)] {
+                        if (button) button->click();
+                    });
+            else
+                for (auto* action : menu->actions())
+                    if (!action->isSeparator() && !action->isCheckable() && !action->menu())
+                        add(*dock,
+                            QStringLiteral("%1: %2").arg(button->text(), widgets::plain_text(action->text())),
+                            action->icon().isNull() ? button->icon() : action->icon(), action->toolTip(),
+                            button->isEnabled() && action->isEnabled(), [action = QPointer(action)] {
+                                if (action) action->trigger();
+                            });
+        }
+    }
+}
+
 void Finder::add_actions(std::vector<Findable>& all) {
     for (auto* action : actions_.in_order()) {
         if (action->objectName() == QLatin1String("find")) continue;
         Findable found{tr("Action"), widgets::plain_text(action->text()), widgets::menu_title(*action),
                        action->toolTip(), widgets::keys_of(*action)};
-        found.icon = action->icon();
+        found.icon = action->icon().isNull() ? widgets::icon("action") : action->icon();
         if (!action->isEnabled()) found.why_not = tr("cannot be done now");
         found.go = [action] { action->trigger(); };
         all.push_back(std::move(found));
@@ -117,6 +181,7 @@ void Finder::add_samples(std::vector<Findable>& all) {
     }
     for (const auto& sample : files_.samples()) {
         all.push_back({tr("Sample"), sample.name, sample.group, sample.description});
+        all.back().icon = widgets::icon("open");
         all.back().go = [this, path = sample.path] { files_.go_to(path); };
     }
 }

@@ -12,12 +12,13 @@
 namespace ir::gui {
 
 /// One box for everything that has a name: what the active view may show, parameters, items of the project,
-/// actions, built-in scenes, samples and pages of the manual.
+/// cameras of the scene, actions also of panels, built-in scenes, samples and pages of the manual.
 class Finder : public QObject {
     Q_OBJECT
   public:
-    Finder(QWidget& window, Session& session, Workspace& workspace, DocumentDock& document,
-           ParameterDock& parameters, DockLayout& docks, FileController& files, Actions& actions);
+    Finder(QWidget& window, Session& session, const SceneShelf& scenes, Workspace& workspace,
+           DocumentDock& document, ParameterDock& parameters, DockLayout& docks, FileController& files,
+           Actions& actions);
     void open();
     std::vector<widgets::Findable> all();
     /// Brings the parameters forward and gives this one the keyboard.
@@ -32,12 +33,15 @@ class Finder : public QObject {
     void add_buffers(std::vector<widgets::Findable>& all);
     void add_parameters(std::vector<widgets::Findable>& all);
     void add_items(std::vector<widgets::Findable>& all);
+    void add_cameras(std::vector<widgets::Findable>& all);
+    void add_panels(std::vector<widgets::Findable>& all);
     void add_actions(std::vector<widgets::Findable>& all);
     void add_samples(std::vector<widgets::Findable>& all);
     void add_pages(std::vector<widgets::Findable>& all);
 
     QWidget& window_;
     Session& session_;
+    const SceneShelf& scenes_;
     Workspace& workspace_;
     DocumentDock& document_;
     ParameterDock& parameters_;

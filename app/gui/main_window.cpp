@@ -94,10 +94,11 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       shader_copies_(*this, session_, live_, *shaders_, pipeline_, notices_, actions_),
       preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
       project_banners_(*this, session_, live_, *banners_),
+      surfaces_(session_, live_, renderer_, workspace_, inspector_, *document_, docks_, notices_, actions_),
       lights_(session_, live_, renderer_, scenes_, workspace_, inspector_, actions_),
       light_mover_(session_, workspace_, *document_, actions_),
       light_offer_(session_, scenes_, lights_, *banners_),
-      finder_(*this, session_, workspace_, *document_, *parameters_, docks_, files_, actions_),
+      finder_(*this, session_, scenes_, workspace_, *document_, *parameters_, docks_, files_, actions_),
       note_links_(*notes_, session_, workspace_, inspector_, docks_, finder_, notices_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
@@ -217,7 +218,7 @@ void MainWindow::make_menus() {
         tr("&Edit"),
         "undo redo find | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
         "scene-add image-add bookmark comparison-add | camera-key-add camera-key-set camera-key-remove "
-        "camera-key-previous camera-key-next | light-here light-camera headlight | preferences")
+        "camera-key-previous camera-key-next | light-here light-camera headlight | edit-material edit-object | preferences")
         ->setToolTipsVisible(true);
     auto* set_up = menuBar()->addMenu(tr("&Set up"));
     actions_.fill(set_up, "set-ups | set-up-occlusion set-up-light match set-up-space stages");
@@ -238,8 +239,8 @@ void MainWindow::make_menus() {
              "swap link | comparison-add");
     picture_menu_ = new QMenu(this);
     actions_.fill(picture_menu_,
-                  "light-here light-camera headlight | explain trace-pixel pin fly-to-pin | rectangle line | "
-                  "bookmark camera-key-add | "
+                  "edit-material edit-object | light-here light-camera headlight | explain trace-pixel pin "
+                  "fly-to-pin | rectangle line | bookmark camera-key-add | "
                   "fit actual | copy-view export-view export-buffer show-in-tev");
     picture_menu_->setToolTipsVisible(true);
     add_menu(
@@ -325,6 +326,7 @@ void MainWindow::join_panels() {
     connect(&profile_, &ProfileDock::emptied, &joins_, [this] { docks_.hide("profile"); });
     connect(shaders_, &ShaderDock::wanted, &joins_, [this] { docks_.raise("shaders"); });
     connect(shaders_, &ShaderDock::emptied, &joins_, [this] { docks_.hide("shaders"); });
+    preference_actions_.follow(shaders_->panel(), inspector_.explain_panel(), *banners_);
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
     connect(parameters_, &ParameterDock::page_wanted, &joins_,
             [this](const QString& file, const QString& key) { show_page(file, key); });
@@ -426,10 +428,7 @@ void MainWindow::go_to(const Message& message) {
     if (message.source == "shader") return docks_.raise("shaders");
     const QString place = text_of(message.place);
     const QFileInfo file(place.section(QLatin1Char(':'), 0, 0));
-    if (file.exists()) {
-        QDesktopServices::openUrl(QUrl::fromLocalFile(file.absoluteFilePath()));
-        return;
-    }
+    if (file.exists()) return void(QDesktopServices::openUrl(QUrl::fromLocalFile(file.absoluteFilePath())));
     if (const auto item = widgets::ItemRef::from_key(place); item.is_valid()) {
         docks_.raise("project");
         if (item.kind == widgets::ItemKind::experiment) session_.select_experiment(item.id.toStdString());

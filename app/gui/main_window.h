@@ -31,6 +31,7 @@
 #include "app/gui/set_up_controller.h"
 #include "app/gui/shader_controller.h"
 #include "app/gui/space_marker.h"
+#include "app/gui/surface_picker.h"
 #include "app/gui/sweeps_dock.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
@@ -173,6 +174,7 @@ class MainWindow : public QMainWindow {
     ShaderController shader_copies_;
     PreferencesController preference_actions_;
     ProjectBanners project_banners_;
+    SurfacePicker surfaces_;
     LightController lights_;
     LightMover light_mover_;
     LightOffer light_offer_;

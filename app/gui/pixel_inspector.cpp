@@ -5,11 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "app/engine/run_frames.h"
 #include "app/gui/beside.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/pixel_places.h"
 #include "app/gui/printed.h"
 #include "app/gui/text_of.h"
+#include "renderers/core/words.h"
 
 namespace ir::gui {
 namespace {
@@ -289,6 +291,9 @@ void PixelInspector::update_explain() {
             selectors.push_back({each.key, text_of(each.label), text_of(each.doc), each.count, each.item});
     }
     explain_->set_content(pixel, outputs, selectors);
+    const bool is_changed = chosen && !chosen->shaders.empty();
+    explain_->set_on_host(is_changed && result ? text_of(listed(engine::host_bodies(result->report)))
+                                               : QString());
     explain_->set_printed(result && result->report.can_print,
                           printed_of(result.get(), views_.inspection(id)));
 }

@@ -220,6 +220,30 @@ void PreferencesController::apply() {
     live_.set_drafts(drafts_ && preferences_.drafts());
 }
 
+void PreferencesController::follow(const widgets::ShaderPanel& shaders, const widgets::ExplainPanel& explain,
+                                   widgets::BannerStack& banners) {
+    const auto use = [this, &banners] { use_opengl(banners); };
+    connect(&shaders, &widgets::ShaderPanel::opengl_wanted, this, use);
+    connect(&explain, &widgets::ExplainPanel::opengl_wanted, this, use);
+}
+
+void PreferencesController::use_opengl(widgets::BannerStack& banners) {
+    const std::string key = "processor";
+    const auto name = QStringLiteral("processor");
+    const auto show = [&](const QString& text, const std::vector<widgets::BannerStack::Action>& actions) {
+        banners.show_banner(name, widgets::BannerStack::Kind::note, text, actions);
+    };
+    if (const auto given = preferences_.given().find(key); given != preferences_.given().end())
+        return show(tr("%1 of the command line stays for this run.").arg(given->second), {});
+    const auto before = preferences_.settings().at(key);
+    preferences_.set(key, to_string(Processor::gl));
+    show(tr("Passes run on OpenGL now, in all projects. The preferences have the choice, too."),
+         {{tr("Take it back"), [this, key, before, name, &banners] {
+               preferences_.set(key, before);
+               banners.hide_banner(name);
+           }}});
+}
+
 void PreferencesController::show() {
     using Dialog = widgets::PreferencesDialog;
     if (auto* open = window_.findChild<Dialog*>()) return open->raise(), open->activateWindow();

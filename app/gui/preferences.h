@@ -10,6 +10,9 @@
 #include "app/gui/actions.h"
 #include "app/gui/live_pictures.h"
 #include "widgets/image/preferred_maps.h"
+#include "widgets/inspect/explain_panel.h"
+#include "widgets/panels/banner.h"
+#include "widgets/panels/shader_panel.h"
 #include "widgets/style/theme.h"
 
 namespace ir::gui {
@@ -61,10 +64,14 @@ class PreferencesController : public QObject {
     /// `drafts`: whether the window has them at all.
     PreferencesController(QWidget& window, Preferences& preferences, Renderer& renderer, LivePictures& live,
                           Actions& actions, bool drafts);
+    /// Both have a link by which passes run on OpenGL; a banner then says so and takes it back.
+    void follow(const widgets::ShaderPanel& shaders, const widgets::ExplainPanel& explain,
+                widgets::BannerStack& banners);
 
   private:
     void apply();
     void show();
+    void use_opengl(widgets::BannerStack& banners);
 
     QWidget& window_;
     Preferences& preferences_;

@@ -9,6 +9,7 @@
 #include "renderers/core/line_diff.h"
 #include "renderers/core/words.h"
 #include "widgets/panels/finder_dialog.h"
+#include "widgets/style/icons.h"
 
 namespace ir::gui {
 
@@ -47,13 +48,14 @@ void ShaderController::choose() {
         const bool is_own = file.starts_with(own);
         if (!is_own && file.starts_with("methods/")) continue;
         widgets::Findable found{tr("Shader"), text_of(file), is_own ? tr("this method") : tr("shared")};
+        found.icon = widgets::icon("part");
         if (const auto change = chosen->shaders.find(file); change != chosen->shaders.end())
             found.place = tr("changed, %1").arg(text_of(count_lines(change->second).text()));
         found.go = [this, id = chosen->id, file] { edit(id, file, 1); };
         (is_own ? files : shared).push_back(std::move(found));
     }
     files.insert(files.end(), shared.begin(), shared.end());
-    auto* dialog = new widgets::FinderDialog(std::move(files), &window_);
+    auto* dialog = new widgets::FinderDialog(std::move(files), tr("Find a shader file …"), &window_);
     dialog->setWindowTitle(tr("Edit copy of a shader for %1").arg(text_of(chosen->name)));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();

@@ -7,6 +7,9 @@
 
 namespace ir::scene {
 
+/// Which node draws a triangle of the scene as flatten() makes it; -1: there is no such triangle.
+int node_of_triangle(const Scene& scene, std::size_t triangle);
+
 /// A mesh as a node draws it in a pose, in world space: moved as a whole, or morphed and bent by the joints
 /// of a skin. Scene and pose must outlive it.
 class PlacedMesh {

@@ -136,6 +136,15 @@ Bounds bounds_of_triangles(const World& world, const std::string& name) {
 
 }  // namespace
 
+int node_of_triangle(const Scene& scene, std::size_t triangle) {
+    for (const auto& instance : sorted_instances(scene)) {
+        const auto count = scene.meshes[instance.mesh].indices.size() / 3;
+        if (triangle < count) return instance.node;
+        triangle -= count;
+    }
+    return -1;
+}
+
 World flatten(const Scene& scene, double time, double previous_time) {
     World world;
     const auto current = pose_at(scene, time);

@@ -66,6 +66,14 @@ QToolButton* make_button(const char* drawing, const QString& tip, QWidget* paren
     return button;
 }
 
+QToolButton* make_pick_button(const QString& tip, QWidget* parent) {
+    auto* button = make_button("inspect", tip, parent);
+    button->setText(QObject::tr("Pick in view"));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setCheckable(true);
+    return button;
+}
+
 void set_range(NumberField* field, const projects::Range& range) {
     field->setRange(std::max(range.min, -field->max_value), std::min(range.max, field->max_value));
 }

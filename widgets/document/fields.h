@@ -31,6 +31,8 @@ void add_wide(QGridLayout* grid, QWidget* control);
 /// A section whose labels take no more room than they need.
 QGridLayout* make_form_section(const QString& title, QWidget* parent);
 QToolButton* make_button(const char* drawing, const QString& tip, QWidget* parent);
+/// Is down as long as a click in a picture is waited for.
+QToolButton* make_pick_button(const QString& tip, QWidget* parent);
 
 void set_range(NumberField* field, const projects::Range& range);
 /// One number with its unit and limits.

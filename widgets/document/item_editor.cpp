@@ -15,6 +15,7 @@
 #include "widgets/document/plot_editor.h"
 #include "widgets/document/scene_editor.h"
 #include "widgets/document/sweep_editor.h"
+#include "widgets/style/section.h"
 
 namespace ir::widgets {
 namespace {
@@ -86,6 +87,7 @@ ItemEditor::ItemEditor(QWidget* parent)
     lights_ = new LightSetEditor;
     connect(lights_, &LightSetEditor::light_chosen, this, &ItemEditor::update_light);
     connect(scene_, &SceneEditor::add_wanted, this, &ItemEditor::add_wanted);
+    connect(scene_, &SceneEditor::pick_wanted, this, &ItemEditor::pick_wanted);
     add_form({ItemKind::project}, new ProjectEditor);
     add_form({ItemKind::scene, ItemKind::part}, scene_);
     add_form({ItemKind::camera}, camera_);
@@ -169,6 +171,21 @@ void ItemEditor::commit() {
     for (auto* field : form->findChildren<NumberField*>())
         if (focus && (field == focus || field->isAncestorOf(focus))) field->interpretText();
     emit gesture_finished();
+}
+
+void ItemEditor::show_surface(const ItemRef& part, const QString& material) {
+    show_item(part);
+    if (!project_ || !is_there(*project_, part)) return;
+    auto* control = scene_->show_surface(part.index, material);
+    unfold_section_of(*control);
+    auto* page = static_cast<QScrollArea*>(scene_->parentWidget()->parentWidget());
+    page->widget()->layout()->activate();
+    page->ensureWidgetVisible(control);
+    control->setFocus();
+}
+
+void ItemEditor::set_picking(bool on, const QString& why_not) {
+    scene_->set_picking(on, why_not);
 }
 
 /// After every change of what is shown.

@@ -44,8 +44,14 @@ class ItemEditor : public QWidget {
     void set_comparison_modes(const std::vector<Option>& modes);
     /// Takes over what is being typed: before saving.
     void commit();
+    /// Shows a part of a scene, which is in the project, and one of its materials, empty: none; the control
+    /// that edits it gets the keyboard.
+    void show_surface(const ItemRef& part, const QString& material);
+    /// As SceneEditor has it.
+    void set_picking(bool on, const QString& why_not);
 
   signals:
+    void pick_wanted(bool on);  ///< as SceneEditor has it
     void edit_wanted(const ir::widgets::EditMaker& make);
     void gesture_finished();
     /// Another light's values are shown, alone or in its set; none: an item of another kind.

@@ -61,8 +61,11 @@ MaterialForm::MaterialForm(QWidget* parent)
         emit change_wanted(
             material_, tr("values"), [](MaterialOverride& change) { change = {}; }, false);
     });
+    pick_ = make_pick_button(tr("The next click in a picture chooses the material"), this);
+    pick_->setObjectName(QStringLiteral("pick-material"));
     grid_->addWidget(names_, 0, 0, 1, 2);
     grid_->addWidget(reset_, 0, 2);
+    grid_->addWidget(pick_, 1, 0, 1, 3);
     hint_->setWordWrap(true);
     hint_->setForegroundRole(QPalette::PlaceholderText);
     add_wide(grid_, hint_);

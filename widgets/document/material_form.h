@@ -33,6 +33,8 @@ class MaterialForm : public QWidget {
     void set_usable(const QString& why_not);
     const QString& material() const { return material_; }
     void show_material(const QString& name);
+    QToolButton* pick() const { return pick_; }
+    QComboBox* names() const { return names_; }
 
   signals:
     void change_wanted(const QString& material, const QString& field,
@@ -52,7 +54,7 @@ class MaterialForm : public QWidget {
     void show_values();
 
     QComboBox* names_;
-    QToolButton* reset_;
+    QToolButton *pick_, *reset_;
     QLabel* hint_;
     QGridLayout* grid_;
     std::vector<FormRow> rows_;

@@ -101,7 +101,11 @@ void SceneEditor::make_variant(QGridLayout* grid) {
 
 void SceneEditor::make_part() {
     transform_ = new TransformForm(this);
-    add_wide(make_form_section(tr("Placement of the file"), this), transform_);
+    auto* placement = make_form_section(tr("Placement of the file"), this);
+    pick_ = make_pick_button(tr("The next click in a picture chooses the file"), this);
+    pick_->setObjectName(QStringLiteral("pick-part"));
+    placement->addWidget(pick_, 0, 0, 1, 3);
+    add_wide(placement, transform_);
     connect(transform_, &TransformForm::finished, this, &SceneEditor::gesture_finished);
     connect(transform_, &TransformForm::change_wanted, this,
             [this](const QString& field, const TransformForm::Change& change, bool merges) {
@@ -110,6 +114,8 @@ void SceneEditor::make_part() {
                 emit edit_wanted(field_edit<Scene>(id_, name, part_change(chosen_, put), merges));
             });
     materials_ = new MaterialForm(this);
+    for (auto* button : {pick_, materials_->pick()})
+        connect(button, &QToolButton::clicked, this, &SceneEditor::pick_wanted);
     add_wide(make_form_section(tr("Changed materials"), this), materials_);
     connect(materials_, &MaterialForm::finished, this, &SceneEditor::gesture_finished);
     connect(materials_, &MaterialForm::change_wanted, this,
@@ -160,12 +166,31 @@ void SceneEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     transform_->set_usable(why_not);
     materials_->set_usable(why_not);
     name_->show_text(QString::fromStdString(scene.name));
+    show_parts();
+}
+
+void SceneEditor::show_parts() {
     std::vector<OrderedList::Line> lines;
     for (const auto& part : parts_)
         lines.push_back({source_name(part.source), QString::fromStdString(part.source)});
     chosen_ = std::clamp(chosen_, 0, std::max(0, int(lines.size()) - 1));
     list_->show_lines(lines, chosen_);
     if (!parts_.empty()) show_part();
+}
+
+QWidget* SceneEditor::show_surface(int part, const QString& material) {
+    chosen_ = part;
+    show_parts();
+    if (material.isEmpty()) return transform_;
+    materials_->show_material(material);
+    return materials_->names();
+}
+
+void SceneEditor::set_picking(bool on, const QString& why_not) {
+    for (auto* button : {pick_, materials_->pick()}) {
+        button->setChecked(on);
+        ir::widgets::set_usable(button, why_not);
+    }
 }
 
 }  // namespace ir::widgets

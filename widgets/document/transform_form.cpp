@@ -45,6 +45,7 @@ TransformForm::TransformForm(QWidget* parent) : QWidget(parent) {
     scale_ = vector_row(grid, "scale", tr("Scale"),
                         tr("Factors along the file's own x, y, z; applied before it is turned and moved"),
                         &Trs::scale);
+    setFocusProxy(translation_);
     matrix_ = new QLabel(this);
     matrix_->setObjectName(QStringLiteral("matrix"));
     matrix_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "renderers/core/inspection.h"
+#include "widgets/panels/shader_panel.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
@@ -97,6 +98,14 @@ ExplainPanel::ExplainPanel(QWidget* parent) : QWidget(parent) {
     printed_text_->setWordWrap(true);
     printed_text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     page->addWidget(printed_text_);
+    on_host_ = new QLabel(page_widget);
+    on_host_->setObjectName(QStringLiteral("on-host"));
+    on_host_->setTextFormat(Qt::RichText);
+    on_host_->setWordWrap(true);
+    on_host_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    on_host_->hide();
+    connect(on_host_, &QLabel::linkActivated, this, &ExplainPanel::opengl_wanted);
+    page->addWidget(on_host_);
     content_ = new QWidget(page_widget);
     lists_ = new QVBoxLayout(content_);
     lists_->setContentsMargins(0, 0, 0, 0);
@@ -121,6 +130,11 @@ void ExplainPanel::set_printed(bool can_print, const std::vector<PrintedValue>& 
     can_print_ = can_print;
     printed_ = printed;
     update_pixel();
+}
+
+void ExplainPanel::set_on_host(const QString& passes) {
+    on_host_->setText(passes.isEmpty() ? QString() : host_passes_html(passes));
+    on_host_->setVisible(!passes.isEmpty());
 }
 
 void ExplainPanel::update_printed() {

@@ -46,8 +46,11 @@ class ExplainPanel : public QWidget {
 
     /// What shaders print of the pixel; `can_print`: whether they would.
     void set_printed(bool can_print, const std::vector<PrintedValue>& printed);
+    /// Passes (between commas) whose shaders are changed and say nothing, because they run on the host.
+    void set_on_host(const QString& passes);
 
   signals:
+    void opengl_wanted();  ///< in place of the host
     void show_wanted(const QString& key);
     void item_chosen(const QString& selector, int item);  ///< Inspection::all: all
     void pixel_cleared();                                 ///< explain nothing any longer
@@ -67,7 +70,7 @@ class ExplainPanel : public QWidget {
     std::vector<ExplainSelector> selectors_;
     bool can_print_ = false;
     std::vector<PrintedValue> printed_;
-    QLabel *title_ = nullptr, *help_ = nullptr, *printed_text_ = nullptr;
+    QLabel *title_ = nullptr, *help_ = nullptr, *printed_text_ = nullptr, *on_host_ = nullptr;
     QPushButton* clear_ = nullptr;
     QVBoxLayout* lists_ = nullptr;
     QWidget* content_ = nullptr;

@@ -27,6 +27,14 @@ InspectorPanel::InspectorPanel(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(make_bar());
+    surface_ = new QLabel(this);
+    surface_->setObjectName(QStringLiteral("surface"));
+    surface_->setTextFormat(Qt::PlainText);
+    surface_->setWordWrap(true);
+    surface_->setContentsMargins(8, 2, 8, 4);
+    surface_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    surface_->hide();
+    layout->addWidget(surface_);
     layout->addWidget(view_, 1);
     compute_all_ = new QCheckBox(tr("Compute everything"), this);
     compute_all_->setObjectName(QStringLiteral("compute-all"));
@@ -145,6 +153,11 @@ void InspectorPanel::set_pins(const std::vector<QPoint>& pins) {
 
 void InspectorPanel::set_compute_all(bool on) {
     compute_all_->setChecked(on);
+}
+
+void InspectorPanel::set_surface(const QString& text) {
+    surface_->setText(text);
+    surface_->setVisible(!text.isEmpty());
 }
 
 void InspectorPanel::update_controls() {

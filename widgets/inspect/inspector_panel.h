@@ -26,6 +26,8 @@ class InspectorPanel : public QWidget {
     void set_pins(const std::vector<QPoint>& pins);
     /// Shows whether all buffers are computed, also those nobody looks at; emits nothing.
     void set_compute_all(bool on);
+    /// What a picked pixel shows, in a sentence; empty: nobody knows.
+    void set_surface(const QString& text);
     InspectorModel& model() { return *model_; }
     QTreeView& view() { return *view_; }
     /// What Copy puts on the clipboard.
@@ -75,7 +77,7 @@ class InspectorPanel : public QWidget {
     QLineEdit* search_ = nullptr;
     QToolButton *pin_ = nullptr, *explain_ = nullptr, *clear_ = nullptr;
     QCheckBox* compute_all_ = nullptr;
-    QLabel* missing_ = nullptr;
+    QLabel *missing_ = nullptr, *surface_ = nullptr;
     QHash<QString, bool> open_;  ///< what a person folded or unfolded
     std::vector<bool> sized_;    ///< columns that have their first width
     QString current_;

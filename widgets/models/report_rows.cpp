@@ -96,8 +96,7 @@ std::size_t add_nodes(const SceneListing& scene, int parent, std::vector<Row>& r
         Row row{"node:" + std::to_string(i), {}};
         row.folded = true;
         const std::size_t triangles = node.triangles + add_nodes(scene, i, row.children);
-        const QString name = node.name.empty() ? report_text("node %1").arg(i) : text_of(node.name);
-        row.cells = {{name}, number_cell(QString::number(triangles))};
+        row.cells = {{node_name(node.name, i)}, number_cell(QString::number(triangles))};
         sum += triangles;
         rows.push_back(std::move(row));
     }
@@ -248,6 +247,10 @@ std::vector<Row> counter_rows(const FrameReport& report) {
 
 QStringList scene_headings() {
     return {report_text("Scene"), report_text("Triangles")};
+}
+
+QString node_name(const std::string& name, int node) {
+    return name.empty() ? report_text("node %1").arg(node) : text_of(name);
 }
 
 std::vector<Row> scene_rows(const SceneListing& scene) {

@@ -48,6 +48,8 @@ struct SceneListing {
     std::string extent;  ///< "5.4 × 5.5 × 5.6 m"
     std::string used_camera;
 };
+/// Of a node, which need not have a name: "node 3".
+QString node_name(const std::string& name, int node);
 /// Columns: name, triangles. Cameras have keys "camera:NAME", groups "group:cameras" and so on.
 QStringList scene_headings();
 std::vector<Row> scene_rows(const SceneListing& scene);

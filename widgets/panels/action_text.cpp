@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <QToolButton>
 
 namespace ir::widgets {
 namespace {
@@ -14,7 +15,21 @@ const QMenu* menu_of(const QAction& action) {
     return nullptr;
 }
 
+constexpr const char* action_property = "panel-action";
+
 }  // namespace
+
+void mark_as_action(QToolButton& button) {
+    button.setProperty(action_property, true);
+}
+
+QList<QToolButton*> actions_in(const QWidget& panel) {
+    auto buttons = panel.findChildren<QToolButton*>();
+    buttons.removeIf([&](const auto* button) {
+        return !button->property(action_property).toBool() || !button->isVisibleTo(&panel);
+    });
+    return buttons;
+}
 
 QString plain_text(QString text) {
     // "&&" is a real ampersand, a single one marks the letter.

@@ -11,6 +11,7 @@
 #include <QStringList>
 #include <QToolButton>
 
+#include "widgets/panels/action_text.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
@@ -38,6 +39,7 @@ QToolButton* add_button(QBoxLayout* row, const char* name, const char* drawing, 
     button->setToolButtonStyle(drawing ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonTextOnly);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::StrongFocus);
+    mark_as_action(*button);
     row->addWidget(button);
     return button;
 }

@@ -42,13 +42,13 @@ std::vector<std::size_t> found(const QString& query, const std::vector<Findable>
     return order;
 }
 
-FinderDialog::FinderDialog(std::vector<Findable> all, QWidget* parent)
+FinderDialog::FinderDialog(std::vector<Findable> all, const QString& what, QWidget* parent)
     : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint), all_(std::move(all)) {
     setWindowTitle(tr("Find"));
     setObjectName(QStringLiteral("finder"));
     auto* layout = new QVBoxLayout(this);
     line_ = new QLineEdit(this);
-    line_->setPlaceholderText(tr("Find a buffer, a parameter, an action, a sample …"));
+    line_->setPlaceholderText(what);
     line_->setAccessibleName(tr("Words to find"));
     line_->installEventFilter(this);
     list_ = new QTreeWidget(this);

@@ -34,7 +34,8 @@ std::vector<std::size_t> found(const QString& query, const std::vector<Findable>
 class FinderDialog : public QDialog {
     Q_OBJECT
   public:
-    FinderDialog(std::vector<Findable> all, QWidget* parent);
+    /// `what` stands in the empty line: "Find a buffer …".
+    FinderDialog(std::vector<Findable> all, const QString& what, QWidget* parent);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

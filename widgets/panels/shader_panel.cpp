@@ -63,16 +63,19 @@ QString html_of(const ShaderPanel::Changes& changes, const ThemeColours& colours
                              .arg(escaped(changes.experiment.toStdString())));
     if (!changes.on_host.isEmpty())
         html += QStringLiteral("<p style='margin:2px 0; color:%1'>%2</p>")
-                    .arg(colours.warning.name(),
-                         ShaderPanel::tr(
-                             "These passes run on the host, which uses no shaders: %1. Choose the OpenGL "
-                             "device in the preferences to see what changes there.")
-                             .arg(changes.on_host.toHtmlEscaped()));
+                    .arg(colours.warning.name(), host_passes_html(changes.on_host));
     for (const auto& file : changes.files) html += html_of(file, colours);
     return html;
 }
 
 }  // namespace
+
+QString host_passes_html(const QString& passes) {
+    return ShaderPanel::tr("These passes run on the host, where shaders change, print and draw nothing: %1. ")
+               .arg(passes.toHtmlEscaped()) +
+           QStringLiteral("<a href='#%1'>%2</a>")
+               .arg(QLatin1String(use_opengl_link), ShaderPanel::tr("Run them on OpenGL"));
+}
 
 ShaderPanel::ShaderPanel(const QString& folder, QWidget* parent)
     : QWidget(parent), title_(new QLabel), list_(new QTextBrowser) {
@@ -107,6 +110,7 @@ ShaderPanel::ShaderPanel(const QString& folder, QWidget* parent)
 }
 
 void ShaderPanel::follow_link(const QString& link) {
+    if (link == QLatin1String(use_opengl_link)) return emit opengl_wanted();
     if (link.startsWith(QLatin1String(edit_link))) return emit edit_wanted(link.mid(int(qstrlen(edit_link))));
     if (link.startsWith(QLatin1String(remove_link)))
         return emit removal_wanted(link.mid(int(qstrlen(remove_link))));

@@ -10,6 +10,10 @@ class QTextBrowser;
 
 namespace ir::widgets {
 
+/// Says that shaders do nothing in these passes (between commas), with a link that mends it.
+QString host_passes_html(const QString& passes);
+inline constexpr const char* use_opengl_link = "use-opengl";
+
 /// What is wrong in shaders: file, line, the compiler's words and the line itself; and what an experiment
 /// changes in them.
 class ShaderPanel : public QWidget {
@@ -38,6 +42,7 @@ class ShaderPanel : public QWidget {
     void copy_wanted();  ///< of a shader that is still to be chosen
     void edit_wanted(const QString& file);
     void removal_wanted(const QString& file);  ///< of its change
+    void opengl_wanted();                      ///< in place of the host
 
   private:
     void show_all();

@@ -50,6 +50,10 @@ constexpr Drawing drawings[] = {
     {"copy", "<path d='M5 5h8.5v9.5H5z M11 5V1.5H2.5V11H5'/>"},
     {"clear", "<path d='M3 4h10 M6 4V2h4v2 M4.5 4l.6 10h5.8l.6-10'/>"},
     {"add", "<path d='M8 3v10 M3 8h10'/>"},
+    {"parameter",
+     "<path d='M2 4.5h2.2 M7.8 4.5H14 M2 11.5h6.2 M11.8 11.5H14'/><circle cx='6' cy='4.5' r='1.8'/><circle "
+     "cx='10' cy='11.5' r='1.8'/>"},
+    {"action", "<path d='M9 1.5L3.5 9H8l-1 5.5L12.5 7H8z'/>"},
     {"dice",
      "<rect x='2' y='2' width='12' height='12' rx='2'/><circle cx='5.5' cy='5.5' r='.6'/><circle cx='8' "
      "cy='8' r='.6'/><circle cx='10.5' cy='10.5' r='.6'/>"},

@@ -1,6 +1,7 @@
 #include "renderers/scene/gltf/scene_parts.h"
 
 #include <algorithm>
+#include <set>
 
 #include "renderers/scene/gltf/textures.h"
 
@@ -127,12 +128,26 @@ class MaterialReader {
     TextureTable& textures_;
 };
 
+/// A change of a material in a project needs a name. Equal names stay: such materials change together.
+void name_unnamed(std::vector<Material>& materials) {
+    std::set<std::string> taken;
+    for (const auto& material : materials) taken.insert(material.name);
+    std::size_t number = 0;
+    for (auto& material : materials) {
+        if (!material.name.empty()) continue;
+        do {
+            material.name = "material " + std::to_string(++number);
+        } while (taken.count(material.name) != 0);
+    }
+}
+
 }  // namespace
 
 int load_materials(Document& document, Scene& scene, bool needs_default) {
     TextureTable textures(document);
     MaterialReader reader(document, textures);
     for (const auto& source : document.model.materials) scene.materials.push_back(reader.read(source));
+    name_unnamed(scene.materials);
     scene.material_count = scene.materials.size();
     scene.textures = textures.decode();
     if (!needs_default && !scene.materials.empty()) return 0;

@@ -312,6 +312,7 @@ class FakeRenderer final : public Renderer {
         PassReport pass;
         pass.name = "paint";
         pass.queue = "cpu";
+        pass.has_two_bodies = has_two_bodies;
         pass.cpu_ms = 1.5;
         pass.writes = overwrites ? std::vector<std::string>{"picture", "depth"} : std::vector<std::string>{};
         pass.shaders = {"lib/random.glsl"};
@@ -430,9 +431,10 @@ class FakeRenderer final : public Renderer {
     engine::MachineSettings machine;
     bool hold = false, hold_views = false;
     bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
-    bool overwrites = false;    ///< a second pass does so with what the first has painted, half as bright
-    bool halves_rough = false;  ///< the first stage has half the size
-    bool can_print = false;     ///< shaders print two numbers of the picked pixel
+    bool overwrites = false;      ///< a second pass does so with what the first has painted, half as bright
+    bool halves_rough = false;    ///< the first stage has half the size
+    bool can_print = false;       ///< shaders print two numbers of the picked pixel
+    bool has_two_bodies = false;  ///< the pass, which runs on the host
     std::map<std::string, std::vector<UsedLight>> lights;  ///< by tag: what pictures tell of their sources
     std::vector<LightSource> scene_sources{{LightKind::environment, "the environment"}};
     std::string failure;  ///< of every request from now on

@@ -102,6 +102,69 @@ TEST_F(FinderTest, LooksAtExperimentsAndThroughCameras) {
     EXPECT_TRUE(window.docks().is_seen("project"));
 }
 
+TEST_F(FinderTest, LooksThroughTheCamerasOfTheScenesFile) {
+    open_scene();
+    const auto before = steps();
+    find("side camera");
+    EXPECT_EQ(first(0), "Camera");
+    EXPECT_EQ(first(), "side");
+    EXPECT_EQ(first(2), "the scene's file");
+    enter();
+    const auto& cameras = window.session().document().cameras;
+    const auto* used = projects::find_item(cameras, window.session().experiment()->camera);
+    ASSERT_TRUE(used);
+    EXPECT_EQ(used->scene_camera, "side");
+    EXPECT_EQ(steps(), before + 1);
+    find("side camera");
+    int found = 0;
+    for (int i = 0; i < list().topLevelItemCount(); ++i)
+        if (list().topLevelItem(i)->text(0) == "Camera" && list().topLevelItem(i)->text(1) == "side") ++found;
+    EXPECT_EQ(found, 1) << "the project's stands for it";
+    EXPECT_NE(first(2), "the scene's file");
+    escape();
+}
+
+TEST_F(FinderTest, DoesWhatPanelsDo) {
+    find("new sweep");
+    EXPECT_NE(first(), "New sweep") << "there is no project";
+    escape();
+    open_scene();
+    find("new sweep");
+    EXPECT_EQ(first(), "New sweep");
+    EXPECT_EQ(first(2), "Sweeps");
+    enter();
+    EXPECT_EQ(window.session().document().sweeps.size(), 1u);
+    EXPECT_TRUE(window.docks().is_seen("sweeps"));
+    find("new analysis sensitivity");
+    EXPECT_EQ(first(), "New analysis: Sensitivity") << first();
+    enter();
+    ASSERT_EQ(window.session().document().analyses.size(), 1u);
+    EXPECT_TRUE(window.docks().is_seen("analyses"));
+    for (const char* panel : {"Sweeps", "Analyses", "Benchmarks"}) {
+        find((std::string("run ") + panel).c_str());
+        EXPECT_EQ(first(), "Run") << panel;
+        EXPECT_EQ(list().topLevelItem(0)->toolTip(1).isEmpty(), false);
+        escape();
+    }
+}
+
+TEST_F(FinderTest, EverythingHasAnIcon) {
+    open_scene();
+    QPixmap empty(16, 16);
+    empty.fill(Qt::transparent);
+    for (const char* words :
+         {"parameter", "action", "sample", "manual", "buffer", "scene", "experiment", "camera"}) {
+        find(words);
+        ASSERT_GT(list().topLevelItemCount(), 0) << words;
+        for (int i = 0; i < list().topLevelItemCount(); ++i)
+            EXPECT_NE(list().topLevelItem(i)->icon(0).pixmap(16, 16).toImage().convertToFormat(
+                          QImage::Format_ARGB32),
+                      empty.toImage().convertToFormat(QImage::Format_ARGB32))
+                << words << ": " << list().topLevelItem(i)->text(1).toStdString();
+        escape();
+    }
+}
+
 TEST_F(FinderTest, CarriesActionsOutAndShowsTheirKeys) {
     find("full screen");
     EXPECT_EQ(first(), "Full screen");

@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTextBrowser>
 #include <algorithm>
@@ -111,6 +112,7 @@ class EditedCopyTest : public ShadersWindowTest {
             return dialog && dialog->isVisible();
         }));
         auto* line = dialog->findChild<QLineEdit*>();
+        EXPECT_EQ(line->placeholderText(), "Find a shader file …");
         QTest::keyClicks(line, "random.glsl");
         QTest::keyClick(line, Qt::Key_Return);
     }
@@ -148,6 +150,38 @@ TEST_F(EditedCopyTest, WhatIsSavedIsTheExperimentsAloneAndCanBeUndone) {
     QTest::keyClick(&list, Qt::Key_Return);
     EXPECT_TRUE(shaders().empty());
     EXPECT_EQ(window.session().document().experiments[0].shaders.size(), 1u);
+}
+
+TEST_F(EditedCopyTest, PassesOnTheHostLeadToOpenGL) {
+    auto* on_host = window.inspector().explain_panel().findChild<QLabel*>("on-host");
+    renderer.has_two_bodies = true;
+    window.live().render_again();
+    window.inspector().explain({20, 10});
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(on_host->isHidden()) << "nothing is changed";
+    edit_copy();
+    ASSERT_TRUE(has_change());
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(on_host->isHidden());
+    EXPECT_TRUE(on_host->text().contains("nothing: paint. ")) << on_host->text().toStdString();
+    EXPECT_TRUE(text().contains("nothing: paint. Run them on OpenGL")) << text().toStdString();
+    const auto before = renderer.machine.processor;
+    EXPECT_NE(renderer.machine.chosen_processor(), Processor::gl);
+    auto& list = dock().panel().list();
+    list.setFocus();
+    QTest::keyClick(&list, Qt::Key_Tab);
+    QTest::keyClick(&list, Qt::Key_Return);
+    EXPECT_EQ(renderer.machine.chosen_processor(), Processor::gl);
+    EXPECT_TRUE(window.banners().text("processor").contains("OpenGL"));
+    QPushButton* back = nullptr;
+    for (auto* button : window.banners().findChildren<QPushButton*>())
+        if (button->text() == "Take it back") back = button;
+    ASSERT_TRUE(back);
+    back->click();
+    EXPECT_EQ(renderer.machine.processor, before);
+    EXPECT_FALSE(window.banners().names().contains("processor"));
+    emit on_host->linkActivated("#use-opengl");
+    EXPECT_EQ(renderer.machine.chosen_processor(), Processor::gl);
 }
 
 TEST_F(EditedCopyTest, AFileThatAnEditorReplacesIsFollowed) {

@@ -178,6 +178,43 @@ TEST_F(RenderThreadTest, ASurfaceIsFoundWhereThePictureShowsIt) {
     FAIL() << "no positions";
 }
 
+/// Of two files; the second stands in the first, a room, twice as an instance of one mesh.
+TEST_F(RenderThreadTest, ASurfaceTellsItsMaterialItsObjectAndItsFile) {
+    const test::TemporaryFolder folder;
+    test::GltfBuilder builder;
+    builder.append("materials", {{"name", "paint"}});
+    builder.append("materials", nlohmann::json::object());
+    const int positions = builder.floats({-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1}, "VEC3");
+    const int indices = builder.accessor(builder.view(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}),
+                                         test::type_ushort, "SCALAR", 6);
+    builder.draw({{"POSITION", positions}}, indices, 4, {{"name", "left"}, {"translation", {-10, 0, 0}}});
+    builder.json["meshes"][0]["primitives"][0]["material"] = 1;
+    builder.add_node({{"mesh", 0}, {"translation", {10, 0, 0}}});
+    const auto file = test::write_file(folder, "tiles.gltf", builder.embedded_text());
+
+    auto request = request_of("a", "view-normals");
+    glm::mat4 small(0.01f);
+    small[3] = {0, 0.4f, -0.28f, 1};
+    request.experiment.parts = {scene::Part{"builtin:cornell"}, scene::Part{file, small}};
+    render(request);
+    const glm::dvec3 down(0, -1, 0);
+    thread->find_surface({"a", {-0.101, 0.45, -0.28}, down, "left"});
+    thread->find_surface({"a", {0.101, 0.45, -0.28}, down, "right"});
+    thread->find_surface({"a", {0.2, 0.45, -0.02}, down, "floor"});
+    ASSERT_TRUE(wait([](const Answers& a) { return a.surfaces.size() == 3; }));
+    const auto room = scene::load_scene("builtin:cornell");
+    for (const auto& each : answers().surfaces) {
+        ASSERT_TRUE(each.point) << each.asker;
+        const bool is_room = each.asker == "floor";
+        EXPECT_EQ(each.point->part, is_room ? 0 : 1);
+        EXPECT_EQ(each.point->material, is_room ? "white" : "material 1") << "the file gives it no name";
+        if (is_room) continue;
+        EXPECT_EQ(each.point->object, each.asker == "left" ? "left" : "");
+        const int first = int(room.nodes.size()) + 2;  // below one node for each file
+        EXPECT_EQ(each.point->node, each.asker == "left" ? first : first + 1);
+    }
+}
+
 /// Opacity, of which a picture has none, is left out; what the description tells of the fourth channel is
 /// not.
 TEST_F(RenderThreadTest, PicturesHaveNoAlphaAndKeepTheirFourthNumber) {

@@ -77,6 +77,17 @@ TEST(GltfMaterials, PrimitivesWithoutOneGetADefaultThatIsNotCounted) {
     EXPECT_EQ(scene.materials[1].base_colour, glm::vec4(1));
 }
 
+TEST(GltfMaterials, UnnamedOnesGetNamesOfTheirOwn) {
+    GltfBuilder builder;
+    for (const char* name : {"", "material 2", "", "wood", "wood"})
+        builder.append("materials", *name ? Json{{"name", name}} : Json::object());
+    builder.draw({{"POSITION", builder.triangle_positions()}});
+    std::vector<std::string> names;
+    for (const auto& material : load(builder).materials) names.push_back(material.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"material 1", "material 2", "material 3", "wood", "wood",
+                                               "default"}));
+}
+
 TEST(GltfMaterials, ReadsTexturesWithTransformsAndSamplers) {
     auto builder = with_material(
         {{"pbrMetallicRoughness",

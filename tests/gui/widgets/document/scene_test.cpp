@@ -114,6 +114,35 @@ TEST_F(SceneTest, MaterialsAreChangedByName) {
     EXPECT_EQ(project, sample_project());
 }
 
+TEST_F(SceneTest, WhatIsPickedInAViewIsShown) {
+    editor->set_scene_facts({"yard", {}, {{{"stone", {}}, {"brick", {}}}, {{"bronze", {}}, {"gold", {}}}}});
+    QSignalSpy wanted(editor, &ItemEditor::pick_wanted);
+    for (const char* button : {"pick-part", "pick-material"}) {
+        click(button);
+        ASSERT_EQ(wanted.size(), 1) << button;
+        EXPECT_TRUE(wanted.takeFirst().at(0).toBool());
+        editor->set_picking(true, "");
+        EXPECT_TRUE(field<QToolButton>("pick-part")->isChecked());
+        EXPECT_TRUE(field<QToolButton>("pick-material")->isChecked()) << "the same click is waited for";
+        click(button);
+        EXPECT_FALSE(wanted.takeFirst().at(0).toBool());
+        editor->set_picking(false, "");
+    }
+    editor->show_surface({ItemKind::part, "yard", 1}, "gold");
+    EXPECT_EQ(field<QComboBox>("material")->currentText(), "gold");
+    EXPECT_TRUE(field<QComboBox>("material")->hasFocus());
+    editor->show_surface({ItemKind::part, "yard", 0}, "brick");
+    EXPECT_EQ(field<QLineEdit>("source")->text(), "scenes/yard.gltf");
+    EXPECT_EQ(field<QComboBox>("material")->currentText(), "brick");
+    editor->show_surface({ItemKind::part, "atrium", 0}, "");
+    EXPECT_EQ(field<QLineEdit>("source")->text(), "builtin:atrium@1");
+    EXPECT_TRUE(field<QWidget>("translation")->isAncestorOf(QApplication::focusWidget()));
+    editor->set_picking(false, "There is no picture.");
+    EXPECT_FALSE(field<QToolButton>("pick-part")->isEnabled());
+    EXPECT_TRUE(field<QToolButton>("pick-part")->toolTip().contains("There is no picture."));
+    EXPECT_EQ(steps(), 0u) << "looking changes nothing";
+}
+
 TEST_F(SceneTest, EveryFieldOfAnOverrideCanBeSet) {
     editor->set_scene_facts({"yard", {}, {{}, {{"bronze", {}}}}});
     for (const char* name :
