@@ -1,11 +1,16 @@
 #include <QDockWidget>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <algorithm>
 #include <future>
+#include <utility>
 
+#include "app/gui/dialog_folder.h"
 #include "renderers/core/error.h"
 #include "renderers/image/exr.h"
 #include "tests/fake_tev.h"
@@ -268,6 +273,25 @@ TEST_F(InspectWindowTest, ExportsThatDoNotFitOnTheDiskAreRefused) {
     window.views().show_output("numbers");
     ASSERT_TRUE(settle());
     EXPECT_EQ(refused(&Exports::save_values), "");
+}
+
+TEST_F(InspectWindowTest, AFileThatTheRendererCannotWriteIsNotSaidToBeThere) {
+    const QTemporaryDir folder;
+    remember_export(folder.filePath("any"));
+    renderer.export_error = "out of beads";
+    bool is_entered = false;
+    QTimer hand;  // the dialog has an event loop of its own
+    QObject::connect(&hand, &QTimer::timeout, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog || std::exchange(is_entered, true)) return;
+        QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+    });
+    hand.start(1);
+    trigger("export-all");
+    ASSERT_TRUE(is_entered);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window.banners().text("file").contains("out of beads"); }, 60000));
+    for (const auto* label : window.findChildren<QLabel*>()) EXPECT_FALSE(label->text().startsWith("Wrote"));
 }
 
 TEST_F(InspectWindowTest, AMessageLeadsToItsPlace) {
