@@ -54,7 +54,7 @@ class UnkeptFiles {
     }
     QString why_no_folder() const { return folder_.isValid() ? QString() : folder_.errorString(); }
     bool has(const std::string& file) const {
-        return text_of(file).startsWith(folder_.path() + QLatin1Char('/'));
+        return folder_.isValid() && text_of(file).startsWith(folder_.path() + QLatin1Char('/'));
     }
     /// Where a picture is to be written; the same is asked for once: then nothing.
     QString begin(const std::string& experiment) {
