@@ -37,7 +37,7 @@ ExportController::ExportController(QWidget& window, Session& session, Renderer& 
     connect(&workspace, &Workspace::export_values_wanted, actions.find("export-values"), &QAction::trigger);
     connect(&renderer, &Renderer::exported, this,
             [this](const std::string&, const std::string& file, const std::string& error) {
-                if (!asked_.remove(text_of(file))) return;  // somebody else has asked for it
+                if (!asked_.removeOne(text_of(file))) return;  // somebody else has asked for it
                 if (error.empty()) return notices_.say(tr("Wrote %1").arg(text_of(file)));
                 notices_.fail(QStringLiteral("file"), "export", text_of(error));
             });
@@ -77,8 +77,10 @@ void ExportController::copy_view() {
 void ExportController::export_to(const QString& suffix, const QString& filter, Save save) {
     const auto file = ask_for_export(&window_, tr("Export"), exports_.title(), filter, {suffix});
     if (file.isEmpty()) return;
-    if (save == &Exports::save_all_buffers) asked_.insert(file);
-    if (notices_.attempt([&] { (exports_.*save)(file); }, tr("Cannot export")))
+    if (!notices_.attempt([&] { (exports_.*save)(file); }, tr("Cannot export"))) return;
+    if (save == &Exports::save_all_buffers)
+        asked_.append(file);  // the renderer says when it is there
+    else
         notices_.say(tr("Wrote %1").arg(file));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QObject>
-#include <QSet>
+#include <QStringList>
 #include <thread>
 
 #include "app/gui/actions.h"
@@ -29,7 +29,7 @@ class ExportController : public QObject {
     QWidget& window_;
     const Exports& exports_;
     Notices& notices_;
-    QSet<QString> asked_;  ///< files that the renderer is to write
+    QStringList asked_;  ///< files that the renderer is to write
     std::thread tev_;
     bool is_sending_ = false;
 };

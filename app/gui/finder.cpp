@@ -131,10 +131,13 @@ void Finder::add_panels(std::vector<Findable>& all) {
                          bool can_do, std::function<void()> run) {
         Findable found{tr("Action"), name, dock.windowTitle(), also};
         found.icon = icon.isNull() ? widgets::icon("action") : icon;
-        if (!can_do) found.why_not = tr("cannot be done now");
-        found.go = [this, panel = dock.objectName(), run = std::move(run)] {
+        // What is not seen is not kept up to date: it is asked once it is.
+        const bool is_seen = docks_.is_seen(dock.objectName());
+        if (is_seen && !can_do) found.why_not = tr("cannot be done now");
+        found.go = [this, panel = dock.objectName(), is_seen, run = std::move(run)] {
+            if (is_seen) return run();
+            connect(&docks_, &DockLayout::seen_changed, this, run, Qt::SingleShotConnection);
             docks_.raise(panel);
-            run();
         };
         all.push_back(std::move(found));
     };
@@ -142,10 +145,14 @@ void Finder::add_panels(std::vector<Findable>& all) {
         if (!dock->widget()) continue;
         for (auto* button : widgets::actions_in(*dock->widget())) {
             const auto* menu = button->menu();
-            if (!menu)
+            if (!menu || menu->isEmpty())
                 add(*dock, button->text(), button->icon(), button->toolTip(), button->isEnabled(),
                     [button = QPointer(button)] {
-                        if (button) button->click();
+                        if (!button || !button->isEnabled()) return;
+                        if (auto* filled = button->menu())
+                            filled->popup(button->mapToGlobal(button->rect().bottomLeft()));
+                        else
+                            button->click();
                     });
             else
                 for (auto* action : menu->actions())

@@ -54,7 +54,7 @@ class UnkeptFiles {
     }
     QString why_no_folder() const { return folder_.isValid() ? QString() : folder_.errorString(); }
     bool has(const std::string& file) const {
-        return text_of(file).startsWith(folder_.path() + QLatin1Char('/'));
+        return folder_.isValid() && text_of(file).startsWith(folder_.path() + QLatin1Char('/'));
     }
     /// Where a picture is to be written; the same is asked for once: then nothing.
     QString begin(const std::string& experiment) {
@@ -227,7 +227,13 @@ QString ReportController::why_no_picture(const std::string& id) const {
     if (state == State::absent) return tr("it is not shown any more");
     if (state == State::failed || state == State::blocked) return text_of(live_.text(id));
     if (state == State::cancelled) return tr("it was cancelled before it was finished");
+    return why_not_its_own(id);
+}
+
+QString ReportController::why_not_its_own(const std::string& id) const {
     if (live_.moment() && live_.is_moving(id)) return tr("the timeline shows another time than its own");
+    if (session_.camera().moved_pose(id))
+        return tr("its camera was moved, and the project does not have that");
     return {};
 }
 
@@ -251,6 +257,8 @@ void ReportController::take(const std::string& id, const std::string& file, cons
                              projects::picture_inputs(unkept_->project(), *asked, session_.registry());
     if (!error.empty()) return unkept_->answer(id, {{}, error});
     if (!is_same) return unkept_->answer(id, {{}, tr("it was changed meanwhile").toStdString()});
+    if (const auto why_not = why_not_its_own(id); !why_not.isEmpty())
+        return unkept_->answer(id, {{}, why_not.toStdString()});
     unkept_->answer(id, {file, {}});
 }
 

@@ -55,6 +55,8 @@ class ReportController : public QObject {
     void take(const std::string& experiment, const std::string& file, const std::string& error);
     /// Why the report will have no picture of an experiment that is shown; empty: it will have one.
     QString why_no_picture(const std::string& experiment) const;
+    /// Why what is shown is not what the document asks for; empty: it is.
+    QString why_not_its_own(const std::string& experiment) const;
 
     QWidget& window_;
     Session& session_;

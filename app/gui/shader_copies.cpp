@@ -48,6 +48,9 @@ projects::EditPtr own_change(const projects::Project& project, const std::string
     auto change = projects::edits::set_shader(project, experiment, file, hunks);
     if (project.shaders_allowed || hunks.empty()) return change;
     if (do_shaders_wait(project)) throw UsageError(first_allow().toStdString());
+    // Those of others were allowed for this run alone.
+    if (std::ranges::any_of(project.experiments, [](const auto& each) { return !each.shaders.empty(); }))
+        return change;
     std::vector<projects::EditPtr> both;
     both.push_back(projects::edits::set_shaders_allowed(project, true));
     auto label = change->label();

@@ -138,6 +138,7 @@ class ProjectReport {
         for (const auto& comparison : project_.comparisons) {
             if (comparison.output.empty() || (comparison_ && comparison_ != &comparison)) continue;
             const auto* experiment = projects::find_item(project_.experiments, comparison.a);
+            if (!experiment) experiment = projects::find_item(project_.experiments, comparison.b);
             const auto* method = experiment ? engine::registry().find(experiment->method) : nullptr;
             if (!method) continue;
             const auto* main = main_output(*method, projects::runnable_settings(*experiment, *method));
@@ -169,7 +170,8 @@ class ProjectReport {
             unkept_.push_back(name_of(experiment));
         } else if (const auto changed = changes_of(experiment, *kept); !changed.empty()) {
             found.picture.warning = "stale: " + changed;
-            lack(name_of(experiment) + " is stale, its picture is of before: " + changed + ".");
+            lack(name_of(experiment) + " is stale, its picture is of before: " + changed +
+                 (unkept.problem.empty() ? "" : "; none newer is shown: " + unkept.problem) + ".");
         }
         pictures_.push_back(std::move(found));
     }

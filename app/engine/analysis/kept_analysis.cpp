@@ -179,7 +179,8 @@ void write_analysis(const projects::Project& project, const projects::Analysis& 
     if (!result.valid.empty()) add(valid_layer, result.valid);
     auto& files = real_file_system();
     files.create_directories(out);
-    if (!layers.empty()) write_exr(files, out / projects::analysis_pictures, layers, {});
+    const auto pictures = out / projects::analysis_pictures;
+    layers.empty() ? files.remove(pictures) : write_exr(files, pictures, layers, {});
     write_atomically(files, out / projects::analysis_file, projects::pretty_json(json));
 }
 

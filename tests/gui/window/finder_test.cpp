@@ -135,6 +135,12 @@ TEST_F(FinderTest, DoesWhatPanelsDo) {
     enter();
     EXPECT_EQ(window.session().document().sweeps.size(), 1u);
     EXPECT_TRUE(window.docks().is_seen("sweeps"));
+    find("new analysis");
+    EXPECT_EQ(first(), "New analysis") << "it was not seen yet, and has no menu";
+    QTest::keyClick(box()->findChild<QLineEdit*>(), Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 60000));
+    QApplication::activePopupWidget()->close();
+    give_back();
     find("new analysis sensitivity");
     EXPECT_EQ(first(), "New analysis: Sensitivity") << first();
     enter();

@@ -145,6 +145,20 @@ TEST_F(ReportTest, WaitingIsCancelled) {
     EXPECT_TRUE(renderer.exports.empty());
 }
 
+TEST_F(ReportTest, HasNoPictureOfACameraThatTheProjectDoesNotHave) {
+    save();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().camera().pose().has_value(); }, 60000));
+    auto pose = *window.session().camera().pose();
+    pose.eye += glm::dvec3(0, 1, 0);
+    window.session().camera().move(window.session().experiment()->id, pose);
+    ASSERT_TRUE(settle());
+    reports().write_to(path("r.html"));
+    ASSERT_TRUE(wait());
+    const WrittenReport report(path("r.html"));
+    EXPECT_TRUE(report.pictures().empty());
+    EXPECT_TRUE(report.text().contains("none is shown: its camera was moved"));
+}
+
 TEST_F(ReportTest, SaysWhyAPictureIsNotThere) {
     save();
     renderer.export_error = "out of beads";

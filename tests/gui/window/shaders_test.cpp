@@ -15,6 +15,7 @@
 #include "app/gui/status_line.h"
 #include "projects/store.h"
 #include "renderers/core/line_diff.h"
+#include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
 #include "widgets/panels/finder_dialog.h"
 
@@ -178,6 +179,7 @@ TEST_F(EditedCopyTest, PassesOnTheHostLeadToOpenGL) {
         if (button->text() == "Take it back") back = button;
     ASSERT_TRUE(back);
     back->click();
+    test::handle_events();
     EXPECT_EQ(renderer.machine.processor, before);
     EXPECT_FALSE(window.banners().names().contains("processor"));
     emit on_host->linkActivated("#use-opengl");
