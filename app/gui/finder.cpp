@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QToolButton>
 #include <algorithm>
+#include <memory>
 
 #include "app/gui/text_of.h"
 #include "renderers/core/resources_path.h"
@@ -125,6 +126,16 @@ void Finder::add_cameras(std::vector<Findable>& all) {
     }
 }
 
+void Finder::run_once_seen(const QString& panel, const std::function<void()>& run) {
+    const auto waiting = std::make_shared<QMetaObject::Connection>();
+    *waiting = connect(&docks_, &DockLayout::seen_changed, this, [this, panel, run, waiting] {
+        if (!docks_.is_seen(panel)) return;
+        disconnect(*waiting);
+        run();
+    });
+    docks_.raise(panel);
+}
+
 /// What buttons of panels do, and what the menus of such buttons hold.
 void Finder::add_panels(std::vector<Findable>& all) {
     const auto add = [&](const QDockWidget& dock, const QString& name, const QIcon& icon, const QString& also,
@@ -135,9 +146,7 @@ void Finder::add_panels(std::vector<Findable>& all) {
         const bool is_seen = docks_.is_seen(dock.objectName());
         if (is_seen && !can_do) found.why_not = tr("cannot be done now");
         found.go = [this, panel = dock.objectName(), is_seen, run = std::move(run)] {
-            if (is_seen) return run();
-            connect(&docks_, &DockLayout::seen_changed, this, run, Qt::SingleShotConnection);
-            docks_.raise(panel);
+            is_seen ? run() : run_once_seen(panel, run);
         };
         all.push_back(std::move(found));
     };

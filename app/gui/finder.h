@@ -34,6 +34,7 @@ class Finder : public QObject {
     void add_parameters(std::vector<widgets::Findable>& all);
     void add_items(std::vector<widgets::Findable>& all);
     void add_cameras(std::vector<widgets::Findable>& all);
+    void run_once_seen(const QString& panel, const std::function<void()>& run);
     void add_panels(std::vector<widgets::Findable>& all);
     void add_actions(std::vector<widgets::Findable>& all);
     void add_samples(std::vector<widgets::Findable>& all);

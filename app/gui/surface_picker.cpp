@@ -131,7 +131,7 @@ void SurfacePicker::on_picked(QPoint pixel) {
 }
 
 void SurfacePicker::tell() {
-    if (inspector_.panel().isVisible() && picked_.x() >= 0) find(picked_, Purpose::tell);
+    if (docks_.is_seen("inspector") && picked_.x() >= 0) find(picked_, Purpose::tell);
 }
 
 /// Another picture of the same camera shows what was changed. What a moving camera sees is not asked for: in
@@ -140,7 +140,7 @@ void SurfacePicker::on_state(const std::string& experiment) {
     if (!found_ || pixel_->experiment != experiment || live_.state(experiment) != LivePictures::State::done)
         return;
     const auto before = std::exchange(pixel_, std::nullopt);
-    if (before == pixel_at(before->at) && inspector_.panel().isVisible()) {
+    if (before == pixel_at(before->at) && docks_.is_seen("inspector")) {
         find(before->at, Purpose::tell);
     } else {
         found_.reset();

@@ -226,6 +226,7 @@ class FakeRenderer final : public Renderer {
         auto result = std::make_shared<engine::LiveResult>();
         result->tag = request.tag;
         result->serial = serial;
+        if (request.experiment.camera) result->camera = *request.experiment.camera;
         result->frame = result->frames = request.experiment.frames;
         if (std::exchange(painted[request.tag], request.picture) != request.picture) ++runs;
         result->run = runs;

@@ -133,23 +133,16 @@ TEST_F(FinderTest, DoesWhatPanelsDo) {
     EXPECT_EQ(first(), "New sweep");
     EXPECT_EQ(first(2), "Sweeps");
     enter();
-    EXPECT_EQ(window.session().document().sweeps.size(), 1u);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window.session().document().sweeps.size() == 1; }, 60000));
     EXPECT_TRUE(window.docks().is_seen("sweeps"));
-    find("new analysis");
-    EXPECT_EQ(first(), "New analysis") << "it was not seen yet, and has no menu";
-    QTest::keyClick(box()->findChild<QLineEdit*>(), Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 60000));
-    QApplication::activePopupWidget()->close();
-    give_back();
     find("new analysis sensitivity");
     EXPECT_EQ(first(), "New analysis: Sensitivity") << first();
     enter();
-    ASSERT_EQ(window.session().document().analyses.size(), 1u);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.session().document().analyses.size() == 1; }, 60000));
     EXPECT_TRUE(window.docks().is_seen("analyses"));
     for (const char* panel : {"Sweeps", "Analyses", "Benchmarks"}) {
         find((std::string("run ") + panel).c_str());
         EXPECT_EQ(first(), "Run") << panel;
-        EXPECT_EQ(list().topLevelItem(0)->toolTip(1).isEmpty(), false);
         escape();
     }
 }

@@ -472,9 +472,12 @@ TEST_F(SurfaceWindowTest, WithoutASurfaceTheMenuSaysSo) {
 }
 
 TEST_F(SurfaceWindowTest, TheInspectorTellsMaterialAndObjectOfThePickedPixel) {
+    raise("buffers");
+    ASSERT_FALSE(window.docks().is_seen("inspector"));
     click({12, 7});
     test::handle_events();
-    EXPECT_TRUE(renderer.surfaces.empty()) << "nobody looks";
+    for (const auto& each : renderer.surfaces)
+        EXPECT_FALSE(each.asker.starts_with("picker ")) << each.asker << ", and nobody looks";
     raise("inspector");
     EXPECT_TRUE(QTest::qWaitFor([&] {
         return surface_text() == "Pixel 12, 7: material “oak & ash” of object “Chair”";
