@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "renderers/core/inspection.h"
-#include "widgets/panels/shader_panel.h"
+#include "widgets/models/host_passes.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/models/host_passes.h"
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
 
@@ -69,13 +70,6 @@ QString html_of(const ShaderPanel::Changes& changes, const ThemeColours& colours
 }
 
 }  // namespace
-
-QString host_passes_html(const QString& passes) {
-    return ShaderPanel::tr("These passes run on the host, where shaders change, print and draw nothing: %1. ")
-               .arg(passes.toHtmlEscaped()) +
-           QStringLiteral("<a href='#%1'>%2</a>")
-               .arg(QLatin1String(use_opengl_link), ShaderPanel::tr("Run them on OpenGL"));
-}
 
 ShaderPanel::ShaderPanel(const QString& folder, QWidget* parent)
     : QWidget(parent), title_(new QLabel), list_(new QTextBrowser) {

@@ -10,10 +10,6 @@ class QTextBrowser;
 
 namespace ir::widgets {
 
-/// Says that shaders do nothing in these passes (between commas), with a link that mends it.
-QString host_passes_html(const QString& passes);
-inline constexpr const char* use_opengl_link = "use-opengl";
-
 /// What is wrong in shaders: file, line, the compiler's words and the line itself; and what an experiment
 /// changes in them.
 class ShaderPanel : public QWidget {
