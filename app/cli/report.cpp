@@ -16,7 +16,9 @@
 #include "app/report/write_html.h"
 #include "projects/pack.h"
 #include "projects/results.h"
+#include "projects/text.h"
 #include "renderers/core/bytes_text.h"
+#include "renderers/core/words.h"
 
 namespace ir::cli {
 namespace {
@@ -84,8 +86,13 @@ class ReportCommand {
     report::Subject subject_in(const projects::Project& project) const {
         report::Subject subject{flags_.comparison, {}};
         if (flags_.comparison.empty() || find_item(project.comparisons, flags_.comparison)) return subject;
+        std::vector<std::string> ids;
         for (const auto& each : project.comparisons)
-            if (each.name == flags_.comparison) subject.comparison = each.id;
+            if (each.name == flags_.comparison) ids.push_back(each.id);
+        if (ids.size() > 1)
+            throw UsageError("--comparison: several are called '" +
+                             projects::printable(flags_.comparison, 60) + "'; give an id: " + listed(ids));
+        if (!ids.empty()) subject.comparison = ids.front();
         return subject;
     }
 

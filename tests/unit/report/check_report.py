@@ -10,6 +10,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -302,6 +303,16 @@ class Reports(unittest.TestCase):
         self.assertIn("did you mean 'c'", self.cli("report", self.project, "--comparison", "cc", status=2))
         self.assertIn("for projects", self.cli("report", self.kept("few"), self.kept("truth"), "--comparison", "c",
                                                status=2))
+
+    def test_a_name_that_two_comparisons_have_is_refused(self):
+        project = self.folder / "two.interreflect"
+        shutil.copytree(self.project, project)
+        document = json.loads((project / "project.json").read_text(encoding="utf-8"))
+        first = document["comparisons"][0]
+        document["comparisons"].append({**first, "id": "again"})
+        (project / "project.json").write_text(json.dumps(document), encoding="utf-8")
+        said = self.cli("report", project, "--comparison", first["name"], status=2)
+        self.assertIn("give an id: c, again", said)
 
     def test_a_comparison_renders_what_it_lacks_alone(self):
         project = self.folder / "other.interreflect"
