@@ -41,8 +41,7 @@ std::string why_not_machines(const std::vector<std::string>& names) {
                "; give gl and host, egl and osmesa, or none";
     for (const auto& name : names)
         if (!read_machine_name(name))
-            return "'" + printable(name, 60) +
-                   "' is no machine; give gl or host, egl or osmesa, or both with a plus";
+            return "'" + printable(name, 60) + "' is no machine; give " + machine_words;
     if (read_machine_name(names[0]) == read_machine_name(names[1]))
         return "compares '" + names[0] + "' with itself; name another machine";
     return {};

@@ -30,6 +30,8 @@ struct MachineName {
     std::string backend, processor;
     bool operator==(const MachineName&) const = default;
 };
+/// Which words a name may have, for help and messages.
+inline constexpr const char* machine_words = "gl or host, egl or osmesa, or both with a plus";
 /// Nothing for other words.
 std::optional<MachineName> read_machine_name(const std::string& text);
 /// Those that an analysis compares; where it names none, device and host.

@@ -191,8 +191,9 @@ void add_analyse(CLI::App& app, Run& run) {
     command
         ->add_option(
             "--parameter", flags->parameters,
-            "Key of a parameter that takes part in --kind; may be repeated (default: all). Of divergence "
-            "a machine: gl or host, egl or osmesa, or both with a plus (default: gl and host)")
+            std::string("Key of a parameter that takes part in --kind; may be repeated (default: all). Of "
+                        "divergence a machine: ") +
+                projects::machine_words + " (default: gl and host)")
         ->needs(kind);
     command->add_option("--out", flags->out,
                         "Folder for " + std::string(projects::analysis_file) + " and " +

@@ -117,8 +117,7 @@ void add_diverge(CLI::App& app, Run& run) {
     command->add_option("METHOD", flags->method, method_doc)->required();
     command->add_option("--scene", flags->scene, "A .gltf or .glb file, or builtin:NAME")
         ->capture_default_str();
-    command->add_option("--a", flags->a, "gl or host, egl or osmesa, or both with a plus")
-        ->capture_default_str();
+    command->add_option("--a", flags->a, projects::machine_words)->capture_default_str();
     command->add_option("--b", flags->b, "The other one")->capture_default_str();
     command
         ->add_option("--tolerance", flags->same.relative,

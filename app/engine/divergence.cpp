@@ -241,9 +241,7 @@ Divergence find_divergence(const Experiment& experiment, const MachineOptions& a
 
 MachineOptions machine_called(const std::string& name, MachineOptions options) {
     const auto read = projects::read_machine_name(name);
-    if (!read)
-        throw UsageError("'" + projects::printable(name, 60) +
-                         "': give gl or host, egl or osmesa, or both with a plus");
+    if (!read) throw UsageError("'" + projects::printable(name, 60) + "': give " + projects::machine_words);
     if (!read->backend.empty()) options.backend = read->backend;
     if (!read->processor.empty())
         options.processor = read->processor == "gl" ? Processor::gl : Processor::host;
@@ -253,8 +251,10 @@ MachineOptions machine_called(const std::string& name, MachineOptions options) {
 AnalysisResult divergence(AnalysisRun& run) {
     run.expect(2);
     const auto names = projects::machines_of(run.analysis());
-    const auto a = machine_called(names[0], run.machine().options());
-    const auto b = machine_called(names[1], run.machine().options());
+    // Where names tell drivers apart, both have one processor: else each would take its own.
+    auto asked = run.machine().options();
+    asked.processor = run.machine().processor();
+    const auto a = machine_called(names[0], asked), b = machine_called(names[1], asked);
     std::string what;
     auto options = run.frame_options([&] { return what; });
     const auto begun = [&](const std::string& name) {
