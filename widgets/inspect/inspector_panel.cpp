@@ -137,7 +137,10 @@ void InspectorPanel::make_view() {
     connect(view_, &QTreeView::expanded, this, [remember](const QModelIndex& at) { remember(at, true); });
     connect(view_, &QTreeView::collapsed, this, [remember](const QModelIndex& at) { remember(at, false); });
     connect(model_, &QAbstractItemModel::modelAboutToBeReset, this, &InspectorPanel::remember_place);
-    connect(filter_, &QAbstractItemModel::modelReset, this, &InspectorPanel::restore_all);
+    connect(filter_, &QAbstractItemModel::modelReset, this, [this] {
+        if (search_) filter_->set_text(search_->text());  // other buffers may fit with all letters
+        restore_all();
+    });
 }
 
 void InspectorPanel::set_readings(Readings readings) {
