@@ -180,7 +180,7 @@ void ItemEditor::show_surface(const ItemRef& part, const QString& material) {
     unfold_section_of(*control);
     auto* page = static_cast<QScrollArea*>(scene_->parentWidget()->parentWidget());
     page->widget()->layout()->activate();
-    page->ensureWidgetVisible(control);
+    page->ensureWidgetVisible(control, 0, page->viewport()->height() / 2);  // with the fields below it
     control->setFocus();
 }
 
