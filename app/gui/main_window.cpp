@@ -218,7 +218,8 @@ void MainWindow::make_menus() {
         tr("&Edit"),
         "undo redo find | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
         "scene-add image-add bookmark comparison-add | camera-key-add camera-key-set camera-key-remove "
-        "camera-key-previous camera-key-next | light-here light-camera headlight | edit-material edit-object | preferences")
+        "camera-key-previous camera-key-next | light-here light-camera headlight | edit-material edit-object | "
+        "preferences")
         ->setToolTipsVisible(true);
     auto* set_up = menuBar()->addMenu(tr("&Set up"));
     actions_.fill(set_up, "set-ups | set-up-occlusion set-up-light match set-up-space stages");

@@ -163,7 +163,7 @@ bool PicturePresenter::take_shared_change() {
 
 /// How a view's differences are shown where neither a person nor another view has a say; absent: it has none.
 std::optional<widgets::Display> PicturePresenter::own_difference(int view) const {
-    const auto* compare = compares_[std::size_t(view)];
+    const auto* compare = compare_views_[std::size_t(view)];
     if (!compare || views_.rules().content_of(views_.state(view)) != ViewPane::Content::picture) return {};
     return compare->own_difference_display();
 }
@@ -177,7 +177,7 @@ std::optional<widgets::Display> PicturePresenter::difference_display(int view) c
     if (!own || !views_.linked()) return {};
     auto common = *own;
     const auto meaning = [&](int each) {
-        const auto& compared = compares_[std::size_t(each)]->compared();
+        const auto& compared = compare_views_[std::size_t(each)]->compared();
         return std::tuple(compared.kind, compared.mode, compared.picture(0)->semantic,
                           compared.picture(0)->unit);
     };
@@ -199,7 +199,7 @@ void PicturePresenter::update_displays(int view, CompareView& compare) {
         displays.push_back(picture->is_preview ? widgets::Display()
                                                : display_of(rules.meaning_of(shown, source), view));
     }
-    compares_[std::size_t(view)] = &compare;
+    compare_views_[std::size_t(view)] = &compare;
     compare.set_displays(std::move(displays));
     compare.set_difference_display(difference_display(view));
 }

@@ -48,7 +48,7 @@ class PicturePresenter {
     Session& session_;
     ViewModel& views_;
     Shared shared_;
-    std::array<widgets::CompareView*, widgets::ViewArea::max_views> compares_{};
+    std::array<widgets::CompareView*, widgets::ViewArea::max_views> compare_views_{};
     widgets::ViewLink link_;  ///< of the pictures of all views: those of equal size move together
 };
 

@@ -229,7 +229,7 @@ void PreferencesController::follow(const widgets::ShaderPanel& shaders, const wi
 
 void PreferencesController::use_opengl(widgets::BannerStack& banners) {
     const std::string key = "processor";
-    const auto name = QStringLiteral("processor");
+    const auto name = text_of(key);
     const auto show = [&](const QString& text, const std::vector<widgets::BannerStack::Action>& actions) {
         banners.show_banner(name, widgets::BannerStack::Kind::note, text, actions);
     };

@@ -54,6 +54,7 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
     pane.header().set_thumbnails([this](const ViewSource& source) { return thumbnail(source); });
     connect(&pane.header(), &widgets::ViewHeader::state_chosen, this, [this, view](const ViewState& state) {
         area_->set_active(view);
+        // Another mode is one of all pictures, also where one of them is alone.
         const bool is_mode = state.mode != views_.state(view).mode;
         views_.set_state(view, is_mode ? alone_.in_mode(view, state.mode) : state);
     });

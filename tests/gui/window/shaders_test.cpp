@@ -117,6 +117,15 @@ class EditedCopyTest : public ShadersWindowTest {
         QTest::keyClicks(line, "random.glsl");
         QTest::keyClick(line, Qt::Key_Return);
     }
+    /// The project again, as one that somebody else has made.
+    void open_as_of_others() {
+        auto project = window.session().document();
+        project.shaders_allowed = false;
+        const auto place = std::filesystem::path(folder.path().toStdString()) / "a.interreflect";
+        projects::save_project(project, place, "");
+        window.session().files().close();
+        ASSERT_TRUE(window.open_path(QString::fromStdString(place.string())));
+    }
     const std::string file = "lib/random.glsl";
     void append(const std::string& words) { std::ofstream(copy().toStdString(), std::ios::app) << words; }
     int errors() { return window.messages().model().count(Severity::error); }
@@ -304,12 +313,7 @@ TEST_F(EditedCopyTest, ErrorsLeadToTheCopy) {
 TEST_F(EditedCopyTest, ShadersOfOthersWaitUntilTheyAreAllowed) {
     edit_copy();
     ASSERT_TRUE(has_change());
-    auto project = window.session().document();
-    project.shaders_allowed = false;
-    const auto place = std::filesystem::path(folder.path().toStdString()) / "a.interreflect";
-    projects::save_project(project, place, "");
-    window.session().files().close();
-    ASSERT_TRUE(window.open_path(QString::fromStdString(place.string())));
+    open_as_of_others();
     ASSERT_TRUE(settle());
     EXPECT_EQ(state(), LivePictures::State::blocked);
     EXPECT_TRUE(window.banners().text("shaders-of-others").contains("changes shaders"));
@@ -329,12 +333,7 @@ TEST_F(EditedCopyTest, ShadersOfOthersWaitUntilTheyAreAllowed) {
 }
 
 TEST_F(EditedCopyTest, OnesOwnChangeInAProjectOfOthersIsOneStep) {
-    auto project = window.session().document();
-    project.shaders_allowed = false;
-    const auto place = std::filesystem::path(folder.path().toStdString()) / "a.interreflect";
-    projects::save_project(project, place, "");
-    window.session().files().close();
-    ASSERT_TRUE(window.open_path(QString::fromStdString(place.string())));
+    open_as_of_others();
     qputenv(ShaderDock::editor_variable, "true {file}");  // which saves nothing
     edit_copy();
     EXPECT_FALSE(window.session().open_project().undo_stack().can_undo()) << "nothing has changed yet";
