@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 /// Editors write in several steps.
 constexpr int pause_ms = 20;
+/// Where the system has no descriptor left, it is asked again after this.
+constexpr int retry_ms = 1000;
 constexpr std::uint32_t changes = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_CREATE | IN_DELETE;
 
 }  // namespace
@@ -23,9 +25,9 @@ constexpr std::uint32_t changes = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM |
 ShaderWatch::ShaderWatch(fs::path folder, std::function<void()> changed)
     : folder_(std::move(folder)),
       changed_(std::move(changed)),
-      events_(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK)),
-      stop_(::eventfd(0, EFD_CLOEXEC)) {
-    if (events_ < 0 || stop_ < 0) return;
+      stop_(::eventfd(0, EFD_CLOEXEC)),
+      events_(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
+    if (stop_ < 0) return;
     watch_folders();
     thread_ = std::thread([this] { wait(); });
 }
@@ -59,7 +61,7 @@ bool ShaderWatch::hear_all() const {
 }
 
 bool ShaderWatch::begin_anew() {
-    ::close(events_);
+    if (events_ >= 0) ::close(events_);
     events_ = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
     return events_ >= 0;
 }
@@ -67,15 +69,14 @@ bool ShaderWatch::begin_anew() {
 void ShaderWatch::wait() {
     for (;;) {
         std::array<pollfd, 2> descriptors{{{stop_, POLLIN, 0}, {events_, POLLIN, 0}}};
-        if (::poll(descriptors.data(), descriptors.size(), -1) < 0) {
+        if (::poll(descriptors.data(), descriptors.size(), events_ < 0 ? retry_ms : -1) < 0) {
             if (errno == EINTR) continue;
             return;
         }
         if (descriptors[0].revents != 0 || ::poll(descriptors.data(), 1, pause_ms) > 0) return;
-        const bool goes_on = hear_all() || begin_anew();
-        if (goes_on) watch_folders();
+        if ((events_ < 0 || !hear_all()) && !begin_anew()) continue;
+        watch_folders();
         changed_();
-        if (!goes_on) return;
     }
 }
 

@@ -7,7 +7,8 @@
 namespace ir::engine {
 
 /// Hears that files below a folder have changed, on a thread that sleeps meanwhile (inotify). What another
-/// computer writes on a network, nobody tells.
+/// computer writes on a network, nobody tells. Where the system has no descriptor to listen with, it is asked
+/// again until it has one, and something may have changed then.
 class ShaderWatch {
   public:
     /// `changed` is called on that thread, once for changes that follow each other closely.
@@ -24,7 +25,7 @@ class ShaderWatch {
 
     std::filesystem::path folder_;
     std::function<void()> changed_;
-    int events_, stop_;  ///< descriptors; negative: the system has none left, and nothing is heard
+    int stop_, events_;  ///< descriptors; negative: the system had none left
     std::thread thread_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -60,6 +61,19 @@ TEST_F(ShaderWatchTest, HearsOfFilesInNewFolders) {
     const ShaderWatch watch(folder, [this] { hear(); });
     EXPECT_TRUE(is_heard([&] { fs::create_directories(folder / "methods/new"); }));
     EXPECT_TRUE(is_heard([&] { write("methods/new/a.comp"); }));
+}
+
+TEST_F(ShaderWatchTest, AsksAgainWhereTheSystemHasNoDescriptorLeft) {
+    const int first_free = ::dup(0);
+    ::close(first_free);
+    rlimit before;
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+    rlimit room_for_one = before;
+    room_for_one.rlim_cur = rlim_t(first_free) + 1;
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &room_for_one), 0);
+    const ShaderWatch watch(folder, [this] { hear(); });
+    EXPECT_TRUE(is_heard([&] { ::setrlimit(RLIMIT_NOFILE, &before); }));
+    EXPECT_TRUE(is_heard([&] { write("lib/a.glsl"); }));
 }
 
 /// Descriptors of this process that hear of files.
