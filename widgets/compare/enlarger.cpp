@@ -34,16 +34,19 @@ bool Enlarger::takes_double_click(const ImageView& view) {
     return true;
 }
 
+/// A view that ends is told so as what is left of it: only events of a live one are looked at.
 bool Enlarger::eventFilter(QObject* watched, QEvent* event) {
+    const bool is_double_click = event->type() == QEvent::MouseButtonDblClick;
+    const bool is_key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!is_double_click && !is_key) return false;
     const auto& view = *static_cast<ImageView*>(watched);
     if (view.tool() != ImageView::Tool::inspect) return false;
-    if (event->type() == QEvent::MouseButtonDblClick) {
+    if (is_double_click) {
         const auto& click = *static_cast<QMouseEvent*>(event);
         const bool is_free = view.state().light_handle == LightHandle::none && !view.state().has_divider();
         return click.button() == Qt::LeftButton && is_free && takes_double_click(view);
     }
-    const bool is_key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (!is_key || !is_alone_()) return false;
+    if (!is_alone_()) return false;
     const auto& key = *static_cast<QKeyEvent*>(event);
     if (key.key() != Qt::Key_Escape || key.modifiers() != Qt::NoModifier) return false;
     event->accept();  // before it is the window's key
