@@ -51,29 +51,33 @@ std::uint32_t read_u32(std::istream& stream) {
     return b[0] | std::uint32_t{b[1]} << 8 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[3]} << 24;
 }
 
-/// The JSON text; of a binary file, known by its first bytes as the loader knows it, that of its first chunk.
-/// [glTF 2.0 §4.4] Empty for what begins in no way as JSON does.
+constexpr std::uint32_t glb_magic = 0x46546C67;  // "glTF"
+
+/// Leaves the stream where the JSON text begins; of a binary file, known by its first bytes as the loader
+/// knows it, that of its first chunk. [glTF 2.0 §4.4] Its length; 0 for what begins in no way as JSON does.
+std::uintmax_t enter_json(std::istream& stream, std::uintmax_t size) {
+    if (read_u32(stream) == glb_magic) {
+        read_u32(stream);  // version
+        read_u32(stream);  // length of the file
+        const std::uintmax_t length = read_u32(stream);
+        return read_u32(stream) == 0x4E4F534A && stream && length <= size ? length : 0;
+    }
+    stream.clear();
+    stream.seekg(0);
+    const bool has_mark = stream.peek() == 0xEF;  // the mark of UTF-8
+    if (has_mark) stream.ignore(3);
+    if ((stream >> std::ws).peek() != '{') return 0;
+    return size - static_cast<std::uintmax_t>(stream.tellg());
+}
+
+/// Empty where there is none.
 std::string json_text(const fs::path& file) {
     std::error_code error;
     const auto size = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;
     std::ifstream stream(file, std::ios::binary);
     if (error || !stream || size < 2) return {};
-    std::uintmax_t length = size;
-    if (read_u32(stream) == 0x46546C67) {
-        read_u32(stream);  // version
-        read_u32(stream);  // length of the file
-        length = read_u32(stream);
-        if (read_u32(stream) != 0x4E4F534A || length > size) return {};
-    } else {
-        stream.clear();
-        stream.seekg(0);
-        const bool has_mark = stream.peek() == 0xEF;  // the mark of UTF-8
-        if (has_mark) stream.ignore(3);
-        if ((stream >> std::ws).peek() != '{') return {};
-        length = size - static_cast<std::uintmax_t>(stream.tellg());
-    }
-    std::string text(length, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(length));
+    std::string text(enter_json(stream, size), '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     return stream ? text : std::string{};
 }
 
@@ -102,6 +106,16 @@ double gltf_animation_end(const fs::path& file) {
         return 0;
     }
     return std::isfinite(end) ? end : 0;
+}
+
+bool is_no_gltf(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return false;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || read_u32(stream) == glb_magic) return false;
+    stream.clear();
+    stream.seekg(0);
+    return enter_json(stream, fs::file_size(file, error)) == 0;
 }
 
 GltfReferences gltf_references(const fs::path& file) {

@@ -6,6 +6,9 @@
 
 namespace ir::projects {
 
+/// Whether the file can be read, and begins in no way as glTF does. Its other parts are not looked at.
+bool is_no_gltf(const std::filesystem::path& file);
+
 /// Paths of buffers and images that a glTF file refers to, in order of appearance; data URIs are left out.
 struct GltfReferences {
     std::vector<std::string> read;     ///< relative, and the file may read them

@@ -54,6 +54,7 @@ const graph::Method& find_method(const std::string& id) {
 
 Execution::Execution(Machine& machine, Experiment experiment, std::shared_ptr<graph::SharedContents> shared)
     : machine_(machine), experiment_(std::move(experiment)) {
+    check_size();
     load();
     graph_ = std::make_unique<graph::Graph>(machine_.device(), &machine_.context(), &machine_.programs(),
                                             std::move(shared));
@@ -68,15 +69,18 @@ const MethodDescription& Execution::method() const {
     return method_->description;
 }
 
-void Execution::load() {
-    const auto& method = find_method(experiment_.method);
-    auto settings = completed(method.description.parameters, experiment_.settings);
+void Execution::check_size() const {
     const int max_side = std::min(max_image_side, machine_.context().info().max_texture_size);
     if (experiment_.width < 1 || experiment_.height < 1 || experiment_.width > max_side ||
         experiment_.height > max_side)
         throw UsageError("image size " + std::to_string(experiment_.width) + "x" +
                          std::to_string(experiment_.height) + " is not allowed; this device takes 1 to " +
                          std::to_string(max_side) + " pixels a side");
+}
+
+void Execution::load() {
+    const auto& method = find_method(experiment_.method);
+    auto settings = completed(method.description.parameters, experiment_.settings);
     if (experiment_.shard.count > 1 && !method.join)
         throw UsageError("a picture of " + method.description.id +
                          " cannot be divided; only those of references can");
@@ -132,6 +136,7 @@ bool Execution::update(Experiment experiment) {
     }
     auto backup = std::exchange(experiment_, std::move(experiment));
     try {
+        check_size();
         if (reload)
             load();
         else

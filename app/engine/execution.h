@@ -146,6 +146,7 @@ class Execution {
     scene::Camera camera() const;
 
   private:
+    void check_size() const;  ///< throws UsageError
     void load();
     void forget_frames();
     double seconds_per_frame() const;

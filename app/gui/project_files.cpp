@@ -87,6 +87,10 @@ void ProjectFiles::create_from_scene(const std::string& source) {
     const auto& registry = session_.registry();
     const auto* first = session_.first_method();
     if (!first) throw Error("this build has no methods");
+    patient_files().wait_for([&] {
+        if (!projects::is_builtin(source) && projects::is_no_gltf(source))
+            throw Error(source + ": is no glTF scene: neither a GLB file nor JSON; choose another file");
+    });
     projects::Project start;
     const auto scene = scene_item(start, source, {});
     start.name = scene.name;

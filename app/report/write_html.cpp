@@ -45,14 +45,17 @@ std::string page_file(const char* name) {
     return real_file_system().read(file, std::size_t(1) << 20);
 }
 
-/// As a picture of 8 bits has it.
-Image shown_image(const Image& values, const Shown& shown) {
+/// A picture of 8 bits: light is sRGB-encoded, and other numbers are levels, as the grey map of the window
+/// has them. report.js does the same.
+std::string shown_png(const Image& values, const Shown& shown) {
     Image result = values;
     const float low = static_cast<float>(shown.low);
-    const float scale = static_cast<float>(1 / (shown.high - shown.low));
-    if (shown.low != 0 || shown.high != 1)
-        for (float& value : result.pixels) value = (value - low) * scale;
-    return result;
+    const float scale = static_cast<float>(std::exp2(shown.exposure) / (shown.high - shown.low));
+    for (float& value : result.pixels) {
+        value = (value - low) * scale;
+        if (values.channels < 3) value = linear_from_srgb(std::clamp(value, 0.0f, 1.0f));
+    }
+    return png_of(result);
 }
 
 std::string hex(const ColourMap& map) {
@@ -121,7 +124,7 @@ class Page {
         const auto& values = values_of(picture.side.image, picture.side.semantic, storage);
         Carried result;
         result.channels = values.channels;
-        result.png = base64(png_of(shown_image(values, shown), shown.exposure));
+        result.png = base64(shown_png(values, shown));
         if (options_.values != Values::bytes) result.halves = base64(packed_halves(values));
         if (!picture.side.valid.empty()) result.mask = base64(packed_mask(picture.side.valid));
         return result;
@@ -223,7 +226,7 @@ class Page {
         for (std::size_t i = 0; i < gallery.pictures.size(); ++i)
             write_picture(gallery.pictures[i], carried_[index][i], shown);
         out_.close();
-        out_.line("p", shown_text(gallery), {{"class", "shown"}});
+        out_.line("p", shown_text(index), {{"class", "shown"}});
         out_.close();
     }
 
@@ -232,11 +235,14 @@ class Page {
         return std::to_string(image.width) + " × " + std::to_string(image.height);
     }
 
-    static std::string shown_text(const Gallery& gallery) {
+    std::string shown_text(std::size_t index) const {
+        const auto& gallery = report_.galleries[index];
         const auto& shown = gallery.shown;
         std::string text = "Shown from " + plot_number(shown.low) + " to " + plot_number(shown.high);
         if (shown.exposure != 0) text += " at " + stops_text(shown.exposure);
-        return text + ", in sRGB. " + size_of(gallery.pictures.front()) + " pixels.";
+        const bool is_light = carried_[index].front().channels >= 3;
+        return text + (is_light ? ", in sRGB. " : ", from black to white. ") +
+               size_of(gallery.pictures.front()) + " pixels.";
     }
 
     /// What the project compares: the script makes buttons of these.

@@ -57,6 +57,9 @@
     return (v) => (v > 0 ? table[v < 1 ? (v * steps + 0.5) | 0 : steps] : 0);
   })();
 
+  /** How numbers of a picture become bytes: light is sRGB-encoded, others are levels of grey. */
+  const bytesFor = (channels) => (channels < 3 ? (v) => Math.round(255 * Math.min(1, Math.max(0, v || 0))) : srgbBytes);
+
   /** Values of an 8-bit picture: what it showed, back through exposure and range. */
   const bytesAsValues = (image, channels, shown) => {
     const canvas = document.createElement("canvas");
@@ -65,8 +68,9 @@
     const context = canvas.getContext("2d", { willReadFrequently: true });
     context.drawImage(image, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    const place = channels < 3 ? (v) => v : linearFromSrgb;
     const table = Float32Array.from({ length: 256 }, (_, byte) =>
-      shown.low + (linearFromSrgb(byte / 255) / 2 ** shown.exposure) * (shown.high - shown.low));
+      shown.low + (place(byte / 255) / 2 ** shown.exposure) * (shown.high - shown.low));
     const values = new Float32Array((data.length / 4) * channels);
     for (let i = 0; i < data.length / 4; ++i)
       for (let c = 0; c < channels; ++c) values[i * channels + c] = table[data[4 * i + Math.min(c, 2)]];
@@ -532,10 +536,11 @@
       const image = context.createImageData(width, height);
       const scale = 2 ** (this.shown.exposure + this.stops) / (this.shown.high - this.shown.low);
       const offset = -this.shown.low * scale;
+      const byte = bytesFor(channels);
       for (let i = 0; i < width * height; ++i) {
         for (let c = 0; c < 3; ++c) {
           const own = channels === 1 ? 0 : c;
-          image.data[4 * i + c] = own < channels ? srgbBytes(values[i * channels + own] * scale + offset) : 0;
+          image.data[4 * i + c] = own < channels ? byte(values[i * channels + own] * scale + offset) : 0;
         }
         image.data[4 * i + 3] = 255;
       }
@@ -788,7 +793,8 @@
       };
       const colour = (index) => {
         const scale = 2 ** (this.shown.exposure + this.stops) / (this.shown.high - this.shown.low);
-        const bytes = this.valuesAt(index, pixel).map((v) => srgbBytes((v - this.shown.low) * scale));
+        const byte = bytesFor(this.pictures[index].channels);
+        const bytes = this.valuesAt(index, pixel).map((v) => byte((v - this.shown.low) * scale));
         return bytes.length === 1 ? `rgb(${bytes[0]} ${bytes[0]} ${bytes[0]})` : `rgb(${bytes[0]} ${bytes[1]} ${bytes[2] ?? 0})`;
       };
       const chosen = this.mode === "all" ? this.pictures.map((_, i) => i)

@@ -94,7 +94,7 @@ std::vector<OutputDescription> bounced_outputs() {
                 "where it meets none within the maximum distance.",
          .active_when = bounced},
         {.key = "volumes.depth",
-         .label = "Bounced z",
+         .label = "Bounced z, squared",
          .kind = OutputKind::stack,
          .semantic = Semantic::depth,
          .doc = "A layer for each sample: |x − y|² / d_max² of the point y that the pixel's ray meets first; "

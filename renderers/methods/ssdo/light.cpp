@@ -72,7 +72,7 @@ std::vector<OutputDescription> light_outputs() {
         radiance("ssdo.sky", "Environment light",
                  "Reflected to the eye of the environment, as far as samples find it open, blurred.",
                  by_occlusion),
-        radiance("ssdo.direct", "Direct light",
+        radiance("ssdo.direct", "Direct light and environment",
                  "All light sources, the environment by samples or directional occlusion; and the base "
                  "colour of unlit surfaces."),
         radiance("ssdo.senders", "What pixels send",

@@ -296,6 +296,22 @@ TEST_F(WindowTest, ABadFileIsOneClearLineAndKeepsTheOpenProject) {
     EXPECT_EQ(window.messages().model().count(Severity::error), 1);
 }
 
+TEST_F(WindowTest, AFileThatIsNoSceneIsOneClearLineAndKeepsTheOpenProject) {
+    open_scene();
+    const auto* before = &window.session().open_project();
+    const QTemporaryDir folder;
+    for (const char* name : {"junk.glb", "junk.gltf"}) {
+        const QString file = folder.path() + "/" + name;
+        std::ofstream(file.toStdString()) << "\x01\xff no scene at all";
+        EXPECT_FALSE(window.open_path(file));
+        EXPECT_EQ(&window.session().open_project(), before);
+        ASSERT_TRUE(window.banners().names().contains("file"));
+        const QString line = window.banners().text("file");
+        EXPECT_TRUE(line.contains(name) && line.contains("no glTF")) << line.toStdString();
+        EXPECT_FALSE(line.contains('\n'));
+    }
+}
+
 TEST_F(WindowTest, ADroppedSceneStartsAProject) {
     const QTemporaryDir folder;
     const QString file = folder.path() + "/room.gltf";

@@ -82,5 +82,16 @@ TEST(MethodDefaults, AnExperimentThatNobodyChangedIsAsNewUnderAnyMethod) {
         }
 }
 
+/// Lists show names, and people choose by them.
+TEST(MethodDefaults, NoTwoOutputsOfAMethodHaveOneName) {
+    for (const auto* method : registry().methods()) {
+        std::map<std::string, std::string> keys;
+        for (const auto& output : method->outputs) {
+            const auto [named, is_new] = keys.emplace(output.label, output.key);
+            EXPECT_TRUE(is_new) << method->id << ": " << output.key << " and " << named->second;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ir::engine

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/engine/pictures.h"
+#include "renderers/core/error.h"
 #include "tests/unit/engine/egl_machine.h"
 
 namespace ir::engine {
@@ -163,6 +164,23 @@ TEST_F(StandsStill, SurfelsStayWhileTheReceiversSamplesChange) {
     execution.update(experiment);
     EXPECT_TRUE(builds(execution.run_frame({}), "place surfels"));
     expect_as_anew(machine, execution, experiment, "seed");
+}
+
+TEST_F(StandsStill, ASizeBeyondTheDeviceIsRefusedAndThePictureStays) {
+    const auto experiment = experiment_of(registry().at("hbao"));
+    Execution execution(machine, experiment);
+    execution.run_frame({});
+    const auto before = main_result(execution).pixels;
+    auto wide = experiment;
+    wide.width = machine.context().info().max_texture_size + 1;
+    try {
+        execution.update(wide);
+        FAIL() << "it is taken";
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find("pixels a side"), std::string::npos) << error.what();
+    }
+    execution.run_frame({});
+    EXPECT_EQ(main_result(execution).pixels, before);
 }
 
 /// What is kept must not be kept too long.

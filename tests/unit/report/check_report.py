@@ -85,6 +85,31 @@ def halves(image):
     return values
 
 
+def levels(image):
+    """Red of each pixel of the picture that is seen without a script, a PNG of 8 bits. [PNG 1.2 §6]"""
+    png, at, packed = decoded(image["src"]), 8, b""
+    while at < len(png):
+        length, kind = struct.unpack(">I4s", png[at:at + 8])
+        data = png[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", data[:10])
+        packed += data if kind == b"IDAT" else b""
+        at += 12 + length
+    assert depth == 8
+    step = {0: 1, 2: 3, 4: 2, 6: 4}[colour]
+    rows, above, result = zlib.decompress(packed), bytes(width * step), []
+    for y in range(height):
+        line = rows[y * (width * step + 1):(y + 1) * (width * step + 1)]
+        row = bytearray(line[1:])
+        for x in range(width * step):
+            left, up, corner = row[x - step] if x >= step else 0, above[x], above[x - step] if x >= step else 0
+            nearest = min((left, up, corner), key=lambda v: abs(left + up - corner - v))
+            row[x] = (row[x] + (0, left, up, (left + up) // 2, nearest)[line[0]]) & 0xFF
+        result += row[::step]
+        above = bytes(row)
+    return result
+
+
 class Reports(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -212,6 +237,14 @@ class Reports(unittest.TestCase):
         for image, metric in zip(images, ("mean", "reference-mean")):
             values = [value for value, is_valid in zip(halves(image), valid) if is_valid]
             self.assertAlmostEqual(sum(values) / len(values), compared["metrics"][metric], delta=5e-4)
+
+    def test_numbers_that_are_no_light_are_levels_of_grey_as_in_the_window(self):
+        image = self.images(self.page)[0]
+        seen = [round(255 * min(1.0, value)) for value in halves(image)]
+        self.assertLess(min(seen), 150)
+        for level, expected in zip(levels(image), seen):
+            self.assertAlmostEqual(level, expected, delta=1)
+        self.assertIn("from black to white", self.page.all("p", class_="shown")[0]["text"])
 
     def test_only_what_differs_is_in_the_short_table(self):
         def rows(caption):

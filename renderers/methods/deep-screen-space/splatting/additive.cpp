@@ -249,7 +249,7 @@ std::vector<OutputDescription> additive_outputs() {
          .explains = true,
          .active_when = additive},
         {.key = "additive.explain.levels",
-         .label = "Levels of the pixel",
+         .label = "Levels of the pixel, added",
          .kind = OutputKind::table,
          .doc = "For each level how many surfels were added to the pixel, and what all of them give; kept: "
                 "what the framebuffer holds, which has to be the same but for rounding.",
