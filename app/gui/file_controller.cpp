@@ -208,7 +208,9 @@ bool FileController::save_as() {
 
 void FileController::close() {
     emit ending();
-    if (may_discard()) session_.files().close();
+    if (!may_discard()) return;
+    session_.files().close();
+    update_recent();  // saved since it was opened
 }
 
 bool FileController::may_discard() {
@@ -216,9 +218,10 @@ bool FileController::may_discard() {
     if (!session_.has_project() || !session_.open_project().is_dirty() ||
         session_.open_project().is_read_only())
         return true;
-    const auto answer =
-        QMessageBox::question(&window_, tr("Unsaved changes"), tr("Save the changes to the project first?"),
-                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    const auto answer = QMessageBox::question(
+        &window_, tr("Unsaved changes"),
+        tr("Save the changes to “%1” first?").arg(QString::fromStdString(session_.document().name)),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
     if (answer == QMessageBox::Save) return save();
     return answer == QMessageBox::Discard;
 }

@@ -5,6 +5,7 @@
 #include "app/gui/known_projects.h"
 #include "app/gui/patient_files.h"
 #include "app/gui/session.h"
+#include "projects/gltf_references.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"

@@ -130,8 +130,10 @@ ReportController::ReportController(QWidget& window, Session& session, LivePictur
         if (unkept_) unkept_->set_progress(id, live_.doing(id), live_.progress(id));
     });
     connect(&renderer_, &Renderer::exported, this, &ReportController::take);
-    connect(&job_, &FileJob::written, this,
-            [](const QString& file) { QDesktopServices::openUrl(QUrl::fromLocalFile(file)); });
+    connect(&job_, &FileJob::written, this, [this](const QString& file) {
+        if (!QDesktopServices::openUrl(QUrl::fromLocalFile(file)))
+            notices_.say(tr("Wrote %1; no browser opens it here").arg(file));
+    });
     update();
 }
 
