@@ -5,7 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <csetjmp>
+#include <cstring>
 #include <fstream>
+#include <functional>
 #include <vector>
 
 namespace ir {
@@ -13,8 +15,8 @@ namespace {
 
 /// What libpng calls. It leaves its own functions by longjmp where something is wrong.
 struct Source {
-    std::ifstream stream;
-    std::string problem;
+    std::function<bool(std::uint8_t* to, std::size_t count)> take;  ///< false: there are not so many left
+    std::string problem = "libpng does not start";
 };
 
 [[noreturn]] void fail(png_structp png, png_const_charp problem) {
@@ -25,15 +27,15 @@ struct Source {
 void ignore(png_structp, png_const_charp) {}
 
 void take_bytes(png_structp png, png_bytep bytes, std::size_t count) {
-    auto& stream = static_cast<Source*>(png_get_io_ptr(png))->stream;
-    if (!stream.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(count)))
-        png_error(png, "it ends too soon");
+    if (!static_cast<Source*>(png_get_io_ptr(png))->take(bytes, count)) png_error(png, "it ends too soon");
 }
 
 class PngFile {
   public:
-    explicit PngFile(const std::string& file)
-        : source_{std::ifstream(file, std::ios::binary), "libpng does not start"} {
+    /// How its pixels are told: as the file has them, or always as R, G, B, A of 8 bits.
+    enum class Values { own, rgba8 };
+
+    PngFile(decltype(Source::take) take, Values values) : source_{std::move(take)}, values_(values) {
         png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, fail, ignore);
         info_ = png_ ? png_create_info_struct(png_) : nullptr;
     }
@@ -50,7 +52,13 @@ class PngFile {
             png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, kept, 2);
             png_read_info(png_, info_);
             png_set_expand(png_);  // whole bytes, colours for places in a palette
-            if (std::endian::native == std::endian::little) png_set_swap(png_);
+            if (values_ == Values::rgba8) {
+                png_set_scale_16(png_);
+                png_set_gray_to_rgb(png_);
+                png_set_add_alpha(png_, 0xff, PNG_FILLER_AFTER);  // where there is none
+            } else if (std::endian::native == std::endian::little) {
+                png_set_swap(png_);
+            }
             passes_ = png_set_interlace_handling(png_);
             png_read_update_info(png_, info_);
         });
@@ -87,6 +95,16 @@ class PngFile {
         });
     }
 
+    /// Of rgba8, into as many bytes.
+    bool read_texels(std::uint8_t* texels) {
+        const auto row_bytes = png_get_rowbytes(png_, info_);
+        return run([&] {
+            for (int pass = 0; pass < passes_; ++pass)
+                for (int row = 0; row < height(); ++row)
+                    png_read_row(png_, texels + static_cast<std::size_t>(row) * row_bytes, nullptr);
+        });
+    }
+
     const std::string& problem() const { return source_.problem; }
 
   private:
@@ -108,6 +126,7 @@ class PngFile {
     }
 
     Source source_;
+    Values values_;
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
     int passes_ = 1;
@@ -117,7 +136,11 @@ class PngFile {
 
 DecodedImage read_png(const std::string& file, std::int64_t max_pixels, std::uint64_t max_bytes) {
     DecodedImage result;
-    PngFile png(file);
+    std::ifstream stream(file, std::ios::binary);
+    const auto take = [&](std::uint8_t* to, std::size_t count) {
+        return bool(stream.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count)));
+    };
+    PngFile png(take, PngFile::Values::own);
     if (!png.read_header()) {
         result.error = "is not a readable image (" + png.problem() + ")";
         return result;
@@ -135,6 +158,28 @@ DecodedImage read_png(const std::string& file, std::int64_t max_pixels, std::uin
     result.is_srgb = !png.is_linear();
     result.levels = png.value_bytes() == 1 ? UINT8_MAX : UINT16_MAX;
     result.alpha_channel = png.channels() % 2 == 0 ? png.channels() - 1 : -1;
+    return result;
+}
+
+DecodedTexels decode_png(std::span<const std::uint8_t> bytes, std::int64_t max_pixels) {
+    DecodedTexels result;
+    const auto take = [&](std::uint8_t* to, std::size_t count) {
+        if (count > bytes.size()) return false;
+        std::memcpy(to, bytes.data(), count);
+        bytes = bytes.subspan(count);
+        return true;
+    };
+    PngFile png(take, PngFile::Values::rgba8);
+    constexpr int channels = 4;
+    if (!png.read_header() || std::int64_t{png.width()} * png.height() > max_pixels ||
+        png.channels() != channels || png.value_bytes() != 1) {
+        result.error = "is damaged";
+        return result;
+    }
+    result.width = png.width();
+    result.height = png.height();
+    result.rgba.resize(std::size_t{channels} * std::size_t(result.width) * std::size_t(result.height));
+    if (!png.read_texels(result.rgba.data())) result.error = "is damaged";
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include "renderers/core/limits.h"
 #include "renderers/image/codecs/codecs.h"
 #include "renderers/image/codecs/jpeg.h"
+#include "renderers/image/codecs/png.h"
 
 namespace ir::scene::gltf {
 namespace {
@@ -58,31 +59,25 @@ std::optional<ImageSize> webp_size(const Bytes& bytes) {
     return ImageSize{little_endian(bytes, 26, 2) & size_mask, little_endian(bytes, 28, 2) & size_mask};
 }
 
-/// stb's decoder through tinygltf, 8 or 16 bits per channel, always four channels.
-bool decode(const Bytes& bytes, tinygltf::Image& image) {
+/// JPEG by stb's decoder through tinygltf, always four channels.
+DecodedTexels decode_jpeg(const Bytes& bytes) {
+    tinygltf::Image image;
     std::string problems, warnings;
-    return tinygltf::LoadImageData(&image, 0, &problems, &warnings, 0, 0, bytes.data(),
-                                   static_cast<int>(bytes.size()), nullptr);
+    DecodedTexels texels;
+    if (!tinygltf::LoadImageData(&image, 0, &problems, &warnings, 0, 0, bytes.data(),
+                                 static_cast<int>(bytes.size()), nullptr) ||
+        image.component != 4 || image.bits != 8)
+        texels.error = "is damaged";
+    texels.width = image.width;
+    texels.height = image.height;
+    texels.rgba = std::move(image.image);
+    return texels;
 }
 
-std::vector<std::uint8_t> to_8_bits(const std::vector<unsigned char>& wide) {
-    std::vector<std::uint8_t> result(wide.size() / 2);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        std::uint16_t value;
-        std::memcpy(&value, wide.data() + 2 * i, sizeof value);
-        result[i] = static_cast<std::uint8_t>((value + 128u) / 257u);
-    }
-    return result;
-}
-
-std::vector<std::uint8_t> decode_webp(const std::string& file, const std::string& place, const Bytes& bytes,
-                                      ImageSize size) {
-    auto decoded = image_codecs().webp(bytes, static_cast<std::int64_t>(max_texels));
-    if (!decoded.error.empty())
-        throw InputError(file, place, "the image " + one_line(decoded.error) + "; replace it");
-    if (decoded.width != size.width || decoded.height != size.height)
-        throw InputError(file, place, "the image is damaged; replace it");
-    return std::move(decoded.rgba);
+DecodedTexels decode(const Bytes& bytes) {
+    const auto most = static_cast<std::int64_t>(max_texels);
+    if (is_webp(bytes)) return image_codecs().webp(bytes, most);
+    return png_size(bytes) ? decode_png(bytes, most) : decode_jpeg(bytes);
 }
 
 }  // namespace
@@ -106,14 +101,13 @@ ImageSize probe_image(const std::string& file, const std::string& place, const B
 
 std::vector<std::uint8_t> decode_image(const std::string& file, const std::string& place, const Bytes& bytes,
                                        ImageSize size) {
-    if (is_webp(bytes)) return decode_webp(file, place, bytes, size);
-    tinygltf::Image image;
-    const bool decoded = decode(bytes, image);
-    if (!decoded || image.width != size.width || image.height != size.height || image.component != 4)
-        throw InputError(file, place, "the image is damaged; replace it");
-    auto rgba = image.bits == 16 ? to_8_bits(image.image) : std::move(image.image);
-    if (rgba.size() != size.texels() * 4) throw InputError(file, place, "the image is damaged; replace it");
-    return rgba;
+    auto texels = decode(bytes);
+    if (texels.error.empty() && (texels.width != size.width || texels.height != size.height ||
+                                 texels.rgba.size() != size.texels() * 4))
+        texels.error = "is damaged";
+    if (!texels.error.empty())
+        throw InputError(file, place, "the image " + one_line(texels.error) + "; replace it");
+    return std::move(texels.rgba);
 }
 
 }  // namespace ir::scene::gltf
