@@ -32,18 +32,18 @@ std::string why_not_counted(const AnalysisKind& kind, std::size_t count) {
         kind.min_experiments == kind.max_experiments
             ? count_text(kind.min_experiments)
             : std::to_string(kind.min_experiments) + " to " + count_text(kind.max_experiments);
-    return "is about " + count_text(count) + ", and takes " + wanted;
+    return "it is about " + count_text(count) + ", and takes " + wanted;
 }
 
 std::string why_not_machines(const std::vector<std::string>& names) {
     if (names.size() != 2)
-        return "compares two machines, and names " + std::to_string(names.size()) +
-               "; give gl and host, egl and osmesa, or none";
+        return "it compares two machines, and names " + std::to_string(names.size()) + "; give two such as " +
+               default_machines[0] + " and " + default_machines[1] + ", or none";
     for (const auto& name : names)
         if (!read_machine_name(name))
             return "'" + printable(name, 60) + "' is no machine; give " + machine_words;
     if (read_machine_name(names[0]) == read_machine_name(names[1]))
-        return "compares '" + names[0] + "' with itself; name another machine";
+        return "it compares '" + names[0] + "' with itself; name another machine";
     return {};
 }
 
@@ -51,7 +51,7 @@ std::string why_not_parameters(const AnalysisKind& kind, const Analysis& analysi
                                const MethodDescription& method) {
     if (analysis.parameters.empty()) return {};
     if (kind.compares_machines) return why_not_machines(analysis.parameters);
-    if (!kind.takes_parameters) return "takes no parameters; leave them out";
+    if (!kind.takes_parameters) return "it takes no parameters; leave them out";
     for (const auto& key : analysis.parameters)
         if (!find(method.parameters, key))
             return "'" + printable(key, 60) + "' is no parameter of " + method.id +
@@ -105,7 +105,7 @@ std::optional<MachineName> read_machine_name(const std::string& text) {
 }
 
 std::array<std::string, 2> machines_of(const Analysis& analysis) {
-    if (analysis.parameters.size() != 2) return {"gl", "host"};
+    if (analysis.parameters.size() != 2) return {default_machines[0], default_machines[1]};
     return {analysis.parameters[0], analysis.parameters[1]};
 }
 
@@ -127,15 +127,15 @@ std::string why_not_analysed(const Project& project, const Analysis& analysis, c
         experiments.push_back(experiment);
     }
     if (kind->compares_machines && !analysis.reference.empty())
-        return "compares two machines with each other; take the reference out";
-    if (kind->needs_reference && analysis.reference.empty()) return "has no reference; choose one";
+        return "it compares two machines with each other; take the reference out";
+    if (kind->needs_reference && analysis.reference.empty()) return "it has no reference; choose one";
     if (!analysis.reference.empty() && !is_picture(project, analysis.reference))
         return "there is no experiment or image '" + printable(analysis.reference, 60) +
                "' to be its reference; choose another";
     if (std::ranges::find(analysis.experiments, analysis.reference) != analysis.experiments.end())
         return "the reference is one of the experiments; take it out";
     if (kind->needs_one_method && experiments[0]->method != experiments[1]->method)
-        return "asks about two experiments of one method, and '" + experiments[0]->id + "' is by " +
+        return "it asks about two experiments of one method, and '" + experiments[0]->id + "' is by " +
                experiments[0]->method + ", '" + experiments[1]->id + "' by " + experiments[1]->method;
     return why_not_parameters(*kind, analysis, registry.at(experiments[0]->method));
 }

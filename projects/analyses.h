@@ -32,9 +32,11 @@ struct MachineName {
 };
 /// Which words a name may have, for help and messages.
 inline constexpr const char* machine_words = "gl or host, egl or osmesa, or both with a plus";
+/// What an analysis compares where it names none.
+inline constexpr std::array<const char*, 2> default_machines{"gl", "host"};
 /// Nothing for other words.
 std::optional<MachineName> read_machine_name(const std::string& text);
-/// Those that an analysis compares; where it names none, device and host.
+/// Those that an analysis compares.
 std::array<std::string, 2> machines_of(const Analysis& analysis);
 
 /// Why the analysis cannot be carried out as the document has it, in one line; empty: nothing is known

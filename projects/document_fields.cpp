@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "projects/analyses.h"
 #include "renderers/core/limits.h"
 
 namespace ir::projects {
@@ -347,8 +348,9 @@ const Fields<Analysis>& analysis_fields() {
         {&Analysis::parameters,
          {.key = "parameters",
           .label = "Parameters",
-          .doc = "Keys of those that take part, separated by commas; empty: all. Of a divergence the two "
-                 "machines: gl or host, egl or osmesa, or both with a plus; empty: gl, host",
+          .doc = std::string("Keys of those that take part, separated by commas; empty: all. Of a divergence "
+                             "the two machines: ") +
+                 machine_words + "; empty: " + default_machines[0] + ", " + default_machines[1],
           .writing = Writing::unless_default}},
         {&Analysis::notes,
          {.key = "notes",

@@ -217,6 +217,7 @@ void DockLayout::look() {
 
 void DockLayout::restore_default() {
     arrange();
+    waiting_.clear();
     views_.arrange(widgets::ViewArea::Arrangement::one);
 }
 
@@ -302,7 +303,8 @@ QString DockLayout::present_name(const QString& name) {
 void DockLayout::apply(const QString& name) {
     const auto& layout = *std::ranges::find(layouts(), present_name(name), &Layout::name);
     arrange();
-    const bool compares = layout.compares && compare_ && compare_();
+    waiting_ = layout.compares && !has_project_ ? name : QString();
+    const bool compares = layout.compares && has_project_ && compare_ && compare_();
     views_.arrange(compares ? widgets::ViewArea::Arrangement::one : layout.views);
     QList<QDockWidget*> tall;
     for (auto* each : docks()) {
@@ -333,6 +335,11 @@ void DockLayout::show(bool shown) {
     if (shown) {
         window_.restoreState(hidden_, dock_version);
         QMetaObject::invokeMethod(this, &DockLayout::follow_width, Qt::QueuedConnection);
+        // Once the project's views are there.
+        const auto finish = [this] {
+            if (!waiting_.isEmpty()) apply(waiting_);
+        };
+        if (!waiting_.isEmpty()) QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
         return;
     }
     hidden_ = window_.saveState(dock_version);

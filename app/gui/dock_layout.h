@@ -56,6 +56,7 @@ class DockLayout : public QObject {
     /// What an arrangement is called now; it may have been called otherwise. Throws UsageError that lists the
     /// known ones.
     static QString present_name(const QString& name);
+    /// Without a project, what a layout does with its pictures waits until there is one.
     void apply(const QString& name);
     /// What layouts for comparing call: the active view begins to compare, unless there is nothing to
     /// compare.
@@ -98,6 +99,7 @@ class DockLayout : public QObject {
     widgets::ViewArea& views_;
     Actions& actions_;
     std::function<bool()> compare_;
+    QString waiting_;         ///< the layout that waits for a project
     QByteArray hidden_;       ///< the arrangement while the welcome page is shown
     QByteArray other_;        ///< that of small screens on a large one, and the other way round
     int followed_width_ = 0;  ///< the window's, which widths of panels suit

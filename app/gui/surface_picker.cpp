@@ -117,6 +117,11 @@ void SurfacePicker::act(Purpose purpose) {
     const auto* experiment = session_.experiment(pixel_->experiment);
     if (!experiment) return;
     docks_.raise("project");
+    if (purpose == Purpose::object)
+        notices_.say(
+            tr("“%1” is moved with its whole file. Of the object alone only its materials are changed "
+               "here; the rest is changed in the file itself.")
+                .arg(object_text()));
     document_.show_surface({widgets::ItemKind::part, text_of(experiment->scene), found_->point->part},
                            purpose == Purpose::material ? text_of(found_->point->material) : QString());
 }

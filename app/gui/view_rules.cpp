@@ -85,7 +85,7 @@ void ViewRules::complete_stages(ViewState& state) const {
     const auto right = compared_references(state);
     if (b == StagePair::reference && std::all_of(right.begin(), right.end(), is_none)) b = StagePair::none;
     if (state.chain || !state.more.empty() || !live_.result(state.a.owner)) return;
-    for (const auto& [source, label] : candidates(state))
+    for (const auto& [source, shown] : candidates(state))
         if (source.owner == state.a.owner && state.more.size() + 1 < max_stages) state.more.push_back(source);
 }
 
@@ -163,8 +163,8 @@ std::vector<ViewSource> ViewRules::sources(const ViewState& state) const {
     return all;
 }
 
-std::vector<std::pair<ViewSource, QString>> ViewRules::candidates(const ViewState& state) const {
-    std::vector<std::pair<ViewSource, QString>> list;
+std::vector<widgets::Candidate> ViewRules::candidates(const ViewState& state) const {
+    std::vector<widgets::Candidate> list;
     const auto outputs = pictures_.outputs(state.a.owner);
     const auto* main = pictures_.find(outputs, {});
     const auto result = live_.result(state.a.owner);
@@ -176,11 +176,16 @@ std::vector<std::pair<ViewSource, QString>> ViewRules::candidates(const ViewStat
         const ViewSource source{state.a.owner, output.key};
         if (!is_picture(output.kind) || output.key == pictures_.key_of(state.a)) continue;
         if (main && size_of(output.key) != size_of(pictures_.key_of(state.a))) continue;
-        list.push_back({source, output.label});
+        list.push_back({source, output});
     }
-    for (const auto& owner : pictures_.owners())
-        if (owner.id.toStdString() != state.a.owner)
-            list.push_back({{owner.id.toStdString(), {}}, owner.label});
+    for (const auto& owner : pictures_.owners()) {
+        if (owner.id.toStdString() == state.a.owner) continue;
+        widgets::OutputOption shown;
+        shown.label = owner.label;
+        shown.doc = owner.tooltip;
+        shown.group = QObject::tr("Other experiments, images and results");
+        list.push_back({{owner.id.toStdString(), {}}, shown});
+    }
     return list;
 }
 
@@ -230,7 +235,7 @@ std::vector<widgets::AvailableBuffer> ViewRules::spatial_buffers(const std::stri
         if (!widgets::is_spatial(output.kind)) continue;
         const auto* resource = result ? find_resource(result->report, output.key) : nullptr;
         buffers.push_back({output.key, output.label.toStdString(), output.kind, output.doc.toStdString(),
-                           resource ? resource->fields : std::vector<Field>()});
+                           resource ? resource->fields : std::vector<Field>(), output.group.toStdString()});
     }
     return buffers;
 }

@@ -32,8 +32,7 @@ class ViewRules {
     bool shows(const widgets::ViewState& state, const std::string& owner) const;
     widgets::ViewPane::Content content_of(const widgets::ViewState& state) const;
     Want want_of(const widgets::ViewState& state, const std::string& owner) const;
-    /// Pictures that flip and stages may take, with their labels.
-    std::vector<std::pair<widgets::ViewSource, QString>> candidates(const widgets::ViewState& state) const;
+    std::vector<widgets::Candidate> candidates(const widgets::ViewState& state) const;
     std::vector<widgets::AvailableBuffer> spatial_buffers(const std::string& owner) const;
     bool is_explanation(const widgets::ViewSource& source) const;
     QSize main_size(const std::string& owner) const;  ///< of the main result; empty: not known

@@ -100,7 +100,9 @@ void AnalysisEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     for (const auto& key : analysis.parameters) keys << q(key);
     parameters_->show_text(keys.join(QStringLiteral(", ")));
     const bool compares = kind && kind->compares_machines;
-    parameters_->setPlaceholderText(compares ? QStringLiteral("gl, host") : tr("all"));
+    const auto& machines = projects::default_machines;
+    parameters_->setPlaceholderText(compares ? QStringLiteral("%1, %2").arg(machines[0], machines[1])
+                                             : tr("all"));
     if (!shown.read_only) {
         const bool takes = !kind || kind->takes_parameters || compares;
         set_usable(parameters_, takes ? QString() : tr("This question takes no parameters."));
@@ -109,7 +111,7 @@ void AnalysisEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     }
     const auto why_not = projects::why_not_analysed(shown.project, analysis, shown.registry);
     problem_->setText(why_not.empty() ? tr("The Analyses panel carries it out.")
-                                      : tr("It cannot be carried out: it %1.").arg(q(why_not)));
+                                      : tr("It cannot be carried out: %1.").arg(q(why_not)));
     notes_->show_text(q(analysis.notes));
 }
 

@@ -4,13 +4,14 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
-#include <QMenu>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/models/report_rows.h"
+#include "widgets/panels/search_button.h"
 #include "widgets/space/layer_details.h"
 #include "widgets/space/layers_model.h"
 #include "widgets/space/selector_row.h"
@@ -73,15 +74,15 @@ void LayerPanel::make_list() {
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(6, 4, 6, 4);
     row->setSpacing(2);
-    add_ = new QToolButton(tools);
+    add_ = new SearchButton(tools);
     add_->setObjectName(QStringLiteral("add_layer"));
     add_->setText(tr("Add layer"));
     add_->setIcon(icon("add"));
     add_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    add_->setPopupMode(QToolButton::InstantPopup);
-    add_menu_ = new QMenu(add_);
-    add_menu_->setToolTipsVisible(true);
-    add_->setMenu(add_menu_);
+    connect(&add_->list(), &SearchList::chosen, this, [this](const QModelIndex& row) {
+        model_->add_layer(default_layer(available_[std::size_t(row.data(SearchList::place_role).toInt())]));
+        set_current_layer(model_->rowCount() - 1);
+    });
     row->addWidget(add_);
     row->addStretch(1);
     up_ = add_action("up", tr("Move up: under the others"), QKeySequence(Qt::ALT | Qt::Key_Up));
@@ -122,23 +123,16 @@ void LayerPanel::set_available(const std::vector<AvailableBuffer>& buffers) {
     add_->setEnabled(!buffers.empty());
     add_->setToolTip(buffers.empty() ? tr("This method has no points, lines, glyphs or directions to show")
                                      : tr("Show another buffer, or the same one in other colours"));
-    fill_add_menu();
+    list_available();
     show_current();
 }
 
-void LayerPanel::fill_add_menu() {
-    add_menu_->clear();
-    for (const AvailableBuffer& buffer : available_) {
-        auto* action = add_menu_->addAction(
-            QStringLiteral("%1  (%2)")
-                .arg(QString::fromStdString(buffer.label), QString::fromStdString(to_string(buffer.kind))));
-        action->setToolTip(QString::fromStdString(buffer.doc));
-        action->setData(QString::fromStdString(buffer.key));
-        connect(action, &QAction::triggered, this, [this, buffer] {
-            model_->add_layer(default_layer(buffer));
-            set_current_layer(model_->rowCount() - 1);
-        });
-    }
+void LayerPanel::list_available() {
+    std::vector<SearchEntry> entries;
+    for (const auto& [key, label, kind, doc, fields, group] : available_)
+        entries.push_back({QString::fromStdString(key), QString::fromStdString(label),
+                           QString::fromStdString(doc), QString::fromStdString(group), sign_of(kind)});
+    add_->list().set_entries(entries);
 }
 
 void LayerPanel::set_layers(const std::vector<SpaceLayer>& layers) {

@@ -7,9 +7,7 @@
 #include "widgets/space/space_scene.h"
 
 class QLabel;
-class QMenu;
 class QScrollArea;
-class QToolButton;
 class QTreeView;
 class QVBoxLayout;
 
@@ -17,6 +15,7 @@ namespace ir::widgets {
 
 class LayerDetails;
 class LayersModel;
+class SearchButton;
 class SelectorRow;
 
 /// What a 3D view draws and how: items of selectors ("map 17 of 512"), layers with a tick each, and for the
@@ -49,7 +48,7 @@ class LayerPanel : public QWidget {
 
   private:
     void make_list();
-    void fill_add_menu();
+    void list_available();
     void show_current();
     void remember_ranges(const std::vector<LayerInfo>& infos);
     const std::vector<Field>& fields_of(const std::string& key) const;
@@ -60,8 +59,7 @@ class LayerPanel : public QWidget {
     QTreeView* view_;
     QVBoxLayout* selectors_;
     std::vector<SelectorRow*> selector_rows_;
-    QToolButton* add_;
-    QMenu* add_menu_;
+    SearchButton* add_;
     QAction *remove_, *up_, *down_;
     LayerDetails* details_ = nullptr;
     QLabel* nothing_ = nullptr;

@@ -103,6 +103,7 @@ struct AvailableBuffer {
     OutputKind kind = OutputKind::point_set;
     std::string doc = {};
     std::vector<Field> fields = {};
+    std::string group = {};  ///< of lists: results, or the pass that writes it
     bool operator==(const AvailableBuffer&) const = default;
 };
 

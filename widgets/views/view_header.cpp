@@ -5,12 +5,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/models/report_rows.h"
+#include "widgets/panels/search_button.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 #include "widgets/views/search_combo.h"
@@ -60,22 +60,8 @@ const OutputOption* find_output(const std::vector<OutputOption>& outputs, const 
     return key.empty() && !outputs.empty() ? &outputs.front() : nullptr;
 }
 
-/// Outputs under the heading of their group; headings cannot be chosen.
-void fill_outputs(QComboBox* combo, const std::vector<OutputOption>& outputs) {
-    combo->clear();
-    auto* model = qobject_cast<QStandardItemModel*>(combo->model());
-    QString group;
-    for (const auto& output : outputs) {
-        if (output.group != group) {
-            group = output.group;
-            combo->addItem(group);
-            if (model) model->item(combo->count() - 1)->setEnabled(false);
-        }
-        combo->addItem(icon(sign_of(output.kind)),
-                       output.label.isEmpty() ? text_of(output.key) : output.label, text_of(output.key));
-        const QString tip = QStringLiteral("<b>%1</b><br>%2").arg(text_of(output.key), output.doc);
-        combo->setItemData(combo->count() - 1, tip, Qt::ToolTipRole);
-    }
+SearchEntry entry_of(const OutputOption& output) {
+    return {text_of(output.key), output.label, output.doc, output.group, sign_of(output.kind)};
 }
 
 struct PartEntry {
@@ -142,13 +128,12 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
     result.badge->setContentsMargins(3, 0, 3, 0);
     result.owner = make_combo(result.line, QStringLiteral("owner-") + name,
                               tr("Experiment or image that is shown"), letters_of_a_source);
-    auto* outputs = make_combo<SearchCombo>(result.line, QStringLiteral("output-") + name,
+    result.output = make_combo<SearchCombo>(result.line, QStringLiteral("output-") + name,
                                             tr("Output or buffer that is shown"), letters_of_a_source);
-    outputs->set_pictures([this, member](const QString& key) {
-        const auto& owner = (fields_.state.*member).owner;
-        return thumbnails_ ? thumbnails_({owner, key.toStdString()}) : QImage();
+    result.output->list().set_pictures([this, member](const QModelIndex& row) {
+        const auto key = row.data(SearchList::key_role).toString();
+        return thumbnails_ ? thumbnails_({(fields_.state.*member).owner, key.toStdString()}) : QImage();
     });
-    result.output = outputs;
     result.part =
         make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"), 7);
     result.part->setMinimumWidth(result.part->sizeHint().width());  // "Slice 12"
@@ -196,16 +181,21 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
          {static_cast<QWidget*>(mode_), static_cast<QWidget*>(layers_), static_cast<QWidget*>(table_)})
         first->layout()->addWidget(each);
 
-    pictures_ = new QToolButton(second);
+    pictures_ = new SearchButton(second);
     pictures_->setObjectName(QStringLiteral("pictures"));
     pictures_->setText(tr("Pictures"));
     pictures_->setMinimumWidth(min_width);
     pictures_->setToolTip(tr("Further pictures of this row: hold 1 … 9 to see one of them"));
     pictures_->setAccessibleName(pictures_->toolTip());
-    pictures_->setPopupMode(QToolButton::InstantPopup);
-    pictures_menu_ = new QMenu(pictures_);
-    pictures_->setMenu(pictures_menu_);
-    connect(pictures_menu_, &QMenu::aboutToShow, this, &ViewHeader::fill_pictures_menu);
+    const auto candidate = [this](const QModelIndex& row) {
+        return fields_.candidates[std::size_t(row.data(SearchList::place_role).toInt())].source;
+    };
+    pictures_->list().set_empty_text(tr("Nothing else has the size of this picture."));
+    pictures_->list().set_pictures([this, candidate](const QModelIndex& row) {
+        return thumbnails_ ? thumbnails_(candidate(row)) : QImage();
+    });
+    connect(&pictures_->list(), &SearchList::chosen, this,
+            [this, candidate](const QModelIndex& row) { toggle_candidate(candidate(row)); });
     chain_ = make_button(second, QStringLiteral("chain"), "stages",
                          tr("The stages that the method names, in their order"), true);
     connect(chain_, &QToolButton::clicked, this, [this](bool on) {
@@ -257,7 +247,9 @@ void ViewHeader::show_source(const SourceLine& line, const ViewSource& source,
         line.owner->setItemData(line.owner->count() - 1, owner.tooltip, Qt::ToolTipRole);
     }
     line.owner->setCurrentIndex(line.owner->findData(text_of(source.owner)));
-    fill_outputs(line.output, outputs);
+    std::vector<SearchEntry> entries;
+    for (const auto& each : outputs) entries.push_back(entry_of(each));
+    line.output->list().set_entries(entries);
     const auto* output = find_output(outputs, source.output);
     line.output->setCurrentIndex(output ? line.output->findData(text_of(output->key)) : -1);
     line.part->clear();
@@ -286,6 +278,7 @@ void ViewHeader::set_fields(const ViewFields& fields) {
     if (stages) b_.part->hide();
     chain_->setChecked(state.chain);
     pictures_->setText(tr("Pictures (%1)").arg(int(state.more.size()) + (stages ? 1 : 2)));
+    show_candidates();
     difference_->setCurrentIndex(difference_->findData(int(state.difference)));
     difference_->setToolTip(tr("Kind of difference: %1").arg(difference_doc(state.difference)));
     mode_->setCurrentIndex(mode_->findData(int(state.mode)));
@@ -352,9 +345,11 @@ void ViewHeader::fill_menu() {
                 });
             }
             menu_->addSeparator();
-        } else if (auto* button = qobject_cast<QToolButton*>(control); button->menu()) {
-            menu_->addMenu(button->menu())->setText(button->text());
+        } else if (control == pictures_) {
+            connect(menu_->addAction(pictures_->text() + QStringLiteral(" …")), &QAction::triggered, this,
+                    [this] { pictures_->list().open_at(*more_); });
         } else {
+            auto* button = qobject_cast<QToolButton*>(control);
             auto* action = menu_->addAction(button->icon(), button->accessibleName());
             action->setCheckable(button->isCheckable());
             action->setChecked(button->isChecked());
@@ -367,22 +362,23 @@ void ViewHeader::show_layers_shown(bool shown) {
     layers_->setChecked(shown);
 }
 
-void ViewHeader::fill_pictures_menu() {
-    pictures_menu_->clear();
-    for (const auto& [source, label] : fields_.candidates) {
-        auto* action = pictures_menu_->addAction(label);
-        action->setCheckable(true);
-        const auto& more = fields_.state.more;
-        action->setChecked(std::find(more.begin(), more.end(), source) != more.end());
-        connect(action, &QAction::toggled, this, [this, source = source](bool on) {
-            choose([&](ViewState& state) {
-                leave_out(state, [&](const ViewSource& each) { return each == source; });
-                if (on) state.more.push_back(source);
-                state.chain = false;
-            });
-        });
+void ViewHeader::show_candidates() {
+    const auto& more = fields_.state.more;
+    std::vector<SearchEntry> entries;
+    for (const auto& [source, shown] : fields_.candidates) {
+        entries.push_back(entry_of(shown));
+        entries.back().is_chosen = std::find(more.begin(), more.end(), source) != more.end();
     }
-    if (pictures_menu_->isEmpty()) pictures_menu_->addAction(tr("Nothing else to show"))->setEnabled(false);
+    pictures_->list().set_entries(entries);
+}
+
+void ViewHeader::toggle_candidate(const ViewSource& source) {
+    choose([&](ViewState& state) {
+        const auto count = state.more.size();
+        leave_out(state, [&](const ViewSource& each) { return each == source; });
+        if (state.more.size() == count) state.more.push_back(source);
+        state.chain = false;
+    });
 }
 
 }  // namespace ir::widgets

@@ -13,6 +13,9 @@ class QToolButton;
 
 namespace ir::widgets {
 
+class SearchButton;
+class SearchCombo;
+
 /// What a view shows, chosen by hand: one line for a picture, a second one for what it is compared with.
 /// Where a view is too narrow for all of it, pictures keep their lists and a menu holds the rest.
 class ViewHeader : public QWidget {
@@ -44,14 +47,17 @@ class ViewHeader : public QWidget {
     struct SourceLine {
         QWidget* line = nullptr;
         QLabel* badge = nullptr;
-        QComboBox *owner = nullptr, *output = nullptr, *part = nullptr;
+        QComboBox* owner = nullptr;
+        SearchCombo* output = nullptr;
+        QComboBox* part = nullptr;
     };
     SourceLine make_line(const QString& name, ViewSource ViewState::*member);
     void make_mode_controls(QWidget* first, QWidget* second);
     void make_menu();
     void show_source(const SourceLine& line, const ViewSource& source,
                      const std::vector<OutputOption>& outputs);
-    void fill_pictures_menu();
+    void show_candidates();
+    void toggle_candidate(const ViewSource& source);
     void fill_menu();
     bool has_room() const;
     void fold();
@@ -62,9 +68,9 @@ class ViewHeader : public QWidget {
     std::function<QImage(const ViewSource&)> thumbnails_;
     SourceLine a_, b_;
     QComboBox *mode_ = nullptr, *difference_ = nullptr;
-    QToolButton *pictures_ = nullptr, *swap_ = nullptr, *link_ = nullptr, *table_ = nullptr,
-                *layers_ = nullptr, *chain_ = nullptr;
-    QMenu *pictures_menu_ = nullptr, *menu_ = nullptr;
+    SearchButton* pictures_ = nullptr;
+    QToolButton *swap_ = nullptr, *link_ = nullptr, *table_ = nullptr, *layers_ = nullptr, *chain_ = nullptr;
+    QMenu* menu_ = nullptr;
     QToolButton* more_ = nullptr;  ///< opens the menu
     struct Secondary {
         QWidget* control;

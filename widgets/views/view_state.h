@@ -71,12 +71,18 @@ struct OutputOption {
     bool operator==(const OutputOption&) const = default;
 };
 
+/// A picture that flip and stages may take.
+struct Candidate {
+    ViewSource source;
+    OutputOption shown;  ///< how lists call it
+    bool operator==(const Candidate&) const = default;
+};
+
 /// Everything that a view's header offers and shows.
 struct ViewFields {
     std::vector<Option> owners;
     std::vector<OutputOption> outputs_a, outputs_b;
-    /// Pictures that flip and stages may take, with their labels.
-    std::vector<std::pair<ViewSource, QString>> candidates;
+    std::vector<Candidate> candidates;
     ViewState state;
     bool linked = true;
     QString warning = {};     ///< what should be known before pictures are compared

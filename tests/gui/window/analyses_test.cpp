@@ -246,6 +246,10 @@ TEST_F(AnalysesWindowTest, ADivergenceNamesMachinesAndNoReference) {
     ASSERT_TRUE(settle());
     EXPECT_FALSE(find<QToolButton>("run")->isEnabled());
     EXPECT_TRUE(find<QToolButton>("run")->toolTip().contains("'cuda' is no machine"));
+    EXPECT_EQ(
+        editor.findChild<QLabel*>("analysis-problem")->text().toStdString(),
+        "It cannot be carried out: 'cuda' is no machine; give gl or host, egl or osmesa, or both with a "
+        "plus.");
     trigger("undo");
     press("run");
     ASSERT_TRUE(settle());

@@ -1,3 +1,4 @@
+#include <QDockWidget>
 #include <QTemporaryDir>
 
 #include "renderers/image/exr.h"
@@ -82,6 +83,22 @@ TEST_F(CompareWindowTest, TheLayoutCompareBeginsWithBoth) {
     EXPECT_EQ(views().active_state().mode, ViewMode::wipe) << "they are compared already";
     const auto tip = window.action("layout-compare")->toolTip();
     EXPECT_TRUE(tip.contains("lens") && tip.contains("stages")) << tip.toStdString();
+}
+
+/// As `--layout compare PROJECT` does.
+TEST_F(WindowTest, TheLayoutCompareWaitsForAProject) {
+    open_scene();
+    add_second_experiment(0.75);
+    const QTemporaryDir folder;
+    const QString project = folder.path() + "/two.interreflect";
+    window.session().files().save_as(project.toStdString());
+    window.session().files().close();
+    window.docks().apply("compare");
+    ASSERT_TRUE(window.open_path(project));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.workspace().area().open_views().size(), 1u);
+    EXPECT_EQ(window.views().active_state().mode, ViewMode::side_by_side);
+    EXPECT_TRUE(window.findChild<QDockWidget*>("metrics")->isVisible());
 }
 
 TEST_F(CompareWindowTest, SwapExchangesAAndB) {

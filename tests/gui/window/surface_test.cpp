@@ -83,6 +83,10 @@ TEST_F(SurfaceWindowTest, AKeyLeadsToTheObjectUnderTheCursor) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return place->isAncestorOf(QApplication::focusWidget()); }));
     EXPECT_FALSE(place->visibleRegion().isEmpty());
     EXPECT_EQ(selected(), "part:" + scene().id + ":0");
+    const auto labels = window.findChild<StatusLine*>()->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) {
+        return label->text().contains(QStringLiteral("“Chair” is moved with its whole file"));
+    }));
 }
 
 TEST_F(SurfaceWindowTest, TheFormTakesWhatIsClickedNext) {

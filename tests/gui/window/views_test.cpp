@@ -13,6 +13,7 @@
 
 #include "tests/gui/events.h"
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/panels/search_button.h"
 
 namespace ir::gui {
 namespace {
@@ -224,6 +225,45 @@ TEST_F(ViewsTest, ABufferThatIsPointedAtInAListShowsItsPicture) {
     EXPECT_FALSE(tip("Levels").contains("<img"));
     EXPECT_TRUE(QToolTip::text().contains("levels"));
     combo->hidePopup();
+}
+
+TEST_F(ViewsTest, FurtherPicturesOfARowAreSearchedAndTickedInSuchAList) {
+    add_second_experiment(0.75);
+    trigger("mode-flip");
+    auto& button = *workspace().active_pane().header().findChild<widgets::SearchButton*>("pictures");
+    auto* line = button.findChild<QLineEdit*>();
+    auto* list = button.findChild<QListView*>();
+    const auto row_of = [&](const QString& label) {
+        for (int i = 0; i < list->model()->rowCount(); ++i)
+            if (const auto row = list->model()->index(i, 0); row.data().toString() == label) return row;
+        return QModelIndex();
+    };
+    const auto is_ticked = [&](const char* label) {
+        return row_of(label).data(Qt::CheckStateRole).toInt() == Qt::Checked;
+    };
+    const auto further = [&] {
+        QStringList keys;
+        for (const auto& source : views().active_state().more) keys << QString::fromStdString(source.output);
+        return keys;
+    };
+    QTest::mouseClick(&button, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(line->window()));
+    EXPECT_FALSE(row_of("Depth").data(Qt::DecorationRole).isNull());
+    EXPECT_FALSE(row_of("Depth").data(Qt::ToolTipRole).toString().isEmpty());
+    EXPECT_TRUE(row_of("Other experiments, images and results").isValid());
+    QTest::keyClicks(line, "dep");
+    QTest::keyClick(line, Qt::Key_Return);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(further(), QStringList("depth"));
+    EXPECT_TRUE(line->isVisible()) << "several may be chosen";
+    EXPECT_TRUE(is_ticked("Depth"));
+    EXPECT_TRUE(button.text().contains("3")) << button.text().toStdString();
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(row_of("Depth")).center());
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(further().isEmpty());
+    EXPECT_FALSE(is_ticked("Depth"));
+    QTest::keyClick(line, Qt::Key_Escape);
+    EXPECT_FALSE(line->isVisible());
 }
 
 TEST_F(ViewsTest, EachKindOfOutputHasItsViewer) {

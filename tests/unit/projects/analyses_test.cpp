@@ -44,7 +44,7 @@ TEST_F(AnalysesTest, AreWrittenAndReadAndOlderBuildsSeeNothingOfNone) {
 TEST_F(AnalysesTest, SayWhatIsWrongWithThem) {
     EXPECT_EQ(why_not(), "");
     analysis.experiments = {"copy"};
-    EXPECT_EQ(why_not(), "is about 1 experiment, and takes 2 experiments");
+    EXPECT_EQ(why_not(), "it is about 1 experiment, and takes 2 experiments");
     analysis.experiments = {"copy", "gone"};
     EXPECT_EQ(why_not(), "there is no experiment 'gone'; choose another");
     analysis.experiments = {"copy", project.experiments[0].id};
@@ -54,13 +54,13 @@ TEST_F(AnalysesTest, SayWhatIsWrongWithThem) {
     EXPECT_NE(why_not().find("'gone'"), std::string::npos);
     analysis.reference.clear();
     analysis.parameters = {"x"};
-    EXPECT_EQ(why_not(), "takes no parameters; leave them out");
+    EXPECT_EQ(why_not(), "it takes no parameters; leave them out");
     analysis.kind = "attributions";
     EXPECT_NE(why_not().find("did you mean 'attribution'?"), std::string::npos) << why_not();
     analysis.kind = "waterfall";
     analysis.parameters.clear();
     analysis.experiments = {"copy"};
-    EXPECT_EQ(why_not(), "has no reference; choose one");
+    EXPECT_EQ(why_not(), "it has no reference; choose one");
 }
 
 TEST_F(AnalysesTest, OfDivergenceNameTwoMachines) {
@@ -76,14 +76,14 @@ TEST_F(AnalysesTest, OfDivergenceNameTwoMachines) {
     EXPECT_EQ(why_not(), "");
     EXPECT_EQ(machines_of(analysis), (std::array<std::string, 2>{"egl", "osmesa"}));
     analysis.parameters = {"host"};
-    EXPECT_EQ(why_not(), "compares two machines, and names 1; give gl and host, egl and osmesa, or none");
+    EXPECT_EQ(why_not(), "it compares two machines, and names 1; give two such as gl and host, or none");
     analysis.parameters = {"host", "cuda"};
     EXPECT_NE(why_not().find("'cuda' is no machine; give gl or host"), std::string::npos);
     analysis.parameters = {"host", "host"};
-    EXPECT_EQ(why_not(), "compares 'host' with itself; name another machine");
+    EXPECT_EQ(why_not(), "it compares 'host' with itself; name another machine");
     analysis.parameters.clear();
     analysis.reference = project.experiments[0].id;
-    EXPECT_EQ(why_not(), "compares two machines with each other; take the reference out");
+    EXPECT_EQ(why_not(), "it compares two machines with each other; take the reference out");
     project.experiments[0].reference = "copy";
     EXPECT_EQ(analysis_of(project, "divergence", project.experiments[0].id, testing::registry()).reference,
               "");

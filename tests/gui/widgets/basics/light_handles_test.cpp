@@ -7,6 +7,7 @@
 
 #include "widgets/image/decimals.h"
 #include "widgets/image/image_view.h"
+#include "widgets/image/legend.h"
 
 namespace ir::widgets {
 namespace {
@@ -389,6 +390,37 @@ TEST(LightHint, IsWrappedBetweenItsParts) {
     const auto narrow = wrapped_hint(hint, metrics, metrics.horizontalAdvance("one part  ·  two") + 1);
     EXPECT_EQ(narrow, QStringLiteral("one part  ·  two\nthree"));
     EXPECT_EQ(wrapped_hint(hint, metrics, 1).count(u'\n'), 2);
+}
+
+TEST(LightHint, StandsOffTheLegend) {
+    const auto look = [](QSize size, bool is_line) {
+        ImageView view(nullptr, ImageView::Surface::raster);
+        view.set_picture(make_picture(Image(48, 48, 1), Semantic::depth, {}, "m"));
+        view.set_legend(true);
+        view.camera().set_pose(camera_in_front());
+        view.resize(size);
+        view.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+        const qreal ratio = view.devicePixelRatioF();
+        ASSERT_EQ(legend_place(view.state(), ratio).is_line, is_line);
+        const auto bare = view.grab().toImage();
+        auto behind = spot();
+        behind.position = camera_in_front().eye;
+        view.set_light(behind);
+        ASSERT_FALSE(view.state().hint.isEmpty());
+        const auto hinted = view.grab().toImage();
+        EXPECT_NE(hinted, bare) << "there is a hint";
+        const auto& t = view.transform();
+        const QPointF end = t.offset() + t.zoom() * QPointF(t.image_size().width(), t.image_size().height());
+        const int right = int(std::ceil(end.x() + 8 * ratio)), below = int(std::ceil(end.y()));
+        const QRect legend = is_line ? QRect(0, below, bare.width(), int(legend_line_height(ratio)))
+                                     : QRect(right, 0, bare.width() - right, bare.height());
+        ASSERT_TRUE(bare.rect().contains(legend));
+        EXPECT_EQ(hinted.copy(legend), bare.copy(legend)) << "it is not under the legend";
+    };
+    look({320, 170}, false);
+    look({200, 420}, true);  // below the line is room for the hint
+    look({200, 230}, true);  // it stands above
 }
 
 TEST_F(LightToolTest, ASunStandsWhereTheCameraLooksAndOnlyTurns) {

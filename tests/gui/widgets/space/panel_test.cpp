@@ -3,7 +3,7 @@
 #include <QAbstractItemModelTester>
 #include <QAction>
 #include <QComboBox>
-#include <QMenu>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QSlider>
@@ -15,6 +15,7 @@
 
 #include "tests/gui/events.h"
 #include "tests/gui/widgets/space/fake_space.h"
+#include "widgets/panels/search_button.h"
 #include "widgets/space/filter_row.h"
 #include "widgets/space/layer_details.h"
 #include "widgets/space/layer_panel.h"
@@ -129,10 +130,15 @@ class Panel : public testing::Test {
         scene.layers = panel_.layers();
         return FakeSpace().draw(scene, {64, 64}).layers;
     }
+    /// As one does: by words and Enter.
     void add(const char* key) {
-        for (QAction* action : panel_.findChild<QToolButton*>("add_layer")->menu()->actions())
-            if (action->data().toString() == QLatin1String(key)) return action->trigger();
-        FAIL() << key;
+        auto* button = panel_.findChild<SearchButton*>("add_layer");
+        QTest::mouseClick(button, Qt::LeftButton);
+        auto* line = button->findChild<QLineEdit*>();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(line->window()));
+        QTest::keyClicks(line, QLatin1String(key));
+        QTest::keyClick(line, Qt::Key_Return);
+        EXPECT_FALSE(line->isVisible()) << "a choice closes it";
     }
     QComboBox* combo(const char* name) { return panel_.findChild<QComboBox*>(QLatin1String(name)); }
     void choose(const char* name, const QString& text) {
@@ -150,6 +156,9 @@ class Panel : public testing::Test {
 
 TEST_F(Panel, LayersAreAddedRemovedAndMoved) {
     QSignalSpy chosen(&panel_, &LayerPanel::layers_chosen);
+    const auto& entries = panel_.findChild<SearchButton*>("add_layer")->list().entries();
+    ASSERT_EQ(entries.size(), 2u);
+    EXPECT_STRNE(entries[0].sign, entries[1].sign) << "points, and directions";
     add("depths");
     ASSERT_EQ(panel_.layers().size(), 2u);
     EXPECT_EQ(panel_.current_layer(), 1);
