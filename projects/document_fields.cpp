@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "projects/analyses.h"
 #include "renderers/core/limits.h"
 
 namespace ir::projects {
@@ -30,6 +31,11 @@ bool is_area(const LightSpec& light) {
 }
 bool has_target(const LightSpec& light) {
     return looks(light.type);
+}
+
+bool has_frames(const Analysis& analysis) {
+    const auto* kind = find_analysis_kind(analysis.kind);
+    return kind && kind->takes_frames;
 }
 
 const Field<Motion::Key> time_field{&Motion::Key::time,
@@ -350,6 +356,18 @@ const Fields<Analysis>& analysis_fields() {
           .doc = "Keys of those that take part, separated by commas; empty: all. Of a divergence the two "
                  "machines: gl or host, egl or osmesa, or both with a plus; empty: gl, host",
           .writing = Writing::unless_default}},
+        {&Analysis::output,
+         {.key = "output",
+          .label = "Output",
+          .doc = "Which image of each frame; of one with levels or layers also KEY.level2, KEY.layer3",
+          .writing = Writing::unless_default},
+         has_frames},
+        {&Analysis::frames,
+         {.key = "frames",
+          .label = "Frames",
+          .doc = "How many: the last ones of the experiment, or the parts into which its samples are divided",
+          .range = {min_analysis_frames, max_analysis_frames}},
+         has_frames},
         {&Analysis::notes,
          {.key = "notes",
           .label = "Notes",

@@ -120,7 +120,7 @@ class AnalysesWindowTest : public WindowTest {
 
 TEST_F(AnalysesWindowTest, AsksRunsAndShowsTheAnswer) {
     EXPECT_TRUE(offers_one());
-    EXPECT_EQ(find<QToolButton>("new")->menu()->actions().size(), 5);
+    EXPECT_EQ(find<QToolButton>("new")->menu()->actions().size(), 6);
     ask("sensitivity");
     ASSERT_EQ(window.session().document().analyses.size(), 1u);
     EXPECT_EQ(analysis().experiments.front(), window.session().experiment()->id);
