@@ -82,7 +82,11 @@ const std::vector<AnalysisKind>& analysis_kinds() {
         {"divergence", "Divergence",
          "The first buffer that two processors or drivers make differently, and by how much each of those "
          "behind it differs.",
-         1, 1, false, false, false, true}};
+         1, 1, false, false, false, true},
+        {"frames", "Time machine",
+         "The last frames of an experiment, of any of its images: as its samples add up, or as time passes. How "
+         "much each changes and, with a reference, how far it is from it.",
+         1, 1, false, false, false, false, true}};
     return kinds;
 }
 
@@ -107,6 +111,14 @@ std::optional<MachineName> read_machine_name(const std::string& text) {
 std::array<std::string, 2> machines_of(const Analysis& analysis) {
     if (analysis.parameters.size() != 2) return {default_machines[0], default_machines[1]};
     return {analysis.parameters[0], analysis.parameters[1]};
+}
+
+bool is_main_output(const Project& project, const std::string& experiment, const std::string& output,
+                    const Registry& registry) {
+    const auto* found = find_item(project.experiments, experiment);
+    const auto* method = found ? registry.find(found->method) : nullptr;
+    const auto* main = method ? main_output(*method, effective(*found).values) : nullptr;
+    return output.empty() || !main || output == main->key;
 }
 
 std::string why_not_analysed(const Project& project, const Analysis& analysis, const Registry& registry) {
@@ -134,6 +146,10 @@ std::string why_not_analysed(const Project& project, const Analysis& analysis, c
                "' to be its reference; choose another";
     if (std::ranges::find(analysis.experiments, analysis.reference) != analysis.experiments.end())
         return "the reference is one of the experiments; take it out";
+    if (kind->takes_frames && !analysis.reference.empty() &&
+        !is_main_output(project, analysis.experiments[0], analysis.output, registry))
+        return "is about '" + printable(analysis.output, 60) +
+               "', and a reference shows the main result; take one of the two out";
     if (kind->needs_one_method && experiments[0]->method != experiments[1]->method)
         return "it asks about two experiments of one method, and '" + experiments[0]->id + "' is by " +
                experiments[0]->method + ", '" + experiments[1]->id + "' by " + experiments[1]->method;
@@ -141,7 +157,7 @@ std::string why_not_analysed(const Project& project, const Analysis& analysis, c
 }
 
 Analysis analysis_of(const Project& project, const std::string& kind_key, const std::string& id,
-                     const Registry& registry) {
+                     const Registry& registry, const std::string& output) {
     const auto* kind = find_analysis_kind(kind_key);
     if (!kind)
         throw UsageError("question '" + printable(kind_key, 60) + "' is unknown" +
@@ -152,7 +168,9 @@ Analysis analysis_of(const Project& project, const std::string& kind_key, const 
     analysis.id = free_id_in(project.analyses, kind->label);
     analysis.kind = kind->key;
     analysis.experiments = {first.id};
-    if (!kind->compares_machines) analysis.reference = first.reference;
+    analysis.output = output;
+    if (!kind->compares_machines && is_main_output(project, id, output, registry))
+        analysis.reference = first.reference;
     const auto add = [&](bool is_same_method) {
         for (const auto& other : project.experiments) {
             const auto* method = registry.find(other.method);

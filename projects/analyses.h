@@ -17,7 +17,11 @@ struct AnalysisKind {
     bool needs_one_method = false, needs_reference = false, takes_parameters = false;
     /// Of two machines, which the parameters name, and judged by no reference.
     bool compares_machines = false;
+    /// Of an output of the experiment's last frames, as many as the analysis says.
+    bool takes_frames = false;
 };
+
+inline constexpr int min_analysis_frames = 2, max_analysis_frames = 64;
 
 /// All that this build can answer.
 const std::vector<AnalysisKind>& analysis_kinds();
@@ -39,15 +43,21 @@ std::optional<MachineName> read_machine_name(const std::string& text);
 /// Those that an analysis compares.
 std::array<std::string, 2> machines_of(const Analysis& analysis);
 
+/// Whether this is what a reference shows, too: the main result under the experiment's settings. True for an
+/// experiment or a method that is not there.
+bool is_main_output(const Project& project, const std::string& experiment, const std::string& output,
+                    const Registry& registry);
+
 /// Why the analysis cannot be carried out as the document has it, in one line; empty: nothing is known
 /// against it.
 std::string why_not_analysed(const Project& project, const Analysis& analysis, const Registry& registry);
 
 /// An analysis of this kind about the experiment, judged by its reference. Where the kind asks about several,
 /// the others are those of the same scene, camera and size, first those of the same method; its ground truth
-/// is none of them. Throws UsageError for an unknown kind or experiment.
+/// is none of them. Of an output that no reference shows there is none. Throws UsageError for an unknown kind
+/// or experiment.
 Analysis analysis_of(const Project& project, const std::string& kind, const std::string& experiment,
-                     const Registry& registry);
+                     const Registry& registry, const std::string& output = {});
 
 /// Where the answer is kept: a folder relative to results/, '/' as separator, and what is in it.
 std::string analysis_path(const std::string& analysis);

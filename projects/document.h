@@ -209,6 +209,9 @@ struct Analysis {
     std::vector<std::string> experiments;  ///< ids; of an attribution A, then B
     std::string reference;                 ///< id of an experiment or a foreign image; may be empty
     std::vector<std::string> parameters;   ///< keys of those that take part; empty: all
+    // Of kinds that take frames (analyses.h); only these have them in the file.
+    std::string output;  ///< key of an image, with ".level2" or ".layer3"; empty: the main result
+    int frames = 8;      ///< how many
     std::string notes;
     Json extra = Json::object();
     bool operator==(const Analysis&) const = default;

@@ -33,6 +33,11 @@ bool has_target(const LightSpec& light) {
     return looks(light.type);
 }
 
+bool has_frames(const Analysis& analysis) {
+    const auto* kind = find_analysis_kind(analysis.kind);
+    return kind && kind->takes_frames;
+}
+
 const Field<Motion::Key> time_field{&Motion::Key::time,
                                     {"time",
                                      "Time",
@@ -352,6 +357,18 @@ const Fields<Analysis>& analysis_fields() {
                              "the two machines: ") +
                  machine_words + "; empty: " + default_machines[0] + ", " + default_machines[1],
           .writing = Writing::unless_default}},
+        {&Analysis::output,
+         {.key = "output",
+          .label = "Output",
+          .doc = "Which image of each frame; of one with levels or layers also KEY.level2, KEY.layer3",
+          .writing = Writing::unless_default},
+         has_frames},
+        {&Analysis::frames,
+         {.key = "frames",
+          .label = "Frames",
+          .doc = "How many: the last ones of the experiment, or the parts into which its samples are divided",
+          .range = {min_analysis_frames, max_analysis_frames}},
+         has_frames},
         {&Analysis::notes,
          {.key = "notes",
           .label = "Notes",

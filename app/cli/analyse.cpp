@@ -6,6 +6,7 @@
 #include "app/cli/run_frames.h"
 #include "app/cli/text_table.h"
 #include "app/engine/analysis/kept_analysis.h"
+#include "projects/document_fields.h"
 #include "renderers/core/error.h"
 #include "renderers/core/words.h"
 #include "renderers/core/write_file.h"
@@ -20,7 +21,8 @@ using projects::Analysis;
 struct AnalyseFlags {
     MachineFlags machine;
     std::string project, kind, out, csv, svg;
-    std::optional<std::string> reference;
+    std::optional<std::string> reference, output;
+    std::optional<int> frames;
     std::vector<std::string> names, experiments, parameters;
     bool no_keep = false, quiet = false;
 };
@@ -30,7 +32,11 @@ Analysis own_analysis(const AnalyseFlags& flags, const projects::Project& projec
     if (flags.experiments.empty())
         throw UsageError("--kind asks about an experiment of the project; give its id by --experiment: " +
                          listed(words_of(project.experiments, &projects::Experiment::id)));
-    auto analysis = projects::analysis_of(project, flags.kind, flags.experiments.front(), engine::registry());
+    auto analysis = projects::analysis_of(project, flags.kind, flags.experiments.front(), engine::registry(),
+                                          flags.output.value_or(""));
+    if ((flags.output || flags.frames) && !projects::find_analysis_kind(flags.kind)->takes_frames)
+        throw UsageError("--output and --frames are of --kind frames; leave them out");
+    analysis.frames = flags.frames.value_or(analysis.frames);
     analysis.id = flags.kind;
     if (flags.experiments.size() > 1)
         analysis.experiments = flags.experiments;
@@ -172,9 +178,10 @@ void add_analyse(CLI::App& app, Run& run) {
     auto* command = app.add_subcommand(
         "analyse",
         "Answer questions about a project's experiments: who disagrees, what matters, what makes a "
-        "difference, which stage owns the error, where two machines part");
+        "difference, which stage owns the error, where two machines part, what the last frames were");
     command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene())->required();
     command->add_option("ID", flags->names, "Id or name of analyses of the project (default: all)");
+    const auto& fields = projects::analysis_fields();
     const auto kinds = words_of(projects::analysis_kinds(), &projects::AnalysisKind::key);
     auto* kind =
         command->add_option("--kind", flags->kind,
@@ -194,6 +201,13 @@ void add_analyse(CLI::App& app, Run& run) {
             std::string("Key of a parameter that takes part in --kind; may be repeated (default: all). Of "
                         "divergence a machine: ") +
                 projects::machine_words + " (default: gl and host)")
+        ->needs(kind);
+    command
+        ->add_option("--output", flags->output,
+                     projects::field_of(fields, "output").text.doc + " (default: the main result)")
+        ->needs(kind);
+    command->add_option("--frames", flags->frames, projects::field_of(fields, "frames").text.doc)
+        ->check(CLI::Range(projects::min_analysis_frames, projects::max_analysis_frames))
         ->needs(kind);
     command->add_option("--out", flags->out,
                         "Folder for " + std::string(projects::analysis_file) + " and " +

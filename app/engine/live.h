@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "app/engine/experiment.h"
+#include "app/engine/part.h"
 #include "projects/document.h"
 #include "renderers/core/inspection.h"
 #include "renderers/core/report.h"
@@ -16,15 +16,6 @@
 
 /// What a window and the render thread say to each other. Plain data.
 namespace ir::engine {
-
-/// An image resource, or a level or layer of it.
-struct Part {
-    static constexpr int all = -1;  ///< side by side, as image/atlas.h arranges them
-    std::string key;                ///< empty: the main result
-    int level = 0, layer = 0;
-    std::string after = {};  ///< as it was when this pass had run; empty: at the end of the frame
-    auto operator<=>(const Part&) const = default;
-};
 
 /// How fine a picture is. Only full ones count; the others are for the eye, until the full one is there.
 enum class Fineness {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "app/engine/lighting_digest.h"
+#include "app/engine/part.h"
 #include "app/engine/version.h"
 #include "renderers/core/changed_shaders.h"
 #include "renderers/core/error.h"
@@ -101,12 +102,8 @@ std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std
             continue;
         }
         for (int level = 0; level < resource.levels; ++level)
-            for (int layer = 0; layer < resource.layers; ++layer) {
-                auto name = resource.key;
-                if (level > 0) name += ".level" + std::to_string(level);
-                if (resource.layers > 1) name += ".layer" + std::to_string(layer);
-                add(name, resource, level, layer);
-            }
+            for (int layer = 0; layer < resource.layers; ++layer)
+                add(layer_name({resource.key, level, layer}, resource.layers > 1), resource, level, layer);
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #include "app/gui/analyses_dock.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "app/engine/version.h"
@@ -30,32 +31,51 @@ fs::file_time_type written(const fs::path& file) {
     return ignored ? fs::file_time_type{} : time;
 }
 
-AnswerPicture shown(const engine::AnalysisPicture& picture, const std::shared_ptr<const Image>& valid) {
-    AnswerPicture result;
-    result.key = text_of(picture.key);
-    result.label = text_of(picture.label);
-    result.doc = text_of(picture.doc);
-    auto made = std::make_shared<widgets::Picture>();
-    made->image = std::make_shared<const Image>(picture.image);
-    made->valid = valid;
-    made->label = result.label;
-    made->semantic = picture.categories.empty() ? Semantic::generic : Semantic::id;
-    made->categories = picture.categories;
-    result.display =
-        picture.categories.empty()
-            ? widgets::display_for_difference(
-                  picture.has_sign ? DifferenceKind::signed_ : DifferenceKind::absolute, picture.image)
-            : widgets::display_for(made->semantic, {}, picture.image, {}, picture.categories);
-    result.display.hide_invalid = true;
-    result.picture = std::move(made);
-    return result;
+widgets::Display display_of(const engine::AnalysisPicture& picture) {
+    widgets::Display display;
+    if (const auto& buffer = picture.buffer)
+        return widgets::display_for(buffer->semantic, buffer->colour_map, picture.image, {},
+                                    picture.categories);
+    if (picture.categories.empty())
+        display = widgets::display_for_difference(
+            picture.has_sign ? DifferenceKind::signed_ : DifferenceKind::absolute, picture.image);
+    else
+        display = widgets::display_for(Semantic::id, {}, picture.image, {}, picture.categories);
+    display.hide_invalid = true;
+    return display;
 }
 
-std::vector<AnswerPicture> shown(const engine::AnalysisResult& result) {
-    std::shared_ptr<const Image> valid;
-    if (!result.valid.empty()) valid = std::make_shared<const Image>(result.valid);
+/// Pictures of a buffer have the exposure of the last, and a range that holds the numbers of all.
+void show_buffers_alike(std::vector<AnswerPicture>& pictures) {
+    if (pictures.empty()) return;
+    auto common = pictures.back().display;
+    for (const auto& each : pictures) {
+        common.low = std::min(common.low, each.display.low);
+        common.high = std::max(common.high, each.display.high);
+    }
+    for (auto& each : pictures) each.display = common;
+}
+
+/// The pixels stay those of the answer.
+std::vector<AnswerPicture> shown(const std::shared_ptr<const KeptAnalysis>& kept) {
+    const auto& result = kept->result;
     std::vector<AnswerPicture> pictures;
-    for (const auto& picture : result.pictures) pictures.push_back(shown(picture, valid));
+    for (const auto& picture : result.pictures) {
+        auto made = std::make_shared<widgets::Picture>();
+        made->image = {kept, &picture.image};
+        if (!picture.buffer && !result.valid.empty()) made->valid = {kept, &result.valid};
+        made->label = text_of(picture.label);
+        made->semantic = picture.buffer               ? picture.buffer->semantic
+                         : picture.categories.empty() ? Semantic::generic
+                                                      : Semantic::id;
+        if (picture.buffer) made->unit = text_of(picture.buffer->unit);
+        made->categories = picture.categories;
+        pictures.push_back(
+            {text_of(picture.key), made->label, text_of(picture.doc), made, display_of(picture)});
+    }
+    const bool are_buffers = std::ranges::all_of(
+        result.pictures, [](const engine::AnalysisPicture& picture) { return picture.buffer.has_value(); });
+    if (are_buffers) show_buffers_alike(pictures);
     return pictures;
 }
 
@@ -81,7 +101,7 @@ AnalysesDock::AnalysesDock(Session& session, const Preferences& preferences, eng
     connect(&session_.files(), &ProjectFiles::files_changed, this, &AnalysesDock::look);
     connect(&preferences_, &Preferences::maps_changed, this, [this] {
         for (auto& [id, answer] : answers_)
-            if (answer.kept) answer.pictures = shown(answer.kept->result);
+            if (answer.kept) answer.pictures = shown(answer.kept);
         update();
     });
     update();
@@ -135,7 +155,7 @@ void AnalysesDock::connect_runs() {
 
 void AnalysesDock::take(const std::string& id, std::shared_ptr<const KeptAnalysis> kept) {
     auto& answer = answers_[id];
-    answer.pictures = kept ? shown(kept->result) : std::vector<AnswerPicture>();
+    answer.pictures = kept ? shown(kept) : std::vector<AnswerPicture>();
     answer.kept = std::move(kept);
     answer.problem.clear();
 }
@@ -276,8 +296,8 @@ QString AnalysesDock::empty_text() const {
     const auto& open = session_.open_project();
     const auto what =
         tr("An analysis answers a question about experiments by rendering: where they disagree, which of "
-           "their numbers matter, which setting makes a difference, which stage owns the error, and where "
-           "two processors or drivers part.");
+           "their numbers matter, which setting makes a difference, which stage owns the error, where two "
+           "processors or drivers part, and what the last frames were.");
     return what + QStringLiteral("\n\n") +
            (document.experiments.empty() ? tr("It needs an experiment.")
             : open.is_read_only()        ? read_only_text(open)
@@ -308,6 +328,8 @@ widgets::AnalysisFields AnalysesDock::fields() const {
     if (answer.kept) {
         fields.data = answer.kept->result.data;
         fields.pictures = answer.pictures;
+        const auto* kind = projects::find_analysis_kind(answer.kept->kind);
+        fields.are_frames = kind && kind->takes_frames;
     }
     fields.waiting = running_ == chosen()           ? tr("Rendering what the answer takes …")
                      : reader_.is_running()         ? tr("Reading …")

@@ -10,10 +10,12 @@
 
 #include "app/engine/camera_pose.h"
 #include "app/engine/film.h"
+#include "app/engine/part.h"
 #include "app/gui/dialog_folder.h"
 #include "app/gui/exports.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
+#include "projects/analyses.h"
 #include "projects/edit_steps.h"
 #include "renderers/core/error.h"
 #include "renderers/image/channels.h"
@@ -79,6 +81,9 @@ FramesDock::FramesDock(QWidget& window, Session& session, LivePictures& live, Wo
         tr("All views go on by one of the frames that are kept"), [this] { choose(int(past_.place()) + 1); });
     add("past-now", tr("&Newest frame"), nullptr, Qt::Key_N, tr("All views show what is newest again"),
         [this] { past_.show_now(); });
+    add("past-keep", tr("&Keep the last frames"), "keep", Qt::Key_K,
+        tr("An analysis of the project that renders as many frames, and keeps their pictures"),
+        [this] { keep_frames(); });
     using Panel = widgets::FramesPanel;
     connect(panel_, &Panel::frame_chosen, this, &FramesDock::choose);
     connect(panel_, &Panel::now_wanted, &past_, &PastFrames::show_now);
@@ -86,6 +91,7 @@ FramesDock::FramesDock(QWidget& window, Session& session, LivePictures& live, Wo
             [this](double limit) { past_.set_limit(std::uint64_t(limit * bytes_per_mib)); });
     connect(panel_, &Panel::film_wanted, this, &FramesDock::ask);
     connect(panel_, &Panel::experiment_wanted, this, &FramesDock::add_experiment);
+    connect(panel_, &Panel::keep_wanted, this, &FramesDock::keep_frames);
     connect(&past_, &PastFrames::kept_changed, this, &FramesDock::update);
     connect(&past_, &PastFrames::shown_changed, this, &FramesDock::update);
     connect(&workspace_, &Workspace::picture_shown, this, &FramesDock::update);
@@ -162,6 +168,8 @@ void FramesDock::update() {
         state.why_no_experiment = tr("Choose an older frame of the experiment that is worked on.");
     else if (session_.open_project().is_read_only())
         state.why_no_experiment = read_only_text(session_.open_project());
+    state.why_not_kept = why_not_kept();
+    set_reason(*actions_.find("past-keep"), state.why_not_kept);
     if (past_.frames().empty())
         state.caption = past_.limit() == 0 ? tr("No frames are kept.")
                                            : tr("Frames are kept here as they arrive in the views.");
@@ -230,6 +238,34 @@ void FramesDock::add_experiment() {
     if (!done) return;
     past_.show_now();
     session_.select_experiment(copy.id);
+}
+
+QString FramesDock::why_not_kept() const {
+    engine::Part part;
+    if (!session_.has_project() || film_frames(part).empty())
+        return tr("No kept frame has the picture of the active view.");
+    if (session_.open_project().is_read_only()) return read_only_text(session_.open_project());
+    if (!part.after.empty()) return tr("The view shows a step within the frame; show its end first.");
+    if (part.level == engine::Part::all || part.layer == engine::Part::all)
+        return tr("The view shows several levels or layers; choose one of them.");
+    return {};
+}
+
+/// They are rendered anew: past ones may be of settings of before.
+void FramesDock::keep_frames() {
+    if (!why_not_kept().isEmpty()) return;
+    engine::Part part;
+    const int count = int(film_frames(part).size());
+    const auto output = part.key.empty() ? part.key : engine::layer_name(part, part.layer > 0);
+    const auto experiment = workspace_.views().active_state().a.owner;
+    const bool done = session_.edit([&](const projects::Project& project) {
+        auto analysis = projects::analysis_of(project, "frames", experiment, session_.registry(), output);
+        analysis.frames = std::clamp(count, projects::min_analysis_frames, projects::max_analysis_frames);
+        return projects::edits::add(project, analysis);
+    });
+    if (!done) return;
+    session_.end_gesture();
+    emit analysis_added();
 }
 
 void FramesDock::save(projects::Json& memory) const {

@@ -10,7 +10,7 @@
 namespace ir::gui {
 
 /// Joins the panel of the last frames, and keys, to those that are kept: goes through them, saves them, and
-/// makes an experiment of one.
+/// makes an experiment of one and an analysis of all.
 class FramesDock : public QObject {
     Q_OBJECT
   public:
@@ -22,15 +22,21 @@ class FramesDock : public QObject {
     /// The kept frames of what the active view shows, into a folder or a video. Asks nothing.
     void save_film(Film film, const QString& file);
     bool is_saving() const { return job_.is_running(); }
+    /// As many frames of what the active view shows, as an analysis of the project.
+    void keep_frames();
 
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
+
+  signals:
+    void analysis_added();
 
   private:
     void update();
     void choose(int frame);
     void ask(Film film);
     void add_experiment();
+    QString why_not_kept() const;
     const PastFrame* chosen() const;  ///< of the experiment that is worked on; null: now, or none
     QString caption() const;
     std::vector<std::shared_ptr<const engine::LiveResult>> film_frames(engine::Part& part) const;

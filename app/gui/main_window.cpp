@@ -246,7 +246,7 @@ void MainWindow::make_menus() {
     picture_menu_->setToolTipsVisible(true);
     add_menu(
         tr("&Render"),
-        "cancel rerun shaders edit-shader | play step-forward step-back | past-older past-newer past-now | match keep")
+        "cancel rerun shaders edit-shader | play step-forward step-back | past-older past-newer past-now past-keep | match keep")
         ->setToolTipsVisible(true);
     auto* window = add_menu(tr("&Window"),
                             "views-1 views-2 views-2-stacked views-3 views-4 | "
@@ -357,6 +357,7 @@ void MainWindow::join_panels() {
     connect(plots_, &PlotsDock::edit_wanted, &joins_, edit(widgets::ItemKind::plot));
     connect(sweeps_, &SweepsDock::edit_wanted, &joins_, edit(widgets::ItemKind::sweep));
     connect(analyses_, &AnalysesDock::edit_wanted, &joins_, edit(widgets::ItemKind::analysis));
+    connect(&frames_, &FramesDock::analysis_added, &joins_, [this] { docks_.raise("analyses"); });
     notices_.follow(*results_, "results");
     notices_.follow(*plots_, "plots");
     notices_.follow(*sweeps_, "sweeps");
@@ -400,10 +401,7 @@ void MainWindow::update_frame() {
     pages_->setCurrentIndex(has_project ? 1 : 0);
     docks_.show(has_project);
     notes_->set_notes(has_project ? text_of(session_.document().notes) : QString());
-    if (!has_project) {
-        setWindowModified(false);
-        return setWindowTitle(tr("Interreflect"));
-    }
+    if (!has_project) return setWindowModified(false), setWindowTitle(tr("Interreflect"));
     const auto& project = session_.open_project();
     const QString name = text_of(session_.document().name.empty() ? "untitled" : session_.document().name);
     const QString place =

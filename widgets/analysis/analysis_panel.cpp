@@ -9,6 +9,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSlider>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -55,7 +57,7 @@ AnalysisPanel::AnalysisPanel(ImageView::Surface surface, QWidget* parent)
             emit picture_chosen(key);
         }
     };
-    connect(&chart_->view(), &PlotView::selected_changed, this, follow);
+    connect(chart_, &PlotPanel::selected_changed, this, follow);
     connect(chart_, &PlotPanel::point_activated, this, follow);
     show_run();
 }
@@ -97,10 +99,7 @@ QWidget* AnalysisPanel::make_picture_column(ImageView::Surface surface) {
     auto* tools = new QWidget;
     auto* row = row_in(tools, {4, 0, 4, 2});
     pictures_ = add_list(row, "picture", tr("Picture"), 10, 2);
-    connect(pictures_, &QComboBox::activated, this, [this] {
-        show_chosen_picture();
-        emit picture_chosen(shown());
-    });
+    connect(pictures_, &QComboBox::activated, this, [this] { choose_picture(shown()); });
     value_ = make_cut_label("value");
     row->addWidget(value_, 1);
     column->addWidget(tools);
@@ -109,7 +108,29 @@ QWidget* AnalysisPanel::make_picture_column(ImageView::Surface surface) {
     view_->setMinimumSize(160, 100);
     connect(view_, &ImageView::cursor_moved, this, &AnalysisPanel::show_value);
     column->addWidget(view_, 1);
+    slider_ = new QSlider(Qt::Horizontal);
+    slider_->setObjectName(QStringLiteral("frame"));
+    slider_->setPageStep(4);
+    slider_->setToolTip(tr("Goes through the frames: drag, or arrows, Home and End"));
+    slider_->setAccessibleName(tr("Frame"));
+    connect(slider_, &QSlider::valueChanged, this,
+            [this](int index) { choose_picture(pictures_->itemData(index).toString()); });
+    column->addWidget(slider_);
     return widget;
+}
+
+/// A person does: a bar that is about it is the chosen one then.
+void AnalysisPanel::choose_picture(const QString& key) {
+    show_picture(key);
+    if (chart_->selected().section(QLatin1Char(':'), 0, 0) != key) {
+        for (const auto& [point, series] : fields_.data.in_reading_order())
+            if (const auto id = QString::fromStdString(point->id);
+                id.section(QLatin1Char(':'), 0, 0) == key) {
+                chart_->select(id);
+                break;
+            }
+    }
+    emit picture_chosen(key);
 }
 
 QWidget* AnalysisPanel::make_foot() {
@@ -198,6 +219,12 @@ void AnalysisPanel::show_picture(const QString& key) {
 void AnalysisPanel::show_chosen_picture() {
     const auto* chosen = find(shown());
     pictures_->setToolTip(chosen ? chosen->doc : QString());
+    {
+        const QSignalBlocker quiet(slider_);
+        slider_->setRange(0, std::max(0, pictures_->count() - 1));
+        slider_->setValue(pictures_->currentIndex());
+    }
+    slider_->setVisible(fields_.are_frames && chosen);
     value_->clear();
     if (!chosen) return view_->set_picture(nullptr);
     if (chosen->picture->size() != QSize(view_->image().width, view_->image().height)) {
@@ -213,10 +240,12 @@ void AnalysisPanel::show_value(QPoint pixel) {
     const auto* chosen = find(shown());
     const auto inside = chosen ? place_text(*chosen->picture, pixel) : QString();
     if (inside.isEmpty()) return value_->clear();
-    const float number = chosen->picture->image->at(pixel.x(), pixel.y());
-    const auto name = category_label(chosen->picture->categories, number);
+    const auto& image = *chosen->picture->image;
+    QStringList numbers;
+    for (int c = 0; c < image.channels; ++c) numbers << short_number(image.at(pixel.x(), pixel.y(), c));
+    const auto name = category_label(chosen->picture->categories, image.at(pixel.x(), pixel.y()));
     value_->setText(inside.simplified() + QStringLiteral("  ") +
-                    (name.empty() ? short_number(number) : QString::fromStdString(name)));
+                    (name.empty() ? numbers.join(QLatin1Char(' ')) : QString::fromStdString(name)));
 }
 
 /// Esc belongs to the window, too, which cancels rendering with it.

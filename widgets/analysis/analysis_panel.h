@@ -12,6 +12,7 @@
 class QComboBox;
 class QLabel;
 class QProgressBar;
+class QSlider;
 class QSplitter;
 class QStackedWidget;
 class QToolButton;
@@ -39,12 +40,13 @@ struct AnalysisFields {
     QString waiting;  ///< over a chart without bars
     PlotData data;
     std::vector<AnswerPicture> pictures;
+    bool are_frames = false;  ///< of one thing after another
     QString foot, foot_tip;
     bool is_warning = false;
 };
 
 /// Questions about experiments: asks one, and shows its answer as a chart with a table beside a picture. A
-/// bar that has a picture of its own shows it.
+/// bar that has a picture of its own shows it; a slider goes through frames.
 class AnalysisPanel : public QWidget {
     Q_OBJECT
   public:
@@ -81,6 +83,7 @@ class AnalysisPanel : public QWidget {
     void fill_kinds();
     void show_run();
     void show_chosen_picture();
+    void choose_picture(const QString& key);
     void show_value(QPoint pixel);
     const AnswerPicture* find(const QString& key) const;
 
@@ -90,6 +93,7 @@ class AnalysisPanel : public QWidget {
     QProgressBar* progress_ = nullptr;
     QLabel *doing_ = nullptr, *value_ = nullptr, *foot_ = nullptr, *foot_icon_ = nullptr;
     ImageView* view_ = nullptr;
+    QSlider* slider_ = nullptr;
     PlotPanel* chart_;
     QSplitter* split_;
     QStackedWidget* pages_;

@@ -26,6 +26,21 @@ std::vector<std::string> keys_in(const QString& text) {
     return keys;
 }
 
+/// Images of the method that is asked about; others of its buffers are shown as they are called.
+std::vector<Option> output_options(const ShownProject& shown, const Analysis& analysis) {
+    std::vector<Option> options{{QString(), QObject::tr("Main result"), {}}};
+    const auto* experiment = analysis.experiments.empty()
+                                 ? nullptr
+                                 : projects::find_item(shown.project.experiments, analysis.experiments[0]);
+    const auto* method = experiment ? shown.registry.find(experiment->method) : nullptr;
+    if (!method) return options;
+    for (const auto& output : method->outputs)
+        if (output.kind == OutputKind::image || output.kind == OutputKind::pyramid ||
+            output.kind == OutputKind::stack)
+            options.push_back({q(output.key), q(output.label), q(output.doc)});
+    return options;
+}
+
 std::vector<Option> kind_options() {
     std::vector<Option> options;
     for (const auto& kind : projects::analysis_kinds())
@@ -60,6 +75,14 @@ AnalysisEditor::AnalysisEditor(QWidget* parent) : ItemForm(parent) {
         emit edit_wanted(field_edit<Analysis>(
             id_, "parameters", [keys = keys_in(text)](Analysis& analysis) { analysis.parameters = keys; },
             false));
+    });
+    output_ = choice_row(grid, "output");
+    frames_ = make_number(QStringLiteral("frames"), analysis_field("frames").text, this);
+    frames_->set_whole(true);
+    row(grid, analysis_field("frames").text, frames_);
+    connect(frames_, &NumberField::chosen, this, [this](double frames) {
+        emit edit_wanted(field_edit<Analysis>(
+            id_, "frames", [frames](Analysis& analysis) { analysis.frames = int(frames); }));
     });
     problem_ = new QLabel(this);
     problem_->setObjectName(QStringLiteral("analysis-problem"));
@@ -108,7 +131,13 @@ void AnalysisEditor::show_item(const ShownProject& shown, const ItemRef& item) {
         set_usable(parameters_, takes ? QString() : tr("This question takes no parameters."));
         const bool judges = !compares || !analysis.reference.empty();  // what is wrong can be taken out
         set_usable(reference_, judges ? QString() : tr("This question takes no reference."));
+        const auto why_no_frames =
+            !kind || kind->takes_frames ? QString() : tr("This question is not about frames.");
+        set_usable(output_, why_no_frames);
+        set_usable(frames_, why_no_frames);
     }
+    output_->show_options(output_options(shown, analysis), q(analysis.output));
+    frames_->show_value(analysis.frames);
     const auto why_not = projects::why_not_analysed(shown.project, analysis, shown.registry);
     problem_->setText(why_not.empty() ? tr("The Analyses panel carries it out.")
                                       : tr("It cannot be carried out: %1.").arg(q(why_not)));

@@ -7,6 +7,7 @@ namespace ir::widgets {
 class ChoiceField;
 class ExperimentChecks;
 class NotesField;
+class NumberField;
 
 /// An analysis: what is asked, about which experiments, by which reference; says what is wrong with it.
 class AnalysisEditor : public ItemForm {
@@ -19,7 +20,8 @@ class AnalysisEditor : public ItemForm {
     ChoiceField* choice_row(QGridLayout* grid, const char* key);
 
     TextField *name_, *parameters_;
-    ChoiceField *kind_, *reference_;
+    ChoiceField *kind_, *reference_, *output_;
+    NumberField* frames_;
     ExperimentChecks* experiments_;
     QLabel *doc_, *problem_;
     NotesField* notes_;

@@ -121,6 +121,7 @@ void PlotPanel::link_selection() {
     connect(view_, &PlotView::selected_changed, this, [this](const QString& id) {
         select_row(id);
         show_point();
+        emit selected_changed(id);
     });
     connect(view_, &PlotView::activated, this, &PlotPanel::point_activated);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -128,6 +129,7 @@ void PlotPanel::link_selection() {
                 if (linking_ || !row.isValid()) return;
                 view_->select(row.data(PlotTableModel::id_role).toString());
                 show_point();
+                emit selected_changed(selected());
             });
     connect(table_, &QTreeView::activated, this, [this](const QModelIndex& row) {
         emit point_activated(row.data(PlotTableModel::id_role).toString());

@@ -37,6 +37,8 @@ class PlotPanel : public QWidget {
     void select(const QString& id);
 
   signals:
+    /// By a person, in the plot or in the table.
+    void selected_changed(const QString& id);
     /// Clicked in the plot, or chosen with Enter or a double click.
     void point_activated(const QString& id);
     void button_clicked();

@@ -120,13 +120,18 @@ QLayout* FramesPanel::make_caption_row() {
     experiment_ = make_button("frame-experiment", "experiment", {});
     experiment_->setText(tr("As experiment"));
     experiment_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    keep_ = make_button("frame-keep", "keep", {});
+    keep_->setText(tr("Keep"));
+    keep_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     row->addWidget(caption_, 1);
     row->addWidget(used_);
     row->addWidget(limit_);
     row->addWidget(experiment_);
+    row->addWidget(keep_);
     row->addWidget(make_film());
     connect(limit_, &NumberField::chosen, this, &FramesPanel::limit_chosen);
     connect(experiment_, &QToolButton::clicked, this, &FramesPanel::experiment_wanted);
+    connect(keep_, &QToolButton::clicked, this, &FramesPanel::keep_wanted);
     return row;
 }
 
@@ -172,6 +177,10 @@ void FramesPanel::show_state(const FramesState& state) {
     set(film_, tr("The kept frames of what the active view shows, as files"), state.why_no_film);
     set(experiment_, tr("A new experiment with the settings and the camera of this frame. Can be undone"),
         state.why_no_experiment);
+    set(keep_,
+        tr("An analysis of the project that renders as many frames of what the active view shows, and keeps "
+           "their pictures (Alt+K). Can be undone"),
+        state.why_not_kept);
 }
 
 }  // namespace ir::widgets

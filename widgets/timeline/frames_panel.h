@@ -21,6 +21,7 @@ struct FramesState {
     double used_mib = 0, limit_mib = 0;
     QString why_no_film = {};  ///< not empty: the frames cannot be saved
     QString why_no_experiment = {};
+    QString why_not_kept = {};
 };
 
 /// Goes back through the last frames. Changes nothing itself: whoever keeps them answers with a state.
@@ -41,6 +42,7 @@ class FramesPanel : public QWidget {
     void limit_chosen(double mib);
     void film_wanted(ir::widgets::FramesPanel::Film film);
     void experiment_wanted();
+    void keep_wanted();
 
   private:
     QLayout* make_slider_row();
@@ -53,7 +55,7 @@ class FramesPanel : public QWidget {
     QLabel *caption_ = nullptr, *used_ = nullptr;
     NumberField* limit_ = nullptr;
     QToolButton *older_ = nullptr, *newer_ = nullptr, *now_ = nullptr, *film_ = nullptr,
-                *experiment_ = nullptr;
+                *experiment_ = nullptr, *keep_ = nullptr;
 };
 
 }  // namespace ir::widgets

@@ -13,11 +13,9 @@ AnalysisResult run_analysis(Machine& machine, const projects::Project& project,
     if (const auto why_not = projects::why_not_analysed(project, analysis, registry()); !why_not.empty())
         throw UsageError("analysis '" + analysis.id + "': " + why_not);
     using Answer = AnalysisResult (*)(AnalysisRun&);
-    static const std::map<std::string, Answer> answers{{"disagreement", disagreement},
-                                                       {"sensitivity", sensitivity},
-                                                       {"attribution", attribution},
-                                                       {"waterfall", waterfall},
-                                                       {"divergence", divergence}};
+    static const std::map<std::string, Answer> answers{
+        {"disagreement", disagreement}, {"sensitivity", sensitivity}, {"attribution", attribution},
+        {"waterfall", waterfall},       {"divergence", divergence},   {"frames", last_frames}};
     AnalysisRun run(machine, project, analysis, folder, callbacks);
     auto result = answers.at(analysis.kind)(run);
     result.valid = run.valid();

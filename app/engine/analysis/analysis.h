@@ -2,18 +2,26 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/engine/execution.h"
 #include "projects/analyses.h"
 #include "renderers/core/category.h"
+#include "renderers/core/output.h"
 #include "renderers/plot/plot_data.h"
 
 /// Questions about experiments that renderings answer, each by a chart of bars with a table, and pictures.
 namespace ir::engine {
 
-/// A picture that an analysis makes: one number a pixel.
+/// How views show the buffer that a picture is of.
+struct PicturedBuffer {
+    Semantic semantic = Semantic::generic;
+    std::string unit = {}, colour_map = {};
+};
+
+/// A picture that an analysis makes: one number a pixel, or a buffer.
 struct AnalysisPicture {
     /// A layer's name. Points of the chart that are about it have the id KEY or KEY:….
     std::string key;
@@ -21,13 +29,14 @@ struct AnalysisPicture {
     bool has_sign = false;                  ///< numbers may be below 0
     std::vector<Category> categories = {};  ///< where numbers are names
     Image image = {};
+    std::optional<PicturedBuffer> buffer = {};  ///< of which this is the picture; all are shown alike
 };
 
 /// What an analysis found.
 struct AnalysisResult {
     PlotData data;  ///< bars; the cells of their points are the table
     std::vector<AnalysisPicture> pictures = {};
-    Image valid = {};  ///< of all pictures, one channel: above 0.5 where there are numbers
+    Image valid = {};  ///< of all pictures, one channel: above 0.5 where pixels were compared
     std::string device = {};
 };
 

@@ -103,7 +103,7 @@ Image AnalysisRun::picture(const projects::Experiment& experiment, const std::st
         kept->valid = execution.graph().read_image("valid").value_or(Image());
     }
     ++done_;
-    return take(std::move(kept->image), kept->valid, "'" + experiment.id + "'");
+    return values(kept->image, kept->valid, semantic_, "'" + experiment.id + "'");
 }
 
 const Image& AnalysisRun::reference() {
@@ -120,13 +120,14 @@ const Image& AnalysisRun::reference() {
         note("the reference has an RMSE of about " + plot_number(truth.noise) +
              " left of its own; smaller errors against it say nothing");
     ++done_;
-    *reference_ = take(std::move(truth.image), truth.valid, "the reference");
+    *reference_ = values(truth.image, truth.valid, semantic_, "the reference");
     return *reference_;
 }
 
-Image AnalysisRun::take(Image image, const Image& valid, const std::string& who) {
+Image AnalysisRun::values(const Image& image, const Image& valid, Semantic semantic, const std::string& who) {
     Image storage;
-    Image values = values_of(image, semantic_, storage);
+    Image values = values_of(image, semantic, storage);
+    semantic_ = semantic;
     if (width_ == 0) {
         width_ = values.width;
         height_ = values.height;

@@ -35,6 +35,9 @@ class AnalysisRun {
     /// The values of the main result. `what` says for the progress what it is. Throws UsageError where it
     /// has not the size and channels of those before.
     Image picture(const projects::Experiment& experiment, const std::string& what);
+    /// The values of a picture that was made otherwise, of a buffer of this kind; errors are of such values
+    /// from now on. Throws as picture().
+    Image values(const Image& image, const Image& valid, Semantic semantic, const std::string& who);
     /// Empty where the analysis has none.
     const Image& reference();
     bool has_reference() const { return !analysis_.reference.empty(); }
@@ -56,7 +59,6 @@ class AnalysisRun {
     bool is_device_lost() const { return machine_.context().is_lost(); }
 
   private:
-    Image take(Image image, const Image& valid, const std::string& who);
     void exclude(std::size_t pixel);
     void exclude_invalid(const Image& valid);
     void tell(const std::string& what, double part) const;
@@ -82,5 +84,6 @@ AnalysisResult sensitivity(AnalysisRun& run);
 AnalysisResult attribution(AnalysisRun& run);
 AnalysisResult waterfall(AnalysisRun& run);
 AnalysisResult divergence(AnalysisRun& run);  // divergence.cpp
+AnalysisResult last_frames(AnalysisRun& run);
 
 }  // namespace ir::engine

@@ -11,6 +11,7 @@
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
+#include "renderers/image/channels.h"
 
 namespace ir::engine {
 namespace {
@@ -108,9 +109,20 @@ PlotData read_chart(ObjectReader& reader) {
 Json to_json(const AnalysisPicture& picture) {
     Json json = Json::object({{"key", picture.key}, {"label", picture.label}, {"doc", picture.doc}});
     if (picture.has_sign) json["has_sign"] = true;
+    if (const auto& buffer = picture.buffer)
+        json["buffer"] = Json::object({{"semantic", to_string(buffer->semantic)},
+                                       {"unit", buffer->unit},
+                                       {"colour_map", buffer->colour_map}});
     for (const auto& [value, label, colour] : picture.categories)
         json["categories"].push_back(Json::object({{"value", value}, {"label", label}, {"colour", colour}}));
     return json;
+}
+
+/// One that another build has is nothing special.
+Semantic semantic_called(const std::string& name) {
+    int semantic = int(Semantic::mask);
+    while (semantic > 0 && to_string(Semantic(semantic)) != name) --semantic;
+    return Semantic(semantic);
 }
 
 AnalysisPicture read_picture(ObjectReader& reader) {
@@ -119,6 +131,11 @@ AnalysisPicture read_picture(ObjectReader& reader) {
     picture.label = reader.text("label");
     picture.doc = reader.text("doc");
     picture.has_sign = reader.flag("has_sign", false);
+    if (const auto* json = reader.take("buffer")) {
+        ObjectReader inner(*json, reader.file(), reader.pointer_to_member("buffer"));
+        picture.buffer = {semantic_called(inner.text("semantic")), inner.text("unit"),
+                          inner.text("colour_map")};
+    }
     reader.each("categories", [&](const Json& json, const std::string& pointer) {
         ObjectReader inner(json, reader.file(), pointer);
         Category category;
@@ -133,8 +150,7 @@ AnalysisPicture read_picture(ObjectReader& reader) {
 /// Puts the pixels of a file into the pictures; those that it lacks are dropped.
 void read_pixels(AnalysisResult& result, const fs::path& file) {
     for (auto& layer : read_exr(file)) {
-        if (layer.image.channels != 1) continue;
-        if (layer.name == valid_layer) result.valid = std::move(layer.image);
+        if (layer.name == valid_layer && layer.image.channels == 1) result.valid = std::move(layer.image);
         for (auto& picture : result.pictures)
             if (picture.key == layer.name) picture.image = std::move(layer.image);
     }
@@ -146,6 +162,10 @@ void read_pixels(AnalysisResult& result, const fs::path& file) {
 Json analysis_inputs(const projects::Project& project, const projects::Analysis& analysis) {
     Json inputs = Json::object(
         {{"kind", analysis.kind}, {"parameters", analysis.parameters}, {"experiments", Json::array()}});
+    if (const auto* kind = projects::find_analysis_kind(analysis.kind); kind && kind->takes_frames) {
+        inputs["output"] = analysis.output;
+        inputs["frames"] = analysis.frames;
+    }
     for (const auto& id : analysis.experiments)
         inputs["experiments"].push_back(inputs_of_picture(project, id));
     if (!analysis.reference.empty()) inputs["reference"] = inputs_of_picture(project, analysis.reference);
@@ -169,14 +189,14 @@ void write_analysis(const projects::Project& project, const projects::Analysis& 
               {"chart", to_json(result.data)},
               {"pictures", Json::array()}};
     std::vector<ImageLayer> layers;
-    const auto add = [&](const std::string& name, const Image& image) {
-        layers.push_back({name, standard_channels(image.channels), image});
+    const auto add = [&](const std::string& name, const Image& image, Semantic semantic) {
+        layers.push_back({name, channel_names(semantic, image.channels), image});
     };
     for (const auto& picture : result.pictures) {
         json["pictures"].push_back(to_json(picture));
-        add(picture.key, picture.image);
+        add(picture.key, picture.image, picture.buffer.value_or(PicturedBuffer()).semantic);
     }
-    if (!result.valid.empty()) add(valid_layer, result.valid);
+    if (!result.valid.empty()) add(valid_layer, result.valid, Semantic::mask);
     auto& files = real_file_system();
     files.create_directories(out);
     const auto pictures = out / projects::analysis_pictures;

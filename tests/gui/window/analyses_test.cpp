@@ -6,16 +6,19 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <thread>
 
 #include "app/engine/analysis/kept_analysis.h"
 #include "projects/document_json.h"
 #include "renderers/core/error.h"
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/panels/empty_tree_view.h"
 
 namespace ir::gui {
 namespace {
@@ -66,7 +69,7 @@ class AnalysesWindowTest : public WindowTest {
                 std::this_thread::sleep_for(std::chrono::milliseconds(5));
             }
             if (fails) throw Error("out of beads");
-            const auto result = made_up();
+            const auto result = answers ? answers(request.analysis) : made_up();
             if (request.keeps)
                 engine::keep_analysis(request.project, request.analysis, request.folder, result);
             return result;
@@ -114,13 +117,15 @@ class AnalysesWindowTest : public WindowTest {
     }
 
     QTemporaryDir folder;
+    /// In the place of made_up(); set while nothing runs.
+    std::function<engine::AnalysisResult(const projects::Analysis&)> answers;
     std::atomic<int> runs = 0;
     std::atomic<bool> holds = false, fails = false;
 };
 
 TEST_F(AnalysesWindowTest, AsksRunsAndShowsTheAnswer) {
     EXPECT_TRUE(offers_one());
-    EXPECT_EQ(find<QToolButton>("new")->menu()->actions().size(), 5);
+    EXPECT_EQ(find<QToolButton>("new")->menu()->actions().size(), 6);
     ask("sensitivity");
     ASSERT_EQ(window.session().document().analyses.size(), 1u);
     EXPECT_EQ(analysis().experiments.front(), window.session().experiment()->id);
@@ -254,6 +259,116 @@ TEST_F(AnalysesWindowTest, ADivergenceNamesMachinesAndNoReference) {
     press("run");
     ASSERT_TRUE(settle());
     EXPECT_EQ(bars(), 3u);
+}
+
+TEST_F(AnalysesWindowTest, TheTimeMachineGoesThroughItsFrames) {
+    save();
+    ask("frames");
+    auto& editor = window.document().editor();
+    window.document().select({widgets::ItemKind::analysis, QString::fromStdString(analysis().id)});
+    auto* frames = editor.findChild<widgets::NumberField*>("frames");
+    for (auto* each : editor.findChildren<widgets::NumberField*>("frames"))
+        if (each->isVisible()) frames = each;
+    ASSERT_TRUE(frames && frames->isEnabled());
+    frames->setFocus();
+    frames->selectAll();
+    QTest::keyClicks(frames, "3");
+    QTest::keyClick(frames, Qt::Key_Return);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(analysis().frames, 3);
+    auto* slider = find<QSlider>("frame");
+    EXPECT_FALSE(slider->isVisible());
+    answers = [](const projects::Analysis& asked) {
+        engine::AnalysisResult result;
+        result.data.title = "Frames";
+        result.data.are_bars = true;
+        result.data.headings = {"Frame"};
+        result.data.series = {{"", {}}};
+        for (int i = asked.frames; i-- > 0;) result.data.y.names.push_back(std::to_string(i));
+        for (int i = 0; i < asked.frames; ++i) {
+            PlotPoint point;
+            point.id = "frame" + std::to_string(i);
+            point.x = 1 + i;
+            point.y = asked.frames - 1 - i;
+            point.cells = {{std::to_string(i), double(i)}};
+            result.data.series[0].points.push_back(point);
+            result.pictures.push_back({point.id,
+                                       point.id,
+                                       "",
+                                       false,
+                                       {},
+                                       Image(8, 6, 3, float(1 << i)),
+                                       engine::PicturedBuffer{Semantic::velocity}});
+        }
+        return result;
+    };
+    press("run");
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(bars(), 3u);
+    ASSERT_TRUE(slider->isVisible());
+    const auto& view = panel().view();
+    EXPECT_EQ(view.image().channels, 3);
+    EXPECT_EQ(view.display().high, 4) << "one range for all";
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    EXPECT_EQ(panel().shown(), "frame1");
+    EXPECT_EQ(panel().chart().selected(), "frame1");
+    EXPECT_EQ(view.image().at(0, 0), 2);
+    QTest::keyClick(slider, Qt::Key_End);
+    EXPECT_EQ(panel().shown(), "frame2");
+    EXPECT_EQ(view.display().high, 4);
+    // By the table: a row shows its picture.
+    auto& table = panel().chart().table();
+    table.setFocus();
+    QTest::keyClick(&table, Qt::Key_Up);
+    EXPECT_EQ(panel().shown(), "frame1");
+    EXPECT_EQ(slider->value(), 1);
+    emit panel().view().cursor_moved({0, 0});
+    EXPECT_TRUE(find<QLabel>("value")->text().endsWith("2 2 2"))
+        << find<QLabel>("value")->text().toStdString();
+    // Kept, and there again.
+    window.session().files().save();
+    window.session().files().close();
+    ASSERT_TRUE(window.open_path(QString::fromStdString(project_file())));
+    ASSERT_TRUE(settle());
+    window.docks().raise("analyses");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bars() == 3; }, 60000));
+    EXPECT_EQ(panel().shown(), "frame1") << "as it was left";
+    EXPECT_EQ(view.image().channels, 3);
+    EXPECT_TRUE(slider->isVisible());
+    EXPECT_EQ(analysis().frames, 3);
+}
+
+TEST_F(AnalysesWindowTest, KeepAsksForTheFramesOfTheView) {
+    auto* dock = window.findChild<FramesDock*>();
+    type_level("7");
+    window.views().show_output("depth");
+    type_level("8");
+    window.docks().raise("frames");
+    ASSERT_TRUE(settle());
+    auto* keep = dock->panel().findChild<QToolButton*>("frame-keep");
+    ASSERT_TRUE(keep->isEnabled()) << keep->toolTip().toStdString();
+    const auto before = steps();
+    QTest::mouseClick(keep, Qt::LeftButton);
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(window.session().document().analyses.size(), 1u);
+    EXPECT_EQ(steps(), before + 1);
+    EXPECT_EQ(analysis().kind, "frames");
+    EXPECT_EQ(analysis().output, "depth");
+    EXPECT_EQ(analysis().frames, 2);
+    EXPECT_EQ(analysis().experiments.front(), window.session().experiment()->id);
+    EXPECT_TRUE(window.docks().is_seen("analyses"));
+    EXPECT_TRUE(find<QToolButton>("run")->isEnabled());
+    trigger("undo");
+    EXPECT_TRUE(window.session().document().analyses.empty());
+    // By a key; and where nothing is kept it says so.
+    QTest::keyClick(&window, Qt::Key_K, Qt::AltModifier);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.session().document().analyses.size(), 1u);
+    window.live().past().clear();
+    EXPECT_FALSE(keep->isEnabled());
+    EXPECT_TRUE(keep->toolTip().contains("No kept frame"));
+    EXPECT_FALSE(window.action("past-keep")->isEnabled());
 }
 
 /// The real thing, without a fake.

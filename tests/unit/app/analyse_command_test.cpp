@@ -150,6 +150,32 @@ TEST_F(AnalyseCommand, AsksWhatTheProjectDoesNotHave) {
     EXPECT_TRUE(has(chosen, "asks about few, many; choose by more than one --experiment")) << chosen;
 }
 
+TEST_F(AnalyseCommand, TheTimeMachineKeepsThePictureOfEachFrame) {
+    json_["analyses"] = {{{"id", "time"}, {"kind", "frames"}, {"experiments", {"truth"}}, {"frames", 4}}};
+    store();
+    const auto text = output(command("--csv " + file("t.csv")));
+    EXPECT_TRUE(has(text, "time: 4 frames of truth: ")) << text;
+    EXPECT_TRUE(has(read(file("t.csv")), "Frame,Samples,Change\n1,4,—\n2,8,")) << read(file("t.csv"));
+    std::vector<std::string> layers;
+    for (const auto& layer : read_exr(kept("time") / "pictures.exr")) layers.push_back(layer.name);
+    for (const char* wanted : {"frame1", "frame4"})
+        EXPECT_EQ(std::count(layers.begin(), layers.end(), wanted), 1) << wanted;
+    const auto normals = output(
+        command("--kind frames --experiment few --output gbuffer.normal --frames 3 --out " + file("out")));
+    EXPECT_TRUE(has(normals, "3 frames of few: ")) << normals;
+    for (const auto& layer : read_exr(file("out/pictures.exr")))
+        if (layer.name == "frame3") {
+            EXPECT_EQ(layer.image.channels, 3);
+        }
+    expect_refused(command("--kind frames --experiment few --output norml"), 3,
+                   "'norml' is no buffer of hbao");
+    expect_refused(command("--kind frames --experiment few --frames 1"), 2, "--frames");
+    expect_refused(command("--kind sensitivity --experiment few --frames 4"), 2,
+                   "--output and --frames are of --kind frames");
+    expect_refused(command("--kind frames --experiment few --output gbuffer.normal --reference truth"), 3,
+                   "a reference shows the main result");
+}
+
 TEST_F(AnalyseCommand, SaysInOneLineWhatItCannotDo) {
     expect_refused(command("where"), 2, "no analysis 'where' in the project; known are who, what");
     expect_refused(command("--kind sensitivity"), 2, "give its id by --experiment");

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "app/engine/analysis/analysis_run.h"
 #include "app/engine/analysis/kept_analysis.h"
 #include "app/engine/analysis/sensitivity.h"
+#include "app/engine/part.h"
 #include "projects/document_json.h"
 #include "projects/results.h"
 #include "renderers/core/error.h"
@@ -285,6 +287,148 @@ TEST_F(AnalysisTest, StandInsLeadFromTheErrorToWhatIsLeft) {
         last += std::pow(after.pixels[i], 2);
     }
     EXPECT_LT(last, first);
+}
+
+/// Texts in the column of a table, from the top.
+std::vector<std::string> column(const AnalysisResult& result, std::size_t index) {
+    std::vector<std::string> cells;
+    for (const auto& [point, series] : result.data.in_reading_order())
+        cells.push_back(point->cells.at(index).text);
+    return cells;
+}
+
+TEST_F(AnalysisTest, FramesAddUpToTheExperimentsOwnPicture) {
+    auto analysis = ask("frames", {"truth"});
+    analysis.frames = 5;
+    const auto result = answer(analysis);
+    EXPECT_EQ(column(result, 0), (std::vector<std::string>{"1", "2", "3", "4", "5"}));
+    EXPECT_EQ(column(result, 1), (std::vector<std::string>{"3", "6", "9", "12", "16"}));
+    EXPECT_EQ(column(result, 2).front(), "—");
+    ASSERT_EQ(result.pictures.size(), 5u);
+    EXPECT_EQ(result.pictures.back().image.pixels, picture("truth").pixels) << "to the bit";
+    for (std::size_t i = 1; i < 5; ++i) {
+        EXPECT_NE(result.pictures[i].image.pixels, result.pictures[i - 1].image.pixels) << i;
+        EXPECT_GT(number(result, result.pictures[i].key, 2), 0);
+    }
+    // Each is what an experiment of so many samples shows.
+    add("nine", "reference", {{"samples", 9}}, {{"paths", "ao"}});
+    EXPECT_EQ(find(result, "frame3").image.pixels, picture("nine").pixels);
+    // No more frames than samples.
+    analysis.frames = 64;
+    EXPECT_EQ(answer(analysis).pictures.size(), 16u);
+}
+
+TEST_F(AnalysisTest, FramesAreJudgedByTheReference) {
+    add("own", "reference", {{"samples", 4}}, {{"paths", "ao"}});
+    auto analysis = ask("frames", {"own"}, "truth");
+    analysis.frames = 4;
+    const auto result = answer(analysis);
+    EXPECT_EQ(result.data.headings.back(), "RMSE to The truth");
+    EXPECT_NEAR(number(result, "frame4", 3), rmse("own"), 1e-6);
+    EXPECT_GT(number(result, "frame1", 3), number(result, "frame4", 3));
+    EXPECT_EQ(result.data.find("frame1")->x, number(result, "frame1", 3));
+}
+
+TEST_F(AnalysisTest, FramesOfWhatMovesAreAtTheirTimes) {
+    auto& experiment = project.experiments[0];
+    projects::Camera camera{{{{0, 1, 3}, {0, 1, 0}, {0, 1, 0}}}, "walker", "Walker", ""};
+    project.cameras = {camera};
+    experiment.camera = "walker";
+    experiment.time = 1;
+    projects::Motion motion{"walk", "Walk", "walker", {}};
+    motion.keys.resize(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        motion.keys[i].time = 2.0 * double(i);
+        motion.keys[i].eye = {double(i), 1, 3};
+        motion.keys[i].target = {double(i), 1, 0};
+        motion.keys[i].up = {0, 1, 0};
+    }
+    project.motion = {motion};
+    auto analysis = ask("frames", {"a"});
+    analysis.frames = 3;
+    const auto result = answer(analysis);
+    EXPECT_EQ(result.data.headings[1], "Time (s)");
+    for (int i = 0; i < 3; ++i) {
+        const auto key = "frame" + std::to_string(i + 1);
+        EXPECT_NEAR(number(result, key, 1), 1 + i / 30.0, 1e-9);
+        project.experiments[0].frames = i + 1;
+        EXPECT_EQ(find(result, key).image.pixels, picture("a").pixels) << i;
+    }
+    EXPECT_GT(number(result, "frame2", 2), 0);
+    // Of an experiment with more of them they are the last.
+    project.experiments[0].frames = 6;
+    const auto last = answer(analysis);
+    EXPECT_EQ(last.data.y.names, (std::vector<std::string>{"Frame 6", "Frame 5", "Frame 4"}));
+    EXPECT_NEAR(number(last, "frame3", 1), 1 + 5 / 30.0, 1e-9);
+    EXPECT_EQ(last.pictures.back().image.pixels, picture("a").pixels);
+}
+
+TEST_F(AnalysisTest, FramesShowAnyImage) {
+    auto analysis = ask("frames", {"a"});
+    analysis.frames = 2;
+    analysis.output = "gbuffer.normal";
+    auto result = answer(analysis);
+    ASSERT_EQ(result.pictures.size(), 2u);
+    ASSERT_TRUE(result.pictures[0].buffer);
+    EXPECT_EQ(result.pictures[0].buffer->semantic, Semantic::normal);
+    EXPECT_EQ(result.pictures[0].image.channels, 3);
+    EXPECT_EQ(number(result, "frame2", 2), 0);
+    ASSERT_FALSE(result.data.notes.empty());
+    EXPECT_NE(result.data.notes[0].find("no frame differs"), std::string::npos);
+    keep_analysis(project, analysis, folder_, result);
+    const auto kept = load_analysis(analysis_folder(folder_, analysis.id));
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->result.pictures[1].image.pixels, result.pictures[1].image.pixels);
+    EXPECT_EQ(kept->result.pictures[1].image.channels, 3);
+    ASSERT_TRUE(kept->result.pictures[1].buffer);
+    EXPECT_EQ(kept->result.pictures[1].buffer->semantic, Semantic::normal);
+    EXPECT_FALSE(is_stale(*kept, project, analysis));
+    ++analysis.frames;
+    EXPECT_TRUE(is_stale(*kept, project, analysis));
+    --analysis.frames;
+    const auto complaint = [&](const std::string& output) -> std::string {
+        analysis.output = output;
+        try {
+            answer(analysis);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    EXPECT_NE(complaint("gbuffer.norml").find("is no buffer of hbao (did you mean 'gbuffer.normal'?)"),
+              std::string::npos)
+        << complaint("gbuffer.norml");
+    EXPECT_NE(complaint("gbuffer.normal.level3").find("no such level"), std::string::npos);
+}
+
+TEST_F(AnalysisTest, FramesGoForwardAndCanBeCancelled) {
+    double last = 0;
+    CancelToken cancel;
+    AnalysisCallbacks told;
+    told.cancel = &cancel;
+    std::set<std::string> frames;
+    told.progress = [&](const std::string& what, double fraction) {
+        EXPECT_GE(fraction, last - 1e-9) << what;
+        last = fraction;
+        frames.insert(what.substr(0, what.find(':')));
+    };
+    auto analysis = ask("frames", {"truth"});
+    analysis.frames = 3;
+    answer(analysis, told);
+    EXPECT_GT(last, 0.9);
+    EXPECT_TRUE(frames.count("frame 2 of 3")) << *frames.begin();
+    told.progress = [&](const std::string&, double fraction) {
+        if (fraction > 0.4) cancel.cancel();
+    };
+    EXPECT_THROW(answer(analysis, told), Cancelled);
+}
+
+TEST(Parts, AreCalledAsLayersOfFilesAre) {
+    for (const auto& part : {Part{"depth"}, Part{"a.b", 2}, Part{"a", 0, 3}, Part{"a", 1, 12}})
+        EXPECT_EQ(part_called(layer_name(part, part.layer > 0)), part);
+    EXPECT_EQ(part_called("slices.layer0"), Part{"slices"});
+    for (const char* plain : {"hierarchy.min", "a.level", "a.levels", "a.level-1", "a.layer2.x", ".leve"})
+        EXPECT_EQ(part_called(plain), Part{plain}) << plain;
 }
 
 TEST_F(AnalysisTest, AnswersAreKeptUntilSomethingElseIsAsked) {

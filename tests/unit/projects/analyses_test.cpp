@@ -89,6 +89,48 @@ TEST_F(AnalysesTest, OfDivergenceNameTwoMachines) {
               "");
 }
 
+TEST_F(AnalysesTest, OfFramesNameAnOutputAndHowMany) {
+    analysis.kind = "frames";
+    analysis.experiments = {"copy"};
+    EXPECT_EQ(why_not(), "");
+    project.analyses = {analysis};
+    EXPECT_EQ(to_json(project)["analyses"][0]["frames"], 8);
+    EXPECT_FALSE(to_json(project)["analyses"][0].contains("output"));
+    project.analyses[0].output = "depth.level2";
+    project.analyses[0].frames = 12;
+    const auto again = read_project(write_project(project), "p", testing::registry()).project;
+    EXPECT_EQ(again.analyses, project.analyses);
+    // Other questions have neither.
+    auto json = to_json(project);
+    json["analyses"][0]["kind"] = "attribution";
+    const auto changed = read_project(json.dump(), "p", testing::registry()).project;
+    EXPECT_EQ(changed.analyses[0].frames, Analysis().frames);
+    EXPECT_EQ(changed.analyses[0].extra["frames"], 12) << "kept, as what nobody knows";
+    project.analyses[0].kind = "attribution";
+    EXPECT_FALSE(to_json(project)["analyses"][0].contains("frames"));
+    for (const int wrong : {1, 65}) {
+        json["analyses"][0]["kind"] = "frames";
+        json["analyses"][0]["frames"] = wrong;
+        EXPECT_THROW(read_project(json.dump(), "p", testing::registry()), InputError) << wrong;
+    }
+    // A reference shows the main result.
+    auto method = testing::registry().at(project.experiments.back().method);
+    method.outputs = {{.key = "main", .label = "Main"}, {.key = "variance", .label = "Variance"}};
+    const Registry registry({&method});
+    analysis.reference = project.experiments[0].id;
+    EXPECT_EQ(why_not_analysed(project, analysis, registry), "");
+    analysis.output = "variance";
+    EXPECT_EQ(why_not_analysed(project, analysis, registry),
+              "is about 'variance', and a reference shows the main result; take one of the two out");
+    analysis.output = "main";
+    EXPECT_EQ(why_not_analysed(project, analysis, registry), "");
+    project.experiments.back().reference = project.experiments[0].id;
+    EXPECT_EQ(analysis_of(project, "frames", "copy", registry).reference, project.experiments[0].id);
+    const auto other = analysis_of(project, "frames", "copy", registry, "variance");
+    EXPECT_EQ(other.reference, "");
+    EXPECT_EQ(other.output, "variance");
+}
+
 TEST_F(AnalysesTest, KeepTheirExperimentsFromBeingRemoved) {
     EXPECT_THROW(edits::remove<Experiment>(project, "copy"), UsageError);
     edits::remove<Analysis>(project, "q")->apply(project);

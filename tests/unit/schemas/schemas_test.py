@@ -120,7 +120,8 @@ class Schemas(unittest.TestCase):
             "plots": [{"id": "p", "reference": "ao", "experiments": ["other"], "over": "directions", "values": [4, 8],
                        "metric": "rmse", "axis": "time"}],
             "analyses": [{"id": "q", "kind": "sensitivity", "experiments": ["ao"], "reference": "other",
-                          "parameters": ["directions"]}]}
+                          "parameters": ["directions"]},
+                         {"id": "t", "kind": "frames", "experiments": ["ao"], "output": "normals", "frames": 4}]}
 
     def written(self, document):
         """What the program makes of it."""
