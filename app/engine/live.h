@@ -34,6 +34,9 @@ struct LiveRequest {
     std::vector<Part> parts;             ///< sent back with each frame
     std::vector<std::string> buffers;    ///< keys of buffers sent back as they are, for tables
     std::vector<std::string> kept = {};  ///< patterns of further resources to compute: for 3D views, probes
+    /// Buffers, and what 3D views draw, are as they were when this pass had run; empty: at the end of the
+    /// frame. Parts have their own.
+    std::string after = {};
     Inspection inspection;
     std::optional<glm::ivec2> traced = {};  ///< pixel whose changes the report has
     bool thumbnails = false;                ///< also send a small image of each image resource
@@ -67,6 +70,7 @@ struct LiveResult {
     double time = 0;               ///< seconds at which the frame saw the scene
     std::map<Part, Image> images;  ///< by the parts asked for; absent: not available
     std::map<std::string, BufferContents> buffers;
+    std::string after;                        ///< LiveRequest::after, of the buffers
     Image valid;                              ///< 1 channel, may be empty
     std::map<std::string, Image> thumbnails;  ///< at most 96 pixels wide, by resource key
     Inspection inspection;
@@ -89,6 +93,7 @@ struct SceneViewResult {
     std::string tag;
     std::uint64_t serial = 0;
     std::string error;  ///< not empty: no picture
+    std::string after;  ///< Scene3D::after
     passes::viewers::Picture3D picture;
 };
 

@@ -8,6 +8,7 @@
 #include "app/engine/keep_result.h"
 #include "app/engine/pictures.h"
 #include "renderers/core/error.h"
+#include "renderers/core/pass_writes.h"
 
 namespace ir::engine {
 namespace {
@@ -21,11 +22,14 @@ std::vector<std::string> patterns_of(const LiveRequest& request) {
     return patterns;
 }
 
-/// Keys of the images that are asked for as they were within the frame.
+/// Keys of the images and buffers that are asked for as they were within the frame.
 std::vector<std::string> versions_of(const Execution& execution, const LiveRequest& request) {
     std::vector<std::string> keys;
     for (const auto& part : request.parts)
         if (!part.after.empty()) keys.push_back(part.key.empty() ? main_key(execution) : part.key);
+    if (request.after.empty()) return keys;
+    keys.insert(keys.end(), request.buffers.begin(), request.buffers.end());
+    keys.insert(keys.end(), request.kept.begin(), request.kept.end());  // patterns name nothing
     return keys;
 }
 
@@ -63,10 +67,11 @@ LiveSession::~LiveSession() {
 void LiveSession::release(const std::string& tag) {
     machine_.context().make_current();
     entries_.erase(tag);
+    drop_unused_tree();
 }
 
 SceneViewResult LiveSession::draw(const SceneViewRequest& request, std::uint64_t serial) {
-    SceneViewResult result{request.tag, serial, {}, {}};
+    SceneViewResult result{request.tag, serial, {}, {}, {}};
     const auto found = entries_.find(request.execution);
     if (found == entries_.end() || !found->second.execution || !found->second.execution->inputs().scene) {
         result.error = "nothing is rendered yet";
@@ -74,6 +79,11 @@ SceneViewResult LiveSession::draw(const SceneViewRequest& request, std::uint64_t
     }
     auto& [tag, entry] = *found;
     auto& execution = *entry.execution;
+    result.after = request.view.after;
+    if (!result.after.empty() && (!entry.whole || execution.graph().is_running())) {
+        result.error = "what a pass left is drawn once the frame is there";
+        return result;
+    }
     try {
         machine_.context().make_current();
         if (!entry.viewer)
@@ -106,9 +116,8 @@ bool LiveSession::lacks_steps(const Entry& entry, const LiveRequest& request) {
     return (request.traced && request.traced != entry.traced) ||
            std::any_of(versions.begin(), versions.end(), [&](const auto& key) {
                return !contains(entry.versions, key) &&
-                      std::count_if(
-                          entry.report.passes.begin(), entry.report.passes.end(),
-                          [&](const auto& pass) { return !pass.culled && contains(pass.writes, key); }) > 1;
+                      std::ranges::count_if(entry.report.passes,
+                                            [&](const auto& pass) { return writes(pass, key); }) > 1;
            });
 }
 
@@ -143,6 +152,7 @@ bool LiveSession::explain(Entry& entry, const LiveRequest& request, const Step& 
     if (!entry.execution->explain(options)) return false;
     entry.report = entry.execution->graph().last_report();
     entry.tried = options.wanted;
+    entry.versions = joined(std::move(entry.versions), options.versions);
     entry.explained = request.inspection;
     return true;
 }
@@ -272,6 +282,7 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
     result.finished = execution.is_done();
     if (result.finished) entry.drafts->rest(left_over(request.memory_budget, entry.report));
     result.inspection = request.inspection;
+    result.after = request.after;
     result.report = entry.report;
     result.run = entry.run;
     result.camera = execution.camera();

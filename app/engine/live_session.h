@@ -11,6 +11,10 @@
 #include "app/engine/live.h"
 #include "renderers/passes/viewers/draw.h"
 
+namespace ir::passes {
+class Bvh;
+}
+
 namespace ir::engine {
 
 /// What the render thread keeps for its live requests: one execution per tag. Render thread only.
@@ -41,7 +45,9 @@ class LiveSession {
     ProbeResult probe(const ProbeRequest& request) const;
 
     /// Without the device, and before anything was rendered, too.
-    SurfaceResult find_surface(const SurfaceRequest& request) const;
+    SurfaceResult find_surface(const SurfaceRequest& request);
+    /// How many trees such questions have built.
+    int surface_trees() const { return surface_trees_; }
 
     /// Writes the last frame, which must be whole. Throws Error.
     void export_layers(const ExportRequest& request) const;
@@ -85,10 +91,18 @@ class LiveSession {
     static bool explain(Entry& entry, const LiveRequest& request, const Step& step);
     void run_frame(Entry& entry, const LiveRequest& request, const Step& step);
 
+    /// Of the last question about a surface; another scene, or another moment of it, gets one of its own.
+    struct SurfaceTree;
+    const passes::Bvh& surface_tree(const Execution& execution, const scene::World& world);
+    /// Of a scene that is released.
+    void drop_unused_tree();
+
     Machine& machine_;
+    std::shared_ptr<SurfaceTree> surface_tree_;
     std::shared_ptr<graph::SharedContents> shared_ = std::make_shared<graph::SharedContents>();
     std::map<std::string, Entry> entries_;
     std::uint64_t runs_ = 0;  ///< frames that ran
+    int surface_trees_ = 0;
 };
 
 /// What a request asks to see of an execution's contents.

@@ -54,18 +54,20 @@ std::optional<Image> read_atlas(const graph::Graph& graph, const ResourceReport&
     return result;
 }
 
-std::optional<BufferContents> read_contents(const graph::Graph& graph, const ResourceReport& resource) {
+std::optional<BufferContents> read_contents(const graph::Graph& graph, const ResourceReport& resource,
+                                            const std::string& after) {
     const auto* desc = graph.buffer_desc(resource.key);
     if (!desc || !resource.available) return {};
-    BufferContents result;
-    result.fields = resource.fields;
-    result.elements = resource.elements;
     const auto stride = std::uint64_t(std::max(1, graph::stride(*desc)));
-    const auto max_elements = std::min(resource.elements, BufferContents::max_bytes / stride);
-    auto bytes = graph.read_buffer(resource.key, max_elements * stride);
+    const auto max_bytes = BufferContents::max_bytes / stride * stride;
+    if (!after.empty()) {
+        auto then = graph.read_buffer_after(after, resource.key, max_bytes);
+        if (!then) return {};
+        return BufferContents{resource.fields, then->elements, std::move(then->bytes)};
+    }
+    auto bytes = graph.read_buffer(resource.key, std::min(resource.elements * stride, max_bytes));
     if (!bytes) return {};
-    result.bytes = std::move(*bytes);
-    return result;
+    return BufferContents{resource.fields, resource.elements, std::move(*bytes)};
 }
 
 /// The texel of an image that covers the centre of a pixel of the main result.
@@ -120,7 +122,8 @@ void read_back(LiveResult& result, const LiveRequest& request, const Execution& 
     }
     for (const auto& key : request.buffers)
         if (const auto* resource = find_resource(result.report, key))
-            if (auto contents = read_contents(graph, *resource)) result.buffers[key] = std::move(*contents);
+            if (auto contents = read_contents(graph, *resource, request.after))
+                result.buffers[key] = std::move(*contents);
     result.valid = graph.read_image("valid").value_or(Image());
     if (!request.thumbnails || !result.finished) return;
     for (const auto& resource : result.report.resources)

@@ -22,7 +22,33 @@ int part_of(const scene::Scene& scene, int node, std::size_t parts) {
 
 }  // namespace
 
-SurfaceResult LiveSession::find_surface(const SurfaceRequest& request) const {
+/// A scene at one moment, for rays.
+struct LiveSession::SurfaceTree {
+    std::string scene;  ///< content hash
+    double time;        ///< 0 where nothing moves
+    passes::Bvh bvh;
+};
+
+const passes::Bvh& LiveSession::surface_tree(const Execution& execution, const scene::World& world) {
+    const auto& scene = execution.scene();
+    const double time = scene.is_animated() ? execution.time() : 0;
+    if (!surface_tree_ || surface_tree_->scene != scene.content_hash || surface_tree_->time != time) {
+        surface_tree_.reset();  // makes room
+        surface_tree_.reset(
+            new SurfaceTree{scene.content_hash, time, {scene, world, machine_.options().threads}});
+        ++surface_trees_;
+    }
+    return surface_tree_->bvh;
+}
+
+void LiveSession::drop_unused_tree() {
+    const auto uses = [&](const auto& each) {
+        return each.second.execution && each.second.execution->scene().content_hash == surface_tree_->scene;
+    };
+    if (surface_tree_ && std::ranges::none_of(entries_, uses)) surface_tree_.reset();
+}
+
+SurfaceResult LiveSession::find_surface(const SurfaceRequest& request) {
     SurfaceResult result{request.tag, {}, {}, request.asker};
     const auto found = entries_.find(request.tag);
     const double length = glm::length(request.direction);
@@ -35,7 +61,7 @@ SurfaceResult LiveSession::find_surface(const SurfaceRequest& request) const {
     const auto made =
         has_world ? scene::World() : scene::flatten(execution.scene(), execution.time(), execution.time());
     const auto& world = has_world ? execution.world() : made;
-    const passes::Bvh bvh(execution.scene(), world, execution.inputs().threads);
+    const auto& bvh = surface_tree(execution, world);
 
     constexpr float infinite = std::numeric_limits<float>::infinity();
     const auto direction = request.direction / length;

@@ -249,7 +249,8 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     request.tag = id;
     request.experiment = experiment;
     request.parts.assign(entry.want.parts.begin(), entry.want.parts.end());
-    for (auto& part : request.parts) part.after = entry.want.step.after;
+    request.after = entry.want.step.after;
+    for (auto& part : request.parts) part.after = request.after;
     request.traced = entry.want.step.traced;
     request.buffers.assign(entry.want.buffers.begin(), entry.want.buffers.end());
     request.kept.assign(entry.want.kept.begin(), entry.want.kept.end());
@@ -386,6 +387,15 @@ const FrameStep& LivePictures::step(const std::string& id) const {
     static const FrameStep none;
     const auto* entry = find(id);
     return entry ? entry->want.step : none;
+}
+
+std::shared_ptr<const engine::BufferContents> LivePictures::buffer(const std::string& id,
+                                                                   const std::string& key) const {
+    const auto shown = result(id);
+    if (!shown || shown->after != step(id).after) return nullptr;
+    const auto found = shown->buffers.find(key);
+    if (found == shown->buffers.end()) return nullptr;
+    return {shown, &found->second};
 }
 
 std::shared_ptr<const engine::LiveResult> LivePictures::draft(const std::string& id) const {

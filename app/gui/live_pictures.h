@@ -20,7 +20,7 @@ namespace ir::gui {
 
 /// A look into the frame.
 struct FrameStep {
-    std::string after;                 ///< pictures are as they were when this pass had run; empty: the last
+    std::string after;                 ///< buffers are as they were when this pass had run; empty: the last
     std::optional<glm::ivec2> traced;  ///< pixel whose changes are noted, pass by pass
     bool operator==(const FrameStep&) const = default;
 };
@@ -80,6 +80,8 @@ class LivePictures : public QObject {
     std::shared_ptr<const engine::LiveResult> result(const std::string& id) const;  ///< may be null
     /// That is wanted of an experiment.
     const FrameStep& step(const std::string& id) const;
+    /// Of result(), as step() has it; null where it was not sent.
+    std::shared_ptr<const engine::BufferContents> buffer(const std::string& id, const std::string& key) const;
     /// What is newer than result() and only to be seen; null where nothing is.
     std::shared_ptr<const engine::LiveResult> draft(const std::string& id) const;
     /// The same text for all results of one computation: what the present one was computed from.

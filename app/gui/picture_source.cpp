@@ -6,6 +6,7 @@
 #include "app/gui/text_of.h"
 #include "projects/document.h"
 #include "projects/scene_files.h"
+#include "renderers/core/pass_writes.h"
 #include "renderers/image/channels.h"
 #include "widgets/image/preferred_maps.h"
 #include "widgets/views/view_header.h"
@@ -225,8 +226,8 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
     const auto part = widgets::part_name(option, source.level, source.layer);
     picture.label = QStringLiteral("%1 · %2").arg(text_of(owner_name(source.owner)), option.label) +
                     (part.isEmpty() ? QString() : QStringLiteral(" · ") + part);
-    const auto after = text_of(live_.step(source.owner).after);
-    if (!after.isEmpty()) picture.label += QObject::tr(" · after “%1”").arg(after);
+    const auto& after = live_.step(source.owner).after;
+    if (!after.empty()) picture.label += QStringLiteral(" · ") + moment_text(after);
     if (const auto* past = live_.past().shown_of(source.owner))
         picture.label += QObject::tr(" · past frame %1").arg(past->number);
     picture.stale = is_stale(source.owner);
@@ -245,11 +246,8 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
     const auto found = result->images.find(part_of(source));
     if (found == result->images.end() || found->second.empty()) {
         picture.note = live_.past().is_elsewhere() ? not_kept(option.label) : why_absent(source.owner, key);
-        if (picture.note.isEmpty() && !after.isEmpty() && resource && resource->width > 0)
-            picture.note =
-                picture.stale
-                    ? rendering()
-                    : QObject::tr("“%1” is not written yet when “%2” has run.").arg(option.label, after);
+        if (picture.note.isEmpty() && !after.empty() && resource && resource->width > 0)
+            picture.note = picture.stale ? rendering() : why_not_by_then(source.owner, *resource);
         if (picture.note.isEmpty())
             picture.note = QObject::tr("“%1” holds a %2, which has no picture.")
                                .arg(option.label, text_of(to_string(option.kind)));
@@ -260,7 +258,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
         picture.atlas = make_atlas(resource->width, resource->height,
                                    source.level == ViewSource::all ? resource->levels : 1,
                                    source.layer == ViewSource::all ? std::max(1, resource->layers) : 1);
-    if (after.isEmpty()) add_variance(picture, source);
+    if (after.empty()) add_variance(picture, source);
     return picture;
 }
 
@@ -402,7 +400,7 @@ QString PictureSource::why_absent(const std::string& owner, const std::string& k
     if (!result) return why_nothing(owner);
     const auto* resource = find_resource(result->report, key);
     if (live_.past().is_elsewhere())
-        return result->buffers.count(key) ? QString() : not_kept(text_of(resource ? resource->label : key));
+        return live_.buffer(owner, key) ? QString() : not_kept(text_of(resource ? resource->label : key));
     if (live_.state(owner) == LivePictures::State::rendering) return rendering();
     if (resource && resource->available) return {};
     if (const auto why = why_unfinished(owner); !why.isEmpty()) return why;
@@ -411,6 +409,19 @@ QString PictureSource::why_absent(const std::string& owner, const std::string& k
     return resource->explains && !result->inspection.has_pixel()
                ? asks_for_pixel(*resource)
                : QObject::tr("“%1” has not been computed.").arg(text_of(resource->label));
+}
+
+QString moment_text(const std::string& pass) {
+    return pass.empty() ? QString() : QObject::tr("after “%1”").arg(text_of(pass));
+}
+
+/// What the report says of the whole frame holds of no step in it.
+QString PictureSource::why_not_by_then(const std::string& owner, const ResourceReport& resource) const {
+    const auto& after = live_.step(owner).after;
+    const auto label = text_of(resource.label), pass = text_of(after);
+    return is_written_by(live_.result(owner)->report, resource.key, after)
+               ? QObject::tr("What “%2” left of “%1” is not kept.").arg(label, pass)
+               : QObject::tr("“%1” is not written yet when “%2” has run.").arg(label, pass);
 }
 
 const OutputDescription* PictureSource::description(const std::string& owner, const std::string& key) const {
@@ -426,6 +437,13 @@ QString PictureSource::why_empty(const std::string& owner, const std::string& ke
     if (const auto why = why_absent(owner, key); !why.isEmpty()) return why;
     const auto result = live_.result(owner);
     const auto* resource = find_resource(result->report, key);
+    if (const auto& after = live_.step(owner).after; !after.empty()) {
+        if (!is_written_by(result->report, key, after)) return why_not_by_then(owner, *resource);
+        const auto then = live_.buffer(owner, key);
+        return then && then->elements == 0
+                   ? QObject::tr("“%1” has no elements yet.").arg(text_of(resource->label))
+                   : QString();
+    }
     if (resource->width > 0 || resource->elements > 0) return {};
     if (const auto why = why_unfinished(owner); !why.isEmpty()) return why;  // of an older frame, or a part
     const auto* output = description(owner, key);

@@ -13,6 +13,9 @@
 
 namespace ir::gui {
 
+/// Where in a frame its buffers are shown: "after “blur”"; empty: at its end.
+QString moment_text(const std::string& pass);
+
 /// Turns what a view asks for into what can be shown: pictures of running experiments and of files. Equal
 /// questions get the same object while its content is the same.
 class PictureSource {
@@ -47,6 +50,8 @@ class PictureSource {
     /// Why a buffer has no elements: as above, or what its description says where all went well; empty: it
     /// has some, or is an image.
     QString why_empty(const std::string& owner, const std::string& key) const;
+    /// Why a buffer is not there as views of an experiment would have it, at a step within the frame.
+    QString why_not_by_then(const std::string& owner, const ResourceReport& resource) const;
     /// Why an experiment will not get any further before it is finished; empty: it is finished or goes on.
     QString why_unfinished(const std::string& owner) const;
     /// How it is shown when nobody chose: by its meaning and its values.

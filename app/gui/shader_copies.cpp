@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "app/gui/known_projects.h"
@@ -125,9 +126,8 @@ bool ShaderCopies::is_taken(const Copy& copy) const {
     }
 }
 
-void ShaderCopies::look_at_base(Copy& copy) const {
-    auto base = read(shaders_ / copy.file);
-    if (copy.bases.empty() || copy.bases.back() != base) copy.bases.push_back(std::move(base));
+std::string ShaderCopies::base_of(const Copy& copy) const {
+    return read(shaders_ / copy.file);
 }
 
 void ShaderCopies::watch(const fs::path& path) {
@@ -146,7 +146,6 @@ fs::path ShaderCopies::open(const std::string& experiment, const std::string& fi
     real_file_system().create_directories(path.parent_path());
     Copy copy{.experiment = experiment, .file = file, .text = text};
     if (const auto known = copies_.find(path); known != copies_.end()) copy.bases = known->second.bases;
-    look_at_base(copy);
     write(path, copy, std::move(text));
     copies_[path] = std::move(copy);
     return path;
@@ -168,6 +167,9 @@ void ShaderCopies::write(const fs::path& path, Copy& copy, std::string text) {
         write_file(path, text);
     }
     copy.text = std::move(text);
+    auto base = base_of(copy);
+    std::erase(copy.bases, base);
+    copy.bases.push_back(std::move(base));
     watch(path);
 }
 
@@ -175,19 +177,22 @@ void ShaderCopies::write(const fs::path& path, Copy& copy, std::string text) {
 /// made of, it would take back what is new there.
 void ShaderCopies::take_up(const fs::path& path, Copy& copy, std::string text) {
     const auto saved = text;
-    look_at_base(copy);
-    const auto& base = copy.bases.back();
+    const auto base = base_of(copy);
     auto hunks = line_diff(base, saved);
-    bool is_moved = false;
-    // An editor that had the copy open may have an older one: it saves what is least of a change.
-    std::string own = hunks;
-    for (const auto& older : copy.bases)
-        if (auto change = line_diff(older, saved); length(change) < length(own)) own = std::move(change);
-    if (own != hunks) {
+    // An editor that had the copy open may have an older one: it saves what is least of a change. It cannot
+    // have what was never in the file.
+    std::string own;
+    const std::string* made_of = nullptr;
+    for (const auto& each : copy.bases | std::views::reverse)
+        if (auto change = line_diff(each, saved); !made_of || length(change) < length(own)) {
+            own = std::move(change);
+            made_of = &each;
+        }
+    const bool is_moved = made_of && *made_of != base;
+    if (is_moved) {
         try {
             text = own.empty() ? base : apply_line_diff(base, own);
             hunks = line_diff(base, text);
-            is_moved = true;
         } catch (const Error& error) {
             copy.refused = saved;
             throw Error(path.string() + ": the program's " + copy.file +
@@ -204,8 +209,10 @@ void ShaderCopies::take_up(const fs::path& path, Copy& copy, std::string text) {
         copy.text = before;
         copy.refused = saved;
     } else if (is_moved) {
-        write_file(path, text);
-        watch(path);
+        // Where the newest text was in the file, too, somebody may have taken back what is new in the
+        // program: what was saved is put aside. Else all of it is in the text.
+        if (std::ranges::find(copy.bases, base) == copy.bases.end()) write_file(path, text);
+        write(path, copy, text);
         emit session_.message({Severity::note, "shaders",
                                path.string() + ": the program's " + copy.file +
                                    " has changed since it was opened; your change was moved onto it"});
@@ -233,7 +240,6 @@ void ShaderCopies::follow_document() {
         try {
             auto text = text_of(copy.experiment, copy.file);
             copy.refused.clear();  // it may be none now
-            look_at_base(copy);
             if (text != copy.text) write(path, copy, std::move(text));
         } catch (const Error&) {
             // What does not fit is told where it is rendered; what cannot be written is written the next

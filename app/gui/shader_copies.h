@@ -33,14 +33,14 @@ class ShaderCopies : public QObject {
   private:
     struct Copy {
         std::string experiment, file;
-        std::vector<std::string> bases = {};  ///< the program's shader, as it was while editors had the copy
+        std::vector<std::string> bases = {};  ///< the program's shader, as texts of the file were made of it
         std::string text = {};                ///< that file and experiment had last
         std::string refused = {};             ///< that the file had, and that can be no change
     };
     std::filesystem::path folder() const;
     std::string text_of(const std::string& experiment, const std::string& file) const;
-    bool is_taken(const Copy& copy) const;  ///< by the experiment
-    void look_at_base(Copy& copy) const;
+    bool is_taken(const Copy& copy) const;        ///< by the experiment
+    std::string base_of(const Copy& copy) const;  ///< the program's shader as it is
     void watch(const std::filesystem::path& path);
     void write(const std::filesystem::path& path, Copy& copy, std::string text);
     void take_up(const std::filesystem::path& path, Copy& copy, std::string text);

@@ -96,12 +96,10 @@ void SpacePresenter::add(int view, SpacePane& space) {
 /// Of a layer's elements, where its buffer was sent.
 std::optional<widgets::BufferReader> SpacePresenter::values_of(int view, int layer) const {
     const auto& layers = views_.state(view).space.layers;
-    const auto result = live_.result(views_.state(view).a.owner);
-    if (layer < 0 || layer >= int(layers.size()) || !result) return {};
-    const auto found = result->buffers.find(layers[std::size_t(layer)].key);
-    if (found == result->buffers.end()) return {};
-    const auto& buffer = found->second;
-    return widgets::BufferReader({buffer.fields, buffer.elements, {result, &buffer.bytes}});
+    if (layer < 0 || layer >= int(layers.size())) return {};
+    const auto buffer = live_.buffer(views_.state(view).a.owner, layers[std::size_t(layer)].key);
+    if (!buffer) return {};
+    return widgets::BufferReader({buffer->fields, buffer->elements, {buffer, &buffer->bytes}});
 }
 
 QString SpacePresenter::hover_text(int view, int layer, qint64 element) const {
@@ -168,10 +166,12 @@ void SpacePresenter::update(int view) {
 
 void SpacePresenter::request(int view, const SpaceScene& scene, QSize device_px, int oversampling) {
     const auto& owner = views_.state(view).a.owner;
-    if (!live_.result(owner) || live_.past().is_elsewhere() || device_px.isEmpty()) return;
+    const auto result = live_.result(owner);
+    if (!result || live_.past().is_elsewhere() || device_px.isEmpty()) return;
     engine::SceneViewRequest request;
     request.tag = tag_of(view);
     request.execution = owner;
+    request.view.after = result->after;  // another step is drawn when its result is there
     request.view.width = device_px.width();
     request.view.height = device_px.height();
     request.view.oversampling = oversampling;
@@ -195,9 +195,12 @@ void SpacePresenter::on_picture(std::shared_ptr<const engine::SceneViewResult> r
         drawing.answered_serial = std::max(drawing.answered_serial, result->serial);
         if (!result->error.empty()) return space->view().set_note(QString::fromStdString(result->error));
         auto picture = picture_of(result->picture);
+        picture.moment = moment_text(result->after);
         const auto& owner = views_.state(view).a.owner;
         for (auto& layer : picture.layers)  // the viewer knows no reasons
-            if (layer.elements == 0) layer.note = views_.pictures().why_empty(owner, layer.key).toStdString();
+            if (const auto why = views_.pictures().why_empty(owner, layer.key);
+                layer.elements == 0 && !why.isEmpty())
+                layer.note = why.toStdString();
         space->view().set_picture(std::move(picture));
     }
 }

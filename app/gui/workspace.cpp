@@ -221,13 +221,22 @@ void Workspace::update_table(int view) {
     if (!result) return table.clear(pictures.why_nothing(source.owner));
     table.set_stale(pictures.is_stale(source.owner));
     const auto found = result->buffers.find(key);
-    if (found == result->buffers.end() || found->second.elements == 0)
-        return table.clear(pictures.why_empty(source.owner, key));
+    const bool is_shown =
+        found != result->buffers.end() && table.model().buffer().bytes.get() == &found->second.bytes;
+    const auto contents = live_.buffer(source.owner, key);
+    if (is_shown && (contents || pictures.is_stale(source.owner))) return;
+    if (!contents || contents->elements == 0) {
+        const auto why = pictures.why_empty(source.owner, key);
+        return table.clear(why.isEmpty() && resource ? pictures.why_not_by_then(source.owner, *resource)
+                                                     : why);
+    }
     // Shared with the result, not copied.
-    widgets::BufferData data{found->second.fields, found->second.elements, {result, &found->second.bytes}};
+    widgets::BufferData data{contents->fields, contents->elements, {contents, &contents->bytes}};
     if (resource) data.categories = resource->categories;
-    if (data.bytes == table.model().buffer().bytes) return;
-    table.set_buffer(QString::fromStdString(resource ? resource->label : key), std::move(data));
+    const auto moment = moment_text(result->after);
+    table.set_buffer(QString::fromStdString(resource ? resource->label : key) +
+                         (moment.isEmpty() ? QString() : QStringLiteral(" · ") + moment),
+                     std::move(data));
 }
 
 void Workspace::update_camera(int view) {

@@ -48,10 +48,12 @@ class Program {
     const std::vector<ProgramResource>& resources() const { return resources_; }
     /// Whether the source declares a block, sampler or image of this name, also one that was optimised away.
     bool declares(const std::string& resource) const { return declarations_.names(resource); }
-    /// Whether it has lib/debug.glsl in a stage that works for pixels.
+    /// Whether a stage has lib/debug.glsl.
     bool can_debug() const { return can_debug_; }
-    /// That stage, of the variant that says something; null of others.
-    const std::shared_ptr<const StageSource>& debugged() const { return debugged_; }
+    /// Those stages, of the variant that says something; none of others.
+    const std::vector<std::shared_ptr<const StageSource>>& debugged() const { return debugged_; }
+    /// Files of stages with lib/debug.glsl in which this driver lets no shader write.
+    const std::vector<std::string>& mute() const { return mute_; }
     void use() const;
     /// Gives the uniforms the values of a struct with IR_FIELDS. It is compared with the linked program once:
     /// throws ConstantsError for a member whose uniform the source never names, and for one of another type.
@@ -89,7 +91,8 @@ class Program {
     std::vector<ProgramResource> resources_;
     std::map<std::string, PlainUniform> uniforms_;  ///< active ones
     bool can_debug_ = false;
-    std::shared_ptr<const StageSource> debugged_;
+    std::vector<std::shared_ptr<const StageSource>> debugged_;
+    std::vector<std::string> mute_;
     mutable std::set<std::string> unset_;  ///< of these
     /// Of the members of each struct of constants that was given; -1 where the compiler removed the uniform.
     mutable std::map<const ConstantLayout*, std::vector<GLint>> locations_;

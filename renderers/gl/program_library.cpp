@@ -38,7 +38,7 @@ std::string line_of(std::istream&& in, int number) {
 std::string with_mend(const std::string& problem) {
     if (problem.find("debug_print(") != std::string::npos)
         return "print takes float, int, uint, bool and vectors of these";
-    for (const char* name : {"print", "draw_point", "draw_line", "draw_disc"})
+    for (const char* name : {"print", "draw_point", "draw_line", "draw_disc", "at_pixel", "at_clip"})
         if (problem.find(std::string("'") + name + "'") != std::string::npos ||
             problem.find(std::string("\"") + name + "\"") != std::string::npos)
             return problem + "; it is of lib/debug.glsl, which the file has to include";
@@ -153,12 +153,29 @@ void link(const Api& api, const Handle& program, const ProgramSource& source, co
 
 constexpr const char* debug_file = "lib/debug.glsl";
 
-/// The pixel that an invocation works for, unless it says another; empty where there is none.
-std::string invocation_in(const std::string& file) {
-    const auto stage = stage_of(file);
-    return stage == GL_FRAGMENT_SHADER  ? "ivec2(gl_FragCoord.xy)"
-           : stage == GL_COMPUTE_SHADER ? "ivec2(gl_GlobalInvocationID.xy)"
-                                        : "";
+/// What lib/debug.glsl has to know of a stage that says something, the n-th of its program.
+void add_debug_defines(std::map<std::string, std::string>& defines, GLenum stage, std::size_t number) {
+    defines["DEBUG_STAGE"] = std::to_string(number) + "u";
+    if (stage == GL_FRAGMENT_SHADER)
+        defines["DEBUG_INVOCATION"] = "ivec2(gl_FragCoord.xy)";
+    else if (stage == GL_COMPUTE_SHADER)
+        defines["DEBUG_INVOCATION"] = "ivec2(gl_GlobalInvocationID.xy)";
+    else
+        defines["DEBUG_PLACELESS"] = "";
+}
+
+/// Whether shaders of a stage may write into buffers; not all drivers allow it before rasterisation.
+bool may_write(const Api& api, GLenum stage) {
+    static const std::map<GLenum, GLenum> limits{
+        {GL_VERTEX_SHADER, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS},
+        {GL_TESS_CONTROL_SHADER, GL_MAX_TESS_CONTROL_SHADER_STORAGE_BLOCKS},
+        {GL_TESS_EVALUATION_SHADER, GL_MAX_TESS_EVALUATION_SHADER_STORAGE_BLOCKS},
+        {GL_GEOMETRY_SHADER, GL_MAX_GEOMETRY_SHADER_STORAGE_BLOCKS}};
+    const auto limit = limits.find(stage);
+    if (limit == limits.end()) return true;
+    GLint blocks = 0;
+    api.GetIntegerv(limit->second, &blocks);
+    return blocks > 0;
 }
 
 /// Adds the words of a source, from which a uniform's existence is judged.
@@ -323,14 +340,16 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
         Program program;
         for (const auto& file : source.files) {
             auto defines = source.defines;
-            const auto invocation = invocation_in(file);
-            if (source.debugs && !invocation.empty()) defines["DEBUG_INVOCATION"] = invocation;
+            const bool writes = may_write(api, stage_of(file));
+            if (source.debugs && writes) add_debug_defines(defines, stage_of(file), program.debugged_.size());
             const auto stage =
                 preprocess(folder_, file, defines, source.preamble, source.changes, entry.files);
             const auto& files = stage.files;
-            if (!invocation.empty() && std::find(files.begin(), files.end(), debug_file) != files.end()) {
+            if (std::find(files.begin(), files.end(), debug_file) != files.end()) {
                 program.can_debug_ = true;
-                if (source.debugs) program.debugged_ = std::make_shared<const StageSource>(stage);
+                if (source.debugs && writes)
+                    program.debugged_.push_back(std::make_shared<const StageSource>(stage));
+                if (!writes) program.mute_.push_back(file);
             }
             compile_stage(api, handle, file, stage, folder_, source.changes);
             add_identifiers(stage.text, program.identifiers_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -77,16 +78,20 @@ struct GraphCache {
         compared_records;
     std::vector<GLuint> framebuffers;  ///< of the running pass
 
-    /// What an image held after a pass, before another one overwrote it.
+    /// What an image or buffer held after a pass, before another one overwrote it.
     struct Version {
         std::size_t pass;
         std::string key;
-        int level, layer;
-        Image image;
+        int level = 0, layer = 0;
+        Image image = {};
+        BufferElements elements = {};
+        gl::Name on_device = 0;  ///< of the elements, once somebody draws them
+        std::uint64_t bytes() const { return image.pixels.size() * sizeof(float) + elements.bytes.size(); }
     };
 
     // Of the last frame.
     std::vector<Version> versions;
+    std::uint64_t version_bytes = 0;
     FrameReport report;
     int growths = 0;
     std::map<std::string, double> figures;  ///< PassContext::set_figure
@@ -96,6 +101,8 @@ struct GraphCache {
     std::optional<History> restored;         ///< for the next frame
     std::shared_ptr<SharedContents> shared;  ///< with other graphs; may be null
 
+    /// Those that `is_gone(key)`.
+    void drop_versions(const std::function<bool(const std::string&)>& is_gone);
     void reset_gl_state() const;
     void delete_framebuffers();
 };

@@ -55,6 +55,7 @@ class Explanation {
     bool is_held(const Pass::Access& access, const Plan& before) const;
     bool has_known_counts(const Again& again) const;
     void run_passes_again(const Again& again);
+    bool is_written_again(const std::string& key, const Again& again) const;
     void allocate_again(const Again& again);
     void report_what_is_left();
     Frame& frame_;
@@ -190,6 +191,16 @@ void Explanation::allocate_again(const Again& again) {
     }
 }
 
+bool Explanation::is_written_again(const std::string& key, const Again& again) const {
+    const auto& passes = frame_.builder->passes();
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (!again.passes[i] || frame_.cached[i]) continue;
+        for (const auto& access : passes[i].accesses)
+            if (access.write && frame_.key_of(access) == key) return true;
+    }
+    return false;
+}
+
 void Explanation::run_passes_again(const Again& again) {
     const auto& passes = frame_.builder->passes();
     allocate_again(again);
@@ -217,9 +228,12 @@ void Explanation::run_passes_again(const Again& again) {
         row.writes.clear();
         frame_.cache.report.passes.push_back(std::move(row));
     }
-    for (std::size_t i = 0; i < passes.size(); ++i)
-        if (again.passes[i] && !frame_.cached[i])
-            frame_.cache.report.passes[i] = frame_.run_pass(passes[i], i);
+    frame_.cache.drop_versions([&](const std::string& key) { return is_written_again(key, again); });
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (!again.passes[i] || frame_.cached[i]) continue;
+        frame_.cache.report.passes[i] = frame_.run_pass(passes[i], i);
+        FrameSteps(frame_).keep_versions(passes[i], i);
+    }
     frame_.resolve_times();
 }
 

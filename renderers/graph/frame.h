@@ -60,6 +60,7 @@ struct Frame {
     FrameInputs anew;              ///< of a frame whose restored history does not fit
 
     const CancelToken& cancel() const { return options->cancel ? *options->cancel : never_cancelled; }
+    const std::string& key_of(const Pass::Access& access) const;
 
     // graph.cpp: a frame
     void begin();
@@ -76,15 +77,9 @@ struct Frame {
     /// For explanations, which run on what is there then.
     void remember_committed(std::vector<std::string> wanted);
 
-    // steps.cpp: what passes leave that later ones overwrite
-    void keep_versions(const Pass& pass, std::size_t index);
-    void trace_pixel(const Pass& pass, std::size_t index);
-    /// Of FrameOptions::versions: its pass runs, whatever was there already.
-    bool writes_version(const Pass::Access& access) const;
-
     // frame_cache.cpp: contents that outlive a frame
     bool has_contents(const Pass::Access& access) const;
-    bool is_cached(const Pass& pass) const;
+    bool is_cached(const Pass& pass);
     /// Whether later frames may find all that it writes.
     bool is_kept(const Pass& pass) const;
     void find_cached_passes();
@@ -92,6 +87,8 @@ struct Frame {
     /// Of what was made from growable buffers in this attempt: elements may be missing.
     void drop_unsure_fingerprints();
     bool has_later_writer(std::size_t pass_index, Pass::Access::Kind kind, int index) const;
+    /// By counter, what the passes up to this one counted.
+    std::vector<std::uint64_t> counts_by(std::size_t pass) const;
     std::vector<std::uint64_t> read_counters();
 
     // run_pass.cpp
@@ -100,6 +97,25 @@ struct Frame {
     int run_slices(const Pass& pass, std::size_t index, PassContext& pass_context);
     void serve_views(bool on_gl, std::size_t index);
     void drop_contents(const Pass& pass);
+};
+
+/// What passes leave that later ones overwrite: steps.cpp.
+class FrameSteps {
+  public:
+    explicit FrameSteps(Frame& frame) : frame_(frame) {}
+    void keep_versions(const Pass& pass, std::size_t index);
+    void trace_pixel(const Pass& pass, std::size_t index);
+    /// Of FrameOptions::versions, and written by several passes: these run, whatever was there already.
+    bool writes_version(const Pass::Access& access) const;
+
+  private:
+    void keep_image(std::size_t pass, const ImageDesc& desc);
+    void keep_buffer(std::size_t pass, int buffer);
+    void keep(GraphCache::Version version);
+    bool has_room(std::size_t pass, const std::string& label, std::uint64_t bytes);
+    std::uint64_t elements_by(std::size_t pass, int buffer) const;
+
+    Frame& frame_;
 };
 
 /// What a frame takes, by the budget: frame_memory.cpp.
@@ -127,8 +143,10 @@ class FrameMemory {
     Frame& frame_;
 };
 
-// read_back.cpp: Graph::read_image() and Graph::read_texel(), also in the middle of a frame
+// read_back.cpp: Graph::read_image(), read_buffer() and read_texel(), also in the middle of a frame
 std::optional<Image> read_image(GraphCache& cache, const std::string& key, int level, int layer);
+std::optional<std::vector<std::byte>> read_buffer(GraphCache& cache, const std::string& key,
+                                                  std::uint64_t max_bytes);
 std::optional<std::vector<float>> read_texel(GraphCache& cache, const std::string& key, int x, int y,
                                              int layer);
 

@@ -40,13 +40,13 @@ bool Frame::has_contents(const Pass::Access& access) const {
     return !wanted.empty() && physical->fingerprint == wanted;
 }
 
-bool Frame::is_cached(const Pass& pass) const {
+bool Frame::is_cached(const Pass& pass) {
     if (cache.debug.is_asked() && cache.debug.can_say(pass.name)) return false;
     bool writes = false;
     for (const auto& access : pass.accesses) {
         if (!access.write) continue;
         writes = true;
-        if (!has_contents(access) || writes_version(access)) return false;
+        if (!has_contents(access) || FrameSteps(*this).writes_version(access)) return false;
     }
     if (pass.counters.empty()) return writes;
     const auto counted = cache.counts_of_passes.find(pass.name);
@@ -135,7 +135,7 @@ bool Frame::has_later_writer(std::size_t pass_index, Pass::Access::Kind kind, in
     return false;
 }
 
-std::vector<std::uint64_t> Frame::read_counters() {
+std::vector<std::uint64_t> Frame::counts_by(std::size_t last) const {
     const auto count = builder->counters().size();
     std::vector<std::uint64_t> counts(count);
     if (count == 0) return counts;
@@ -143,18 +143,23 @@ std::vector<std::uint64_t> Frame::read_counters() {
     cache.device.read_buffer(cache.counter_buffer, 0, std::as_writable_bytes(std::span(raw)));
     for (std::size_t i = 0; i < count; ++i)
         counts[i] = static_cast<std::uint64_t>(raw[i * counter_stride / 4]) + host_counters[i];
+    for (std::size_t p = 0; p <= last && p < builder->passes().size(); ++p) {
+        const auto& pass = builder->passes()[p];
+        if (pass.counters.empty() || !cached[p] || ran[p]) continue;
+        const auto& known = cache.counts_of_passes.at(pass.name);
+        for (std::size_t k = 0; k < pass.counters.size(); ++k) counts[pass.counters[k].index] = known[k];
+    }
+    return counts;
+}
+
+std::vector<std::uint64_t> Frame::read_counters() {
+    auto counts = counts_by(builder->passes().size());
     for (std::size_t p = 0; p < builder->passes().size(); ++p) {
         const auto& pass = builder->passes()[p];
-        if (pass.counters.empty() || !(cached[p] || ran[p])) continue;
+        if (pass.counters.empty() || !ran[p]) continue;
         auto& known = cache.counts_of_passes[pass.name];
-        if (ran[p]) known.clear();
-        for (std::size_t k = 0; k < pass.counters.size(); ++k) {
-            auto& count = counts[pass.counters[k].index];
-            if (ran[p])
-                known.push_back(count);
-            else
-                count = known[k];
-        }
+        known.clear();
+        for (const auto counter : pass.counters) known.push_back(counts[counter.index]);
     }
     return counts;
 }

@@ -156,9 +156,7 @@ class Reporter {
 
     void add_accesses(std::size_t pass) {
         for (const auto& access : builder_.passes()[pass].accesses) {
-            const auto& key = access.kind == Kind::image    ? builder_.images()[access.index].text.key
-                              : access.kind == Kind::buffer ? builder_.buffers()[access.index].text.key
-                                                            : builder_.objects()[access.index].text.key;
+            const auto& key = frame_.key_of(access);
             auto& row = report_.passes[pass];
             (access.write ? row.writes : access.previous ? row.reads_previous : row.reads).push_back(key);
         }
@@ -193,6 +191,13 @@ class Reporter {
 };
 
 }  // namespace
+
+const std::string& Frame::key_of(const Pass::Access& access) const {
+    const auto index = std::size_t(access.index);
+    return access.kind == Kind::image    ? builder->images()[index].text.key
+           : access.kind == Kind::buffer ? builder->buffers()[index].text.key
+                                         : builder->objects()[index].text.key;
+}
 
 void fill_report(Frame& frame, const std::vector<std::uint64_t>& counts) {
     Reporter(frame, counts).fill();

@@ -21,6 +21,7 @@ bool makes_object(const Pass& pass) {
 }  // namespace
 
 GraphCache::~GraphCache() {
+    drop_versions([](const auto&) { return true; });
     if (counter_buffer) device.destroy_buffer(counter_buffer);
     if (parameter_buffer) device.destroy_buffer(parameter_buffer);
     if (!context) return;
@@ -51,6 +52,10 @@ void Graph::reset_history() {
 
 const FrameReport& Graph::last_report() const {
     return cache_->report;
+}
+
+bool Graph::is_running() const {
+    return cache_->is_running;
 }
 
 WorkKey work_of(const Method& method, const Settings& settings, const FrameInputs& inputs,
@@ -120,7 +125,7 @@ bool Frame::run_passes() {
     ran.clear();
     FrameMemory memory(*this);
     memory.allocate();
-    cache.debug.begin(inputs->picked_pixel());
+    cache.debug.begin(inputs->picked_pixel(), {inputs->view.width, inputs->view.height});
     put_restored(*this);
     adopt_shared(*this);
     if (!memory.fits(memory.plan())) return false;
@@ -129,7 +134,7 @@ bool Frame::run_passes() {
     find_cached_passes();
     cache.report.passes.clear();
     cache.report.pixel_changes.clear();
-    cache.versions.clear();
+    cache.drop_versions([](const auto&) { return true; });
     views_ms.assign(builder->passes().size(), 0);
     for (std::size_t i = 0; i < builder->passes().size(); ++i) {
         const auto& pass = builder->passes()[i];
@@ -141,8 +146,8 @@ bool Frame::run_passes() {
         row.has_two_bodies = pass.has_two_bodies;
         cache.report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(pass, i) : row);
         cache.report.passes.back().is_kept = is_kept(pass);
-        if (ran[i] && !options->versions.empty()) keep_versions(pass, i);
-        if (plan.pass_live[i] && options->traced) trace_pixel(pass, i);
+        if (ran[i] && !options->versions.empty()) FrameSteps(*this).keep_versions(pass, i);
+        if (plan.pass_live[i] && options->traced) FrameSteps(*this).trace_pixel(pass, i);
         if (ran[i] && makes_object(pass) && !memory.fits(memory.plan())) return false;
         is_cut_short = ran[i] && has_overflowed(i);
         if (is_cut_short) break;

@@ -32,9 +32,11 @@ struct FrameOptions {
     const CancelToken* cancel = nullptr;
     ProgressCallback progress;
     std::function<void()> between_slices;  ///< serves views while a frame runs
-    /// Keys of images: what they hold after a pass that writes them, and that a later pass overwrites, stays
-    /// for read_after() until the next frame; on the host, and not part of the budget.
+    /// Keys of images and buffers: what they hold after a pass that writes them, and that a later pass
+    /// overwrites, stays for read_after() until the next frame; on the host, and not part of the budget.
     std::vector<std::string> versions;
+    /// Bytes of them all; what would be beyond is not kept, and the frame warns.
+    std::uint64_t versions_limit = 4ull << 30;
     /// Pixel of the view whose values are noted after each pass (FrameReport::pixel_changes).
     std::optional<glm::ivec2> traced;
 };
@@ -44,6 +46,12 @@ struct DeviceBuffer {
     gl::Name name = 0;
     BufferDesc desc;
     std::uint64_t elements = 0;  ///< in use
+};
+
+/// Elements of a buffer resource as they lie in memory.
+struct BufferElements {
+    std::uint64_t elements = 0;    ///< in use
+    std::vector<std::byte> bytes;  ///< of the first of them
 };
 
 struct GraphCache;
@@ -91,9 +99,16 @@ class Graph {
     /// resource does not exist or its pass was culled.
     std::optional<Image> read_image(const std::string& key, int level = 0, int layer = 0) const;
     /// As read_image(), of what the resource held when a pass of the last frame had run. Empty where it was
-    /// not written by then, and where a later pass has overwritten what FrameOptions::versions did not name.
+    /// not written by then, where a later pass has overwritten what FrameOptions::versions did not name, and
+    /// while a frame runs.
     std::optional<Image> read_after(const std::string& pass, const std::string& key, int level = 0,
                                     int layer = 0) const;
+    /// The same of a buffer: at most the first `max_bytes` of the elements that were in use by then.
+    std::optional<BufferElements> read_buffer_after(
+        const std::string& pass, const std::string& key,
+        std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max()) const;
+    /// The same as device_buffer() has it; stays until the next frame.
+    std::optional<DeviceBuffer> device_buffer_after(const std::string& pass, const std::string& key) const;
     /// All channels of one texel of level 0; empty where read_image is, and outside. Also between the slices
     /// of a frame, when contents may be half new.
     std::optional<std::vector<float>> read_texel(const std::string& key, int x, int y, int layer = 0) const;
@@ -105,6 +120,8 @@ class Graph {
     /// the slices of a frame, elements in use are those of the frame before, and contents may be half new.
     std::optional<DeviceBuffer> device_buffer(const std::string& key) const;
     const FrameReport& last_report() const;
+    /// Whether a frame or an explanation is under way.
+    bool is_running() const;
 
   private:
     std::unique_ptr<GraphCache> cache_;

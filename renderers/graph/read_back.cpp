@@ -90,17 +90,22 @@ std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int 
     return graph::read_texel(*cache_, key, x, y, layer);
 }
 
-std::optional<std::vector<std::byte>> Graph::read_buffer(const std::string& key,
-                                                         std::uint64_t max_bytes) const {
-    auto* physical = cache_->pool.find(key);
+std::optional<std::vector<std::byte>> read_buffer(GraphCache& cache, const std::string& key,
+                                                  std::uint64_t max_bytes) {
+    auto* physical = cache.pool.find(key);
     if (!physical || physical->is_image || !physical->has_contents()) return std::nullopt;
     auto& copy = physical->now();
     std::vector<std::byte> bytes(std::min(physical->copy_bytes(), max_bytes));
     if (copy.on_host)
         std::copy_n(copy.host.begin(), bytes.size(), bytes.begin());
     else if (!bytes.empty())
-        cache_->device.read_buffer(copy.name, 0, bytes);
+        cache.device.read_buffer(copy.name, 0, bytes);
     return bytes;
+}
+
+std::optional<std::vector<std::byte>> Graph::read_buffer(const std::string& key,
+                                                         std::uint64_t max_bytes) const {
+    return graph::read_buffer(*cache_, key, max_bytes);
 }
 
 std::optional<DeviceBuffer> Graph::device_buffer(const std::string& key) const {

@@ -14,14 +14,14 @@
 namespace ir::graph {
 namespace {
 
-/// Of the block: the count, and the records.
-constexpr std::uint64_t head_bytes = 4;
+/// Of the block: the counts, and the records.
+constexpr std::uint64_t head_bytes = 8;
 constexpr std::uint64_t block_bytes = head_bytes + debug_capacity * sizeof(DebugRecord);
 
 struct Uniforms {
-    glm::ivec2 debug_pixel;
+    glm::ivec2 debug_pixel, debug_size;
     int debug_use;
-    IR_FIELDS(debug_pixel, debug_use)
+    IR_FIELDS(debug_pixel, debug_size, debug_use)
 };
 
 // Of the shapes; `line` is that of the shader's file.
@@ -49,7 +49,7 @@ DebugKind kind_of(const DebugRecord& record) {
 }
 
 bool is_printed(const DebugRecord& record) {
-    return kind_of(record) < DebugKind::point;
+    return kind_of(record) < DebugKind::point || kind_of(record) == DebugKind::no_pixel;
 }
 
 float number(const DebugRecord& record, std::size_t index) {
@@ -107,8 +107,10 @@ ShaderDebug::~ShaderDebug() {
     if (buffer_) device_.destroy_buffer(buffer_);
 }
 
-void ShaderDebug::begin(glm::ivec2 pixel) {
+void ShaderDebug::begin(glm::ivec2 pixel, glm::ivec2 size) {
     pixel_ = pixel;
+    size_ = size;
+    mute_.clear();
     noted_.clear();
     uses_.clear();
     is_clear_ = false;
@@ -131,20 +133,23 @@ const gl::Program& ShaderDebug::choose(const std::string& pass, const gl::Progra
     auto variant = source;
     variant.debugs = true;
     const auto& program = compiled(variant);
-    tell(pass, program);
+    mute_.insert(program.mute().begin(), program.mute().end());
+    if (!program.debugged().empty()) tell(pass, program);
     return program;
 }
 
 /// What the variant must know.
 void ShaderDebug::tell(const std::string& pass, const gl::Program& program) {
-    const Use use{pass, program.debugged()};
-    auto found = std::find(uses_.begin(), uses_.end(), use);
-    if (found == uses_.end()) found = uses_.insert(uses_.end(), use);
-    program.set(Uniforms{pixel_, static_cast<int>(found - uses_.begin())});
+    auto found = std::find(uses_.begin(), uses_.end(), Use{pass, program.debugged().front()});
+    const auto first = found - uses_.begin();
+    if (found == uses_.end())
+        for (const auto& stage : program.debugged()) uses_.push_back({pass, stage});
+    program.set(Uniforms{pixel_, size_, static_cast<int>(first)});
 }
 
 ShaderDebug::Said ShaderDebug::read() {
     Said said;
+    said.mute = mute_;
     if (!is_clear_) return said;  // no program had the block
     device_.barrier();
     std::uint32_t count = 0;
@@ -166,6 +171,12 @@ PrintedValue ShaderDebug::printed(const DebugRecord& record) const {
                        line.place,
                        argument_of(line.text, record.depth),
                        {}};
+    if (kind_of(record) == DebugKind::no_pixel) {
+        value.text =
+            "says nothing here: this stage works for no pixel, so first say which one it is, with "
+            "at_clip(position) or at_pixel(pixel)";
+        return value;
+    }
     for (std::size_t i = 0; i < std::min<std::size_t>(record.numbers, 4); ++i)
         value.text += (i > 0 ? " " : "") + text_of(record, i);
     return value;
@@ -223,6 +234,10 @@ void declare_debug(GraphBuilder& builder, GraphCache& cache) {
         context.add(points.count, point_count);
         context.add(lines.count, line_count);
         context.add(discs.count, disc_count);
+        for (const auto& file : said.mute)
+            context.notes().warn(file +
+                                 ": print and draw say nothing here: this driver lets no shader of "
+                                 "such a stage write");
         if (said.dropped > 0)
             context.notes().warn("shaders say more of the picked pixel than there is room for: the first " +
                                  std::to_string(debug_capacity) + " calls of print and draw are kept, " +

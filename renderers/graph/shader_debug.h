@@ -26,8 +26,8 @@ class ShaderDebug {
     ~ShaderDebug();
     ShaderDebug(const ShaderDebug&) = delete;
 
-    /// Of an attempt to run a frame; negative: no pixel is picked.
-    void begin(glm::ivec2 pixel);
+    /// Of an attempt to run a frame, in a picture of some size; negative: no pixel is picked.
+    void begin(glm::ivec2 pixel, glm::ivec2 size);
     /// All passes have run: those that used no program which may say something never will.
     void forget_others() { passes_ = noted_; }
     glm::ivec2 pixel() const { return pixel_; }
@@ -46,6 +46,7 @@ class ShaderDebug {
     struct Said {
         std::vector<DebugRecord> records;
         std::uint64_t dropped = 0;
+        std::set<std::string> mute;  ///< files that cannot say anything on this driver
     };
     Said read();
     /// The line of a shader that made a record.
@@ -61,9 +62,10 @@ class ShaderDebug {
     void tell(const std::string& pass, const gl::Program& program);
     gl::Device& device_;
     gl::Name buffer_ = 0;
-    glm::ivec2 pixel_{-1};
+    glm::ivec2 pixel_{-1}, size_{0};
     std::set<std::string> passes_, noted_;  ///< that may say something; of them those of this attempt
-    std::vector<Use> uses_;                 ///< in this frame
+    std::vector<Use> uses_;                 ///< in this frame; stages of a program follow each other
+    std::set<std::string> mute_;            ///< likewise
     bool is_clear_ = false;
 };
 

@@ -6,10 +6,14 @@
 //   draw_disc(centre, normal, radius);
 //   at_pixel(pixel);               for which pixel this invocation works, before the first of the others, where it
 //                                  is not that of gl_FragCoord or gl_GlobalInvocationID
+//   at_clip(position);             the same for what stands at a position in clip space, such as a vertex
 //
+// The stages before rasterisation work for no pixel: each of their invocations has to say one first, and is told
+// where it does not.
 // Shapes take one number more, by which their layer can be coloured. Without a picked pixel the arguments are all
-// that is left of a call, and compilers remove them. With one, fragment and compute shaders are compiled with
-// DEBUG_INVOCATION, the pixel of the invocation.
+// that is left of a call, and compilers remove them. With one, shaders are compiled with DEBUG_INVOCATION, the pixel
+// of the invocation, or DEBUG_PLACELESS where it has none of its own, and DEBUG_STAGE, the number of the stage among
+// those of the program that say something.
 
 // Calls that are kept in a frame; later ones are counted.
 // C++: ir::graph::debug_capacity
@@ -17,27 +21,29 @@ const uint DEBUG_CAPACITY = 512u;
 
 // C++: enum ir::graph::DebugKind
 const uint DEBUG_FLOATS = 0u, DEBUG_INTS = 1u, DEBUG_UINTS = 2u, DEBUG_BOOLS = 3u, DEBUG_POINT = 4u, DEBUG_LINE = 5u,
-           DEBUG_DISC = 6u;
+           DEBUG_DISC = 6u, DEBUG_NO_PIXEL = 7u;
 
-#ifdef DEBUG_INVOCATION
+#ifdef DEBUG_STAGE
 
 // C++: ir::graph::DebugRecord
 struct DebugRecord {
     uint kind;     // DebugKind
     uint line;     // of the program's source
     uint depth;    // calls of that line in whose arguments it stands
-    uint use;      // which program of which pass
+    uint use;      // which stage of which program of which pass
     uint numbers;  // of data
     uint data[8];  // bits
 };
 
 layout(std430) buffer Debug {
     uint debug_count;
+    uint debug_no_pixels;  // calls that knew no pixel; the first of them is kept
     DebugRecord debug_records[];
 };
 
 uniform ivec2 debug_pixel;
-uniform int debug_use;
+uniform ivec2 debug_size;  // of the picture that has it
+uniform int debug_use;     // of the program's first stage that says something
 
 bool debug_is_at_pixel = false;
 ivec2 debug_own_pixel = ivec2(0);
@@ -59,10 +65,23 @@ int debug_at_pixel(ivec2 pixel) {
     return 0;
 }
 
+int debug_at_clip(vec4 position) {
+    vec2 at = (0.5 * position.xy / position.w + 0.5) * vec2(debug_size);
+    return debug_at_pixel(position.w > 0.0 ? ivec2(floor(at)) : ivec2(-1));
+}
+
 int debug_put(uint kind, uint numbers, uvec4 first, uvec4 second) {
     --debug_open;
-    ivec2 own = debug_is_at_pixel ? debug_own_pixel : DEBUG_INVOCATION;
-    if (own != debug_pixel) return 0;
+#ifdef DEBUG_PLACELESS
+    if (!debug_is_at_pixel) {
+        if (atomicAdd(debug_no_pixels, 1u) > 0u) return 0;
+        kind = DEBUG_NO_PIXEL;
+    } else if (debug_own_pixel != debug_pixel) {
+        return 0;
+    }
+#else
+    if ((debug_is_at_pixel ? debug_own_pixel : DEBUG_INVOCATION) != debug_pixel) return 0;
+#endif
     uint at = atomicAdd(debug_count, 1u);
     if (at >= DEBUG_CAPACITY) return 0;
     debug_records[at].kind = kind;
@@ -71,7 +90,7 @@ int debug_put(uint kind, uint numbers, uvec4 first, uvec4 second) {
     for (int i = debug_open - 1; i >= 0 && debug_lines[min(i, DEBUG_DEPTH - 1)] == line; --i) ++depth;
     debug_records[at].line = line;
     debug_records[at].depth = depth;
-    debug_records[at].use = uint(debug_use);
+    debug_records[at].use = uint(debug_use) + DEBUG_STAGE;
     debug_records[at].numbers = numbers;
     for (int i = 0; i < 4; ++i) {
         debug_records[at].data[i] = first[i];
@@ -125,6 +144,7 @@ int debug_draw_disc(vec3 centre, vec3 normal, float radius) { return debug_draw_
 #define draw_line debug_at_line(__LINE__), debug_draw_line
 #define draw_disc debug_at_line(__LINE__), debug_draw_disc
 #define at_pixel debug_at_pixel
+#define at_clip debug_at_clip
 
 #else
 
@@ -133,5 +153,6 @@ int debug_draw_disc(vec3 centre, vec3 normal, float radius) { return debug_draw_
 #define draw_line
 #define draw_disc
 #define at_pixel
+#define at_clip
 
 #endif

@@ -151,8 +151,10 @@ void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRe
                           : state.stale         ? QStringLiteral("rendering …")
                           : state.busy          ? QStringLiteral("drawing …")
                                                 : QString();
-    if (!badge.isEmpty() && state.has_picture)
-        paint_lines(painter, {badge}, area.topLeft() + QPointF(gap, gap + lines), area.width() - 2 * gap);
+    QStringList said{state.moment, badge};
+    said.removeAll(QString());
+    if (!said.isEmpty() && state.has_picture)
+        paint_lines(painter, said, area.topLeft() + QPointF(gap, gap + lines), area.width() - 2 * gap);
     paint_hover(painter, state, area);
 }
 

@@ -15,6 +15,7 @@ struct OverlayState {
     bool has_picture = false;
     bool busy = false;   ///< a newer picture takes long
     bool stale = false;  ///< newer buffers are being rendered
+    QString moment;      ///< SpacePicture::moment
     QString note;        ///< why there is no newer picture
     QString hover;
     QPointF hover_at;

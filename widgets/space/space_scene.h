@@ -86,6 +86,7 @@ struct SpacePicture {
     std::vector<std::int64_t> element;  ///< by pixel: element of that layer, -1 none
     std::vector<LayerInfo> layers;
     CameraPose camera;  ///< that was used
+    QString moment;     ///< within the frame that it shows; empty: its end
     /// What it is the answer to; null: the last scene that was asked for.
     std::shared_ptr<const SpaceScene> scene = {};
 };

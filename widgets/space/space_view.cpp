@@ -228,6 +228,7 @@ void SpaceView::update_overlay() {
     for (std::size_t i = 0; i < picture_.layers.size(); ++i)
         if (indices_[i] >= 0) overlay_.layers.push_back(picture_.layers[i]);
     overlay_.camera = picture_.camera;
+    overlay_.moment = picture_.moment;
     overlay_.has_picture = !picture_.colour.empty();
     overlay_widget_->update();
 }

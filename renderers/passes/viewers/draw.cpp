@@ -96,8 +96,10 @@ struct Viewer::State {
     std::vector<LayerPlan> plan(const graph::Graph& graph, const Scene3D& view) const {
         std::vector<LayerPlan> plans;
         for (const auto& layer : view.layers)
-            plans.push_back(plan_layer(layer, graph.device_buffer(layer.key), plans.size(), view.max_elements,
-                                       tools.device.max_buffer_bytes()));
+            plans.push_back(plan_layer(layer,
+                                       view.after.empty() ? graph.device_buffer(layer.key)
+                                                          : graph.device_buffer_after(view.after, layer.key),
+                                       plans.size(), view.max_elements, tools.device.max_buffer_bytes()));
         keep_spaces_apart(plans);
         return plans;
     }

@@ -67,6 +67,7 @@ struct Scene3D {
     bool show_centres = true;                ///< of regions on the sphere
     std::uint64_t max_elements = 4'000'000;  ///< per layer (spheres: 32,768); beyond, every n-th is drawn
     std::vector<Layer> layers = {};
+    std::string after = {};  ///< layers are as they were when this pass had run; empty: as they are
 };
 
 /// What became of a layer.

@@ -245,8 +245,12 @@ class FakeRenderer final : public Renderer {
         }
         for (const auto& key : request.buffers) {
             computed.push_back(key);
-            result->buffers[key] = {fake_fields(key), fake_elements, fake_bytes(key)};
+            if (request.after != "paint")
+                result->buffers[key] = {fake_fields(key), fake_elements, fake_bytes(key)};
+            else if (key != "cloud")  // it comes with the second pass
+                result->buffers[key] = {fake_fields(key), fake_elements / 2, fake_bytes(key)};
         }
+        result->after = request.after;
         if (!shows_surface) result->valid = Image(request.experiment.width, request.experiment.height, 1, 0);
         result->fineness = fineness;
         result->finished = fineness == engine::Fineness::full;
@@ -326,6 +330,10 @@ class FakeRenderer final : public Renderer {
             look.name = "look";
             look.culled = true;
             look.writes = {"cover"};
+            if (overwrites_lists) {
+                report.passes[0].writes.push_back("numbers");
+                fade.writes.insert(fade.writes.end(), {"numbers", "cloud"});
+            }
             report.passes.insert(report.passes.end(), {fade, look});
             if (request.traced)
                 report.pixel_changes = {{"paint", "picture", {0.5f, 0.5f, 0.5f}},
@@ -377,6 +385,7 @@ class FakeRenderer final : public Renderer {
         auto result = std::make_shared<engine::SceneViewResult>();
         result->tag = request.tag;
         result->serial = serial;
+        result->after = request.view.after;
         auto& picture = result->picture;
         const auto& view = request.view;
         picture.colour = Image(view.width, view.height, 3, 0.5f);
@@ -389,7 +398,7 @@ class FakeRenderer final : public Renderer {
             passes::viewers::DrawnLayer drawn;
             drawn.key = layer.key;
             drawn.fields = fake_fields(layer.key);
-            drawn.elements = finds_none ? 0 : fake_elements;
+            drawn.elements = finds_none || request.view.after == "paint" ? 0 : fake_elements;
             if (finds_none) drawn.note = "'" + layer.key + "' has no elements";
             drawn.max = drawn.high = fake_elements - 1;
             picture.layers.push_back(drawn);
@@ -432,10 +441,11 @@ class FakeRenderer final : public Renderer {
     engine::MachineSettings machine;
     bool hold = false, hold_views = false;
     bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
-    bool overwrites = false;      ///< a second pass does so with what the first has painted, half as bright
-    bool halves_rough = false;    ///< the first stage has half the size
-    bool can_print = false;       ///< shaders print two numbers of the picked pixel
-    bool has_two_bodies = false;  ///< the pass, which runs on the host
+    bool overwrites = false;        ///< a second pass does so with what the first has painted, half as bright
+    bool overwrites_lists = false;  ///< numbers, of which the first has half, likewise, and a cloud behind it
+    bool halves_rough = false;      ///< the first stage has half the size
+    bool can_print = false;         ///< shaders print two numbers of the picked pixel
+    bool has_two_bodies = false;    ///< the pass, which runs on the host
     std::map<std::string, std::vector<UsedLight>> lights;  ///< by tag: what pictures tell of their sources
     std::vector<LightSource> scene_sources{{LightKind::environment, "the environment"}};
     std::string failure;  ///< of every request from now on

@@ -139,6 +139,77 @@ TEST_F(PipelineWindowTest, StepsShowTheBufferAsEachPassLeftIt) {
     EXPECT_FLOAT_EQ(pixel(), 0.25f);
 }
 
+class ListStepsWindowTest : public PipelineWindowTest {
+  protected:
+    void SetUp() override {
+        renderer.overwrites_lists = true;
+        PipelineWindowTest::SetUp();
+    }
+    void show(const char* key) {
+        window.views().show_output(key);
+        ASSERT_TRUE(settle());
+    }
+};
+
+TEST_F(ListStepsWindowTest, ATableShowsTheListAsAPassLeftIt) {
+    show("numbers");
+    auto& table = window.workspace().active_pane().table();
+    const auto title = [&] {
+        QStringList texts;
+        for (const auto* each : table.findChildren<QLabel*>()) texts << each->text();
+        return texts.join('|');
+    };
+    EXPECT_EQ(table.model().rowCount(), 6);
+    table.set_filter("count >= 1");
+    EXPECT_EQ(table.model().rowCount(), 5);
+    click("paint");
+    EXPECT_EQ(renderer.requests.back().after, "paint");
+    EXPECT_EQ(table.model().buffer().elements, 3u);
+    EXPECT_EQ(table.model().rowCount(), 2) << "filtered as before";
+    EXPECT_TRUE(title().contains("Numbers · after “paint”")) << title().toStdString();
+    press("pass-next");
+    EXPECT_EQ(table.model().buffer().elements, 6u);
+    EXPECT_TRUE(title().contains("after “fade”")) << title().toStdString();
+    press("pass-next");
+    EXPECT_FALSE(title().contains("after")) << title().toStdString();
+}
+
+TEST_F(ListStepsWindowTest, ATableStaysUntilThatOfTheStepIsThere) {
+    show("numbers");
+    auto& table = window.workspace().active_pane().table();
+    renderer.hold = true;
+    view().setFocus();
+    const auto place = view().place_of("paint").center();
+    QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, place);
+    ASSERT_EQ(step(), "paint");
+    QApplication::processEvents();
+    EXPECT_EQ(table.model().buffer().elements, 6u);
+    EXPECT_EQ(table.reason(), "");
+    renderer.hold = false;
+    renderer.answer(renderer.requests.back(), renderer.requests.size());
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(table.model().buffer().elements, 3u);
+}
+
+TEST_F(ListStepsWindowTest, WhatIsNotWrittenByThenIsSaid) {
+    show("cloud");
+    auto& space = window.workspace().active_pane().space().view();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return space.picture().layers.size() == 1; }));
+    EXPECT_EQ(space.picture().moment, "");
+    click("paint");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return space.picture().moment == "after “paint”"; }));
+    EXPECT_EQ(renderer.views.back().view.after, "paint");
+    EXPECT_EQ(space.picture().layers.at(0).note, "“Cloud” is not written yet when “paint” has run.");
+    auto state = window.views().active_state();
+    state.as_table = true;
+    window.views().set_active_state(state);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.workspace().active_pane().table().reason(),
+              "“Cloud” is not written yet when “paint” has run.");
+    press("pass-next");
+    EXPECT_EQ(window.workspace().active_pane().table().model().buffer().elements, 6u);
+}
+
 TEST_F(PipelineWindowTest, AnotherMethodHasOtherPasses) {
     click("fade");
     ASSERT_EQ(step(), "fade");

@@ -263,6 +263,48 @@ TEST_F(EditedCopyTest, AnOldCopyTakesBackNothingThatIsNewInTheProgram) {
     EXPECT_TRUE(text_now().contains("mine, too")) << "and stays in the file";
 }
 
+/// Of what the program has new an editor knows nothing that never had it.
+TEST_F(EditedCopyTest, AnOldCopyDoesNotTakeBackALineThatItNeverHad) {
+    const auto program = std::filesystem::path(folder.path().toStdString()) / "shaders";
+    std::filesystem::create_directories(program / "lib");
+    const auto now_has = [&](const std::string& text) { std::ofstream(program / file) << text; };
+    now_has(lines_with({}));
+    ShaderCopies copies(window.session(), program);
+    const auto path = copies.open(window.session().experiment()->id, file);
+    const auto errors_before = errors();
+    // The program loses lines 10 to 13 and has a new one; somebody removes the same lines, and no other.
+    const std::string without = lines_with({{10, "-"}, {11, "-"}, {12, "-"}, {13, "-"}});
+    std::string mine = without;
+    for (auto at = mine.find("-\n"); at != std::string::npos; at = mine.find("-\n")) mine.erase(at, 2);
+    std::string theirs = mine;
+    theirs.insert(theirs.find("line 20\n"), "new in the program\n");
+    now_has(theirs);
+    std::ofstream(path) << mine;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return errors() > errors_before || !shaders().empty(); }));
+    EXPECT_TRUE(shaders().empty()) << "it would take back the new line: " << shaders().at(file);
+}
+
+TEST_F(EditedCopyTest, WhoTakesBackWhatIsNewInTheProgramLosesNothing) {
+    const auto program = std::filesystem::path(folder.path().toStdString()) / "shaders";
+    std::filesystem::create_directories(program / "lib");
+    const auto now_has = [&](const std::string& text) { std::ofstream(program / file) << text; };
+    now_has(lines_with({}));
+    ShaderCopies copies(window.session(), program);
+    const auto path = copies.open(window.session().experiment()->id, file);
+    now_has(lines_with({{3, "new in the program"}}));
+    copies.open(window.session().experiment()->id, file);  // the editor has the new line by now
+    const auto text_of = [&](const char* suffix) {
+        return read(QString::fromStdString(path.string()) + suffix);
+    };
+    ASSERT_TRUE(text_of("").contains("new in the program"));
+    const auto saved = lines_with({{28, "mine"}});
+    std::ofstream(path) << saved;  // and its person has put the old one back
+    ASSERT_TRUE(has_change());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return text_of("").contains("new in the program"); }))
+        << "as if it were an old copy, which nobody can know";
+    EXPECT_EQ(text_of(".before").toStdString(), saved) << "but all of it is kept";
+}
+
 TEST_F(ShadersWindowTest, AllLinesOfAChangeAreSeen) {
     std::string after = "// first\n";
     for (int i = 0; i < 3000; ++i) after += "// line " + std::to_string(i) + "\n";

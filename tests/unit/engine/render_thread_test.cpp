@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <thread>
 
+#include "app/engine/live_session.h"
 #include "renderers/core/error.h"
 #include "renderers/image/atlas.h"
 #include "renderers/image/exr.h"
 #include "tests/own_folder.h"
 #include "tests/processor_time.h"
+#include "tests/unit/engine/egl_machine.h"
 #include "tests/unit/engine/render_thread_fixture.h"
 #include "tests/unit/scene/gltf_builder.h"
 
@@ -176,6 +179,85 @@ TEST_F(RenderThreadTest, ASurfaceIsFoundWhereThePictureShowsIt) {
         return;
     }
     FAIL() << "no positions";
+}
+
+TEST(LiveSessionTest, ASecondQuestionAboutASurfaceBuildsNothing) {
+    LiveSession session(egl_machine());
+    LiveRequest request;
+    request.experiment.scene = "builtin:cornell";
+    request.experiment.method = "view-normals";
+    request.experiment.width = request.experiment.height = 8;
+    for (const char* tag : {"a", "b"}) {
+        request.tag = tag;
+        session.advance(request, 1, {});
+    }
+    const glm::dvec3 down(0, -1, 0);
+    const auto height = [&](const char* tag, double x) {
+        const auto found = session.find_surface({tag, {x, 0.45, -0.02}, down});
+        EXPECT_TRUE(found.point) << found.error;
+        return found.point ? found.point->position.y : 1;
+    };
+    EXPECT_EQ(session.surface_trees(), 0);
+    EXPECT_NEAR(height("a", 0.2), 0, 1e-6);
+    EXPECT_EQ(session.surface_trees(), 1);
+    EXPECT_NEAR(height("a", 0.1), 0, 1e-6);
+    EXPECT_NEAR(height("b", 0.1), 0, 1e-6);
+    EXPECT_EQ(session.surface_trees(), 1) << "of the same scene";
+    request.experiment.parts = {
+        scene::Part{"builtin:cornell", glm::translate(glm::mat4(1), glm::vec3(0, 0.25f, 0))}};
+    session.advance(request, 2, {});
+    EXPECT_NEAR(height("b", 0.1), 0.25, 1e-6) << "another scene";
+    EXPECT_EQ(session.surface_trees(), 2);
+    session.release("b");
+    EXPECT_NEAR(height("a", 0.1), 0, 1e-6);
+    EXPECT_EQ(session.surface_trees(), 3) << "one is kept";
+    EXPECT_FALSE(session.find_surface({"b", {0, 0.45, 0}, down}).error.empty());
+}
+
+/// A list that a pass finds and another sorts, in table and space; the first of the frame alone, the second
+/// of an explanation that came after it.
+TEST(LiveSessionTest, ListsAreSeenAsAPassLeftThem) {
+    LiveSession session(egl_machine());
+    LiveRequest request;
+    request.tag = "a";
+    request.experiment.scene = "builtin:cornell";
+    request.experiment.method = "photon-mapping";
+    request.experiment.settings = {{"photons", std::int64_t{2000}}};
+    request.experiment.width = request.experiment.height = 16;
+    request.inspection.x = request.inspection.y = 8;
+    const std::string key = "splat.explain.photons", sum = "splat.explain.sum";
+    const std::string found_by = "explain photons of the pixel", sorted_by = "sort photons of the pixel";
+    request.parts = {Part{}};
+    session.advance(request, 1, {});
+    request.buffers = {key, sum};
+    request.after = found_by;
+    const auto found = session.advance(request, 2, {});
+    EXPECT_EQ(found.after, found_by);
+    ASSERT_EQ(found.buffers.count(key), 1u);
+    request.after = sorted_by;
+    const auto sorted = session.advance(request, 3, {});
+    request.after.clear();
+    const auto whole = session.advance(request, 4, {});
+    EXPECT_EQ(whole.run, found.run) << "no frame ran again";
+    ASSERT_GT(whole.buffers.at(key).elements, 1u);
+    EXPECT_EQ(sorted.buffers.at(key).bytes, whole.buffers.at(key).bytes);
+    EXPECT_EQ(found.buffers.at(key).elements, whole.buffers.at(key).elements);
+    EXPECT_NE(found.buffers.at(sum).bytes, whole.buffers.at(sum).bytes);
+    request.after = "G-buffer";
+    request.buffers = {key};
+    EXPECT_EQ(session.advance(request, 5, {}).buffers.count(key), 0u) << "is not written yet";
+
+    SceneViewRequest view;
+    view.execution = "a";
+    view.view.width = view.view.height = 32;
+    view.view.layers = {{.key = key}};
+    view.view.after = found_by;
+    const auto drawn = session.draw(view, 1);
+    EXPECT_EQ(drawn.error, "");
+    EXPECT_EQ(drawn.after, found_by);
+    EXPECT_EQ(drawn.picture.layers.at(0).elements, whole.buffers.at(key).elements);
+    view.view.after = "G-buffer";
+    EXPECT_EQ(session.draw(view, 2).picture.layers.at(0).elements, 0u);
 }
 
 /// Of two files; the second stands in the first, a room, twice as an instance of one mesh.

@@ -1,5 +1,6 @@
 // What shaders say of the picked pixel: print and draw_… of shaders/lib/debug.glsl.
 #include <cstring>
+#include <map>
 #include <set>
 
 #include "tests/unit/engine/edited_shaders.h"
@@ -188,6 +189,50 @@ TEST_F(ShaderDebugTest, SharedPassesSaySomethingForEachPixelThatIsPicked) {
     auto& talkative = execution();
     EXPECT_FALSE(run(talkative, 5, 3).printed.empty());
     EXPECT_FALSE(run(talkative, 6, 3).printed.empty());
+}
+
+/// A vertex works for the pixel in which its shader says that it stands.
+TEST_F(ShaderDebugTest, AVertexShaderSaysWhereItsVertexStands) {
+    const std::string vertices = "passes/scene/triangles.vert", fragments = "passes/gbuffer/gbuffer.frag";
+    edited.replace(vertices, "void main() {",
+                   "#include \"lib/debug.glsl\"\nvoid main() {\n    if (gl_VertexID == 0) {\n"
+                   "        at_clip(2.0 * vec4((vec2(5.5, 3.5) / vec2(24, 16)) * 2.0 - 1.0, 0, 1));\n"
+                   "        print(gl_VertexID + 7);\n"
+                   "        at_clip(vec4(0, 0, 0, -1));\n        print(1);\n    }\n");
+    edited.replace(fragments, "void main() {",
+                   "#include \"lib/debug.glsl\"\nvoid main() {\n    print(gl_FragCoord.w > 0.0);\n");
+    const auto report = run(execution(), 5, 3);
+    std::map<std::string, std::string> said;
+    for (const auto& each : report.printed) {
+        said[each.label] = each.text;
+        EXPECT_TRUE(each.place.starts_with(each.text == "7" ? vertices : fragments)) << each.place;
+    }
+    EXPECT_EQ(said, (std::map<std::string, std::string>{{"gl_VertexID + 7", "7"},
+                                                        {"gl_FragCoord.w > 0.0", "true"}}));
+    for (const auto& each : run(execution(), 6, 3).printed) EXPECT_EQ(each.text, "true");
+}
+
+TEST_F(ShaderDebugTest, AStageThatKnowsNoPixelIsToldSo) {
+    edited.replace("passes/scene/triangles.vert", "void main() {",
+                   "#include \"lib/debug.glsl\"\nvoid main() {\n    print(gl_VertexID);\n");
+    const auto report = run(execution(), 5, 3);
+    ASSERT_EQ(report.printed.size(), 1u) << "once, not for each vertex";
+    EXPECT_EQ(report.printed[0].label, "gl_VertexID");
+    EXPECT_NE(report.printed[0].text.find("at_clip(position)"), std::string::npos) << report.printed[0].text;
+    EXPECT_TRUE(report.printed[0].place.starts_with("passes/scene/triangles.vert:"));
+}
+
+TEST_F(ShaderDebugTest, AGeometryShaderPrintsAndDraws) {
+    edited.replace("methods/ambient-occlusion-volumes/volume.geom", "    Hull h =",
+                   "    if (gl_PrimitiveIDIn == 0) {\n        at_pixel(ivec2(5, 3));\n"
+                   "        print(a_ws[0] == a_ws[0]);\n        draw_point(a_ws[0]);\n    }\n    Hull h =");
+    edited.replace("methods/ambient-occlusion-volumes/volume.geom", "uniform mat4",
+                   "#include \"lib/debug.glsl\"\nuniform mat4");
+    auto& volumes = execution(normals("ambient-occlusion-volumes"));
+    const auto report = run(volumes, 5, 3);
+    ASSERT_FALSE(report.printed.empty());
+    EXPECT_EQ(report.printed[0].text, "true");
+    EXPECT_FALSE(elements(volumes, report, "debug.points").empty());
 }
 
 TEST_F(ShaderDebugTest, ErrorsOfACallNameItsLine) {

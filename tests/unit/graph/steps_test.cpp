@@ -115,6 +115,147 @@ TEST_F(StepsTest, OfWhatWasKeptTheLastPassTells) {
     EXPECT_EQ(report.pixel_changes[1].values[0], 110.0f);
 }
 
+/// A list that a pass fills, another changes and a third lengthens; "late" is written by the last.
+class ListStepsTest : public GraphTest {
+  protected:
+    ListStepsTest() {
+        method.description.id = "test";
+        method.setup = [this](GraphBuilder& builder, const Settings&) { declare(builder); };
+        options.versions = {"list", "late"};
+    }
+
+    void declare(GraphBuilder& builder) {
+        auto list_desc = buffer_of("list", 4);
+        list_desc.growable = true;
+        auto late_desc = buffer_of("late", 2);
+        if (is_kept) list_desc.fingerprint = late_desc.fingerprint = "same";
+        const auto list = builder.buffer(list_desc), late = builder.buffer(late_desc);
+        const auto count = builder.counter({.key = "list.count", .label = "Count", .growth_of = list});
+        builder.pass("fill", Queue::cpu).writes(list).counts(count).execute([=, this](PassContext& p) {
+            ++fills;
+            for (std::uint32_t i = 0; i < 3; ++i) p.elements<std::uint32_t>(list)[i] = i + 1;
+            p.add(count, 3);
+        });
+        builder.pass("double", Queue::cpu).reads(list).writes(list).execute([=](PassContext& p) {
+            for (auto& x : p.elements<std::uint32_t>(list)) x *= 2;
+        });
+        builder.pass("add", Queue::cpu)
+            .reads(list)
+            .writes(list, late)
+            .counts(count)
+            .execute([=](PassContext& p) {
+                p.elements<std::uint32_t>(list)[3] = 50;
+                p.elements<std::uint32_t>(late)[1] = 7;
+                p.add(count, 1);
+            });
+    }
+
+    FrameReport run() {
+        inputs.frame = frame;
+        auto report = graph->run(method, {}, inputs, options);
+        if (report.complete) ++frame;
+        return report;
+    }
+    std::optional<std::vector<std::uint32_t>> after(const std::string& pass,
+                                                    const std::string& key = "list") {
+        const auto then = graph->read_buffer_after(pass, key);
+        if (!then) return {};
+        EXPECT_EQ(then->elements * 4, then->bytes.size());
+        return as<std::uint32_t>(then->bytes);
+    }
+    using Numbers = std::vector<std::uint32_t>;
+
+    Method method;
+    bool is_kept = false;
+    int fills = 0;
+};
+
+TEST_F(ListStepsTest, AListIsSeenAsEachPassLeftIt) {
+    run();
+    EXPECT_EQ(after("fill"), (Numbers{1, 2, 3})) << "as many as were counted by then";
+    EXPECT_EQ(after("double"), (Numbers{2, 4, 6}));
+    EXPECT_EQ(after("add"), (Numbers{2, 4, 6, 50}));
+    EXPECT_EQ(after("double", "late"), std::nullopt) << "is not written yet";
+    EXPECT_EQ(after("add", "late"), (Numbers{0, 7}));
+    EXPECT_EQ(after("no such"), std::nullopt);
+    EXPECT_EQ(after("fill", "no such"), std::nullopt);
+    const auto part = graph->read_buffer_after("double", "list", 8);
+    ASSERT_TRUE(part);
+    EXPECT_EQ(part->elements, 3u);
+    EXPECT_EQ(as<std::uint32_t>(part->bytes), (Numbers{2, 4}));
+    options.versions.clear();
+    run();
+    EXPECT_EQ(after("double"), std::nullopt) << "they are those of the last frame";
+    EXPECT_EQ(after("add"), (Numbers{2, 4, 6, 50}));
+}
+
+TEST_F(ListStepsTest, ItIsDrawnFromTheDevice) {
+    run();
+    for (int look = 0; look < 2; ++look) {
+        const auto then = graph->device_buffer_after("double", "list");
+        ASSERT_TRUE(then);
+        EXPECT_EQ(then->elements, 3u);
+        EXPECT_EQ(then->desc.text.key, "list");
+        std::vector<std::byte> bytes(12);
+        device->read_buffer(then->name, 0, bytes);
+        EXPECT_EQ(as<std::uint32_t>(bytes), (Numbers{2, 4, 6}));
+    }
+    EXPECT_EQ(graph->device_buffer_after("add", "list")->name, graph->device_buffer("list")->name);
+    EXPECT_FALSE(graph->device_buffer_after("fill", "late"));
+}  // which fails where anything stays on the device
+
+TEST_F(ListStepsTest, PassesThatWereSkippedRunForTheirVersionsAlone) {
+    is_kept = true;
+    options.versions.clear();
+    run();
+    run();
+    EXPECT_EQ(fills, 1);
+    options.versions = {"late"};  // one pass alone writes it
+    run();
+    EXPECT_EQ(fills, 1);
+    options.versions = {"list"};
+    run();
+    EXPECT_EQ(fills, 2);
+    EXPECT_EQ(after("fill"), (Numbers{1, 2, 3}));
+}
+
+TEST_F(ListStepsTest, WhatTakesTooMuchIsNotKeptAndSaid) {
+    options.versions_limit = 16;
+    const auto report = run();
+    EXPECT_EQ(after("fill"), (Numbers{1, 2, 3}));
+    EXPECT_EQ(after("double"), std::nullopt) << "not what the pass before left";
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_EQ(report.messages[0].text, "what 'double' left of 'list' is not kept: steps may take 16 B");
+}
+
+TEST_F(ListStepsTest, AnExplanationHasStepsOfItsOwn) {
+    method.description.outputs = {
+        {.key = "why", .label = "Why", .kind = OutputKind::table, .explains = true}};
+    method.setup = [](GraphBuilder& builder, const Settings&) {
+        const auto sum = builder.buffer(buffer_of("sum", 1)),
+                   why = builder.output("why", buffer_of("why", 1));
+        builder.pass("add", Queue::cpu).writes(sum).execute([sum](PassContext& p) {
+            p.elements<std::uint32_t>(sum)[0] = 5;
+        });
+        builder.pass("look", Queue::cpu).reads(sum).writes(why).execute([=](PassContext& p) {
+            p.elements<std::uint32_t>(why)[0] =
+                p.elements<std::uint32_t>(sum)[0] + std::uint32_t(p.inputs().inspection.x);
+        });
+        builder.pass("double", Queue::cpu).reads(why).writes(why).execute([=](PassContext& p) {
+            p.elements<std::uint32_t>(why)[0] *= 2;
+        });
+    };
+    options.wanted = {"sum", "why"};
+    options.versions = {"why"};
+    inputs.inspection.x = 1;
+    run();
+    EXPECT_EQ(after("look", "why"), Numbers{6});
+    inputs.inspection.x = 2;
+    ASSERT_TRUE(graph->explain(method, {}, inputs, options));
+    EXPECT_EQ(after("look", "why"), Numbers{7}) << "not that of the frame";
+    EXPECT_EQ(after("double", "why"), Numbers{14});
+}
+
 TEST_F(StepsTest, ReadingTheFrameBeforeIsToldApart) {
     method.setup = [](GraphBuilder& builder, const Settings&) {
         const auto sum = builder.image(image_of("sum"));
