@@ -82,6 +82,9 @@ class LivePictures : public QObject {
     const FrameStep& step(const std::string& id) const;
     /// What is newer than result() and only to be seen; null where nothing is.
     std::shared_ptr<const engine::LiveResult> draft(const std::string& id) const;
+    /// Passes of the newest frame that ran on the host and could use shaders, between commas. Empty also
+    /// while that is not known: the frame failed, or is of before render_again().
+    QString passes_on_host(const std::string& id) const;
     /// The same text for all results of one computation: what the present one was computed from.
     const std::string& computed_from(const std::string& id) const;
     /// Of the experiment's whole run, 0 … 1, and what is being done.

@@ -23,25 +23,26 @@ constexpr double click_slack = 4;
 /// Room for a legend beside an exported picture: all that it needs.
 constexpr qreal whole_legend = 10000;
 
-/// How a tool is used; empty: it explains itself.
-QString hint_of(ImageView::Tool tool) {
+/// A smaller picture has no room for how its tool is used.
+constexpr QSize least_hinted(320, 170);
+
+}  // namespace
+
+QString ImageView::hint_of(Tool tool) {
     switch (tool) {
-        case ImageView::Tool::orbit:
-            return ImageView::tr("Orbit: drag to turn  ·  Shift-drag to slide  ·  Ctrl+wheel for distance");
-        case ImageView::Tool::fly:
-            return ImageView::tr(
-                "Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster");
-        case ImageView::Tool::rectangle:
-            return ImageView::tr("Rectangle: drag to draw, move or resize  ·  arrows nudge  ·  Esc clears");
-        case ImageView::Tool::line:
-            return ImageView::tr("Line: drag to draw, move it or an end  ·  arrows nudge  ·  Esc clears");
-        case ImageView::Tool::inspect:
+        case Tool::orbit:
+            return tr("Orbit: drag to turn  ·  Shift-drag to slide  ·  Ctrl+wheel for distance");
+        case Tool::fly:
+            return tr("Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster");
+        case Tool::rectangle:
+            return tr("Rectangle: drag to draw, move or resize  ·  arrows nudge  ·  Esc clears");
+        case Tool::line:
+            return tr("Line: drag to draw, move it or an end  ·  arrows nudge  ·  Esc clears");
+        case Tool::inspect:
             break;
     }
     return {};
 }
-
-}  // namespace
 
 ImageView::ImageView(QWidget* parent, Surface surface)
     : QWidget(parent), region_tool_(state_, *this), line_tool_(state_, *this), light_tool_(state_, *this) {
@@ -104,7 +105,7 @@ void ImageView::set_picture(std::shared_ptr<const Picture> picture) {
         state_.transform.set_image_size(size);
         if (state_.transform.zoom() != before) emit zoom_changed(state_.transform.zoom());
     }
-    repaint_all();
+    update_hint();
 }
 
 void ImageView::set_second(std::shared_ptr<const Picture> picture, const Display& display, bool has_lens) {
@@ -225,8 +226,15 @@ void ImageView::set_tool(Tool tool) {
     emit tool_changed(tool);
 }
 
+void ImageView::set_hinted(bool on) {
+    if (std::exchange(is_hinted_, on) != on) update_hint();
+}
+
 void ImageView::update_hint() {
-    const QString hint = light_tool_.is_over_handle() ? QString() : hint_of(tool_);
+    const bool has_room =
+        state_.has_image() && width() >= least_hinted.width() && height() >= least_hinted.height();
+    const bool is_told = is_hinted_ && has_room && !light_tool_.is_over_handle();
+    const QString hint = is_told ? hint_of(tool_) : QString();
     state_.hint = hint.isEmpty() ? light_tool_.hint() : hint;
     state_.region_edited = tool_ == Tool::rectangle;
     state_.line_edited = tool_ == Tool::line;
@@ -285,7 +293,7 @@ QPoint ImageView::pixel_at(QPointF logical) const {
 void ImageView::resizeEvent(QResizeEvent*) {
     overlay_->setGeometry(rect());
     state_.transform.set_view_size(QSizeF(size()) * devicePixelRatioF());
-    repaint_all();
+    update_hint();
     emit zoom_changed(state_.transform.zoom());
 }
 

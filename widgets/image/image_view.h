@@ -44,6 +44,10 @@ class ImageView : public QWidget {
     /// Takes zoom and place (or being fitted) over from another view of the same picture size. Emits nothing.
     void follow(const ViewTransform& transform);
     void set_stale(bool stale);
+    /// Whether it says how its tool is used, where it has room for that.
+    void set_hinted(bool on);
+    /// How a tool is used; empty: it explains itself.
+    static QString hint_of(Tool tool);
     /// A light of the picture's scene, with handles; none: there are none.
     void set_light(std::optional<PlacedLight> light);
 
@@ -147,7 +151,7 @@ class ImageView : public QWidget {
     Tool tool_ = Tool::inspect;
     Drag drag_ = Drag::none;
     QPointF last_position_, press_position_;
-    bool space_ = false, over_divider_ = false, stale_ = false;
+    bool space_ = false, over_divider_ = false, stale_ = false, is_hinted_ = true;
 };
 
 }  // namespace ir::widgets

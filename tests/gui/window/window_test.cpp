@@ -489,5 +489,24 @@ TEST_F(WindowTest, KeysOfTheWindowWorkWhileANumberFieldHasTheFocus) {
     EXPECT_FLOAT_EQ(level()->value(), 0.75f);
 }
 
+TEST_F(WindowTest, AToolSaysHowItIsUsedUntilItWasAndGoesWithTheProject) {
+    open_scene();
+    trigger("line");
+    EXPECT_TRUE(window.view().state().hint.startsWith("Line")) << window.view().state().hint.toStdString();
+    window.view().setFocus();
+    QTest::keyClick(&window.view(), Qt::Key_Right);  // draws one
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    EXPECT_EQ(window.view().state().hint, QString());
+    trigger("inspect");
+    trigger("line");
+    EXPECT_EQ(window.view().state().hint, QString()) << "it is known";
+    trigger("rectangle");
+    EXPECT_TRUE(window.view().state().hint.startsWith("Rectangle"));
+    ASSERT_TRUE(window.open_path("builtin:plane"));
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(window.action("inspect")->isChecked());
+    EXPECT_EQ(window.view().tool(), widgets::ImageView::Tool::inspect);
+}
+
 }  // namespace
 }  // namespace ir::gui
