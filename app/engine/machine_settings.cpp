@@ -55,13 +55,13 @@ const ParameterTable<MachineSettings>& machine_settings() {
                            {"gl", "OpenGL device", "The device that the status bar names."},
                            {"host", "Host", "The threads and vector units of the host."}}});
         t.add(&MachineSettings::threads, {.key = "threads",
-                                          .label = "Threads (0: all)",
+                                          .label = "Threads",
                                           .doc = "Threads of passes on the host; 0: all.",
                                           .hard = {0, 1024},
                                           .effect = Effect::cost});
         return t.add(&MachineSettings::memory,
                      {.key = "memory",
-                      .label = "Memory budget (0: none)",
+                      .label = "Memory budget",
                       .doc = "Of the buffers of one experiment; 0: none. What does not fit is rendered in "
                              "batches, or refused.",
                       .unit = "GB",

@@ -186,6 +186,16 @@ class FrameRun {
 
 }  // namespace
 
+std::vector<const ResourceReport*> written_by(const FrameReport& report, const std::string& pass) {
+    std::vector<const ResourceReport*> written;
+    for (const auto& each : report.passes)
+        if (each.name == pass)
+            for (const auto& key : each.writes)
+                if (const auto* buffer = find_resource(report, key); buffer && buffer->available)
+                    written.push_back(buffer);
+    return written;
+}
+
 std::vector<std::string> host_bodies(const FrameReport& report) {
     std::vector<std::string> names;
     for (const auto& pass : report.passes)

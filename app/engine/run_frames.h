@@ -27,6 +27,8 @@ void add_message(std::vector<Message>& messages, const Message& message);
 /// Passes that ran on the host and have a body for the device, too: what is changed in shaders does nothing
 /// there.
 std::vector<std::string> host_bodies(const FrameReport& report);
+/// What a pass has written and can be looked at.
+std::vector<const ResourceReport*> written_by(const FrameReport& report, const std::string& pass);
 
 /// Cancelled, and the samples that were there could not be kept: what() says how many, and why.
 class NotKept : public Cancelled {

@@ -99,11 +99,14 @@ void focus_into(QWidget* content) {
     content->setFocus(Qt::ShortcutFocusReason);
 }
 
-/// Curves, tables, pictures and drawings: as high as a view, where they are opened.
-bool wants_room(const QString& name) {
-    static const QStringList all{"results", "plots",      "sweeps",  "analyses", "timeline",
-                                 "frames",  "benchmarks", "profile", "pipeline"};
-    return all.contains(name);
+/// How high a panel below the views is where it is opened; 0: as high as the others. Curves, tables, pictures
+/// and drawings are as high as a view; the profile leaves more to the pictures that it tells of.
+int wanted_height(const QDockWidget& dock, int window_height) {
+    static const QStringList tall{"results",  "plots",      "sweeps",  "analyses",
+                                  "timeline", "benchmarks", "pipeline"};
+    if (tall.contains(dock.objectName())) return window_height / 2;
+    if (dock.objectName() == QLatin1String("profile")) return window_height / 3;
+    return dock.objectName() == QLatin1String("frames") ? dock.minimumSizeHint().height() : 0;
 }
 
 }  // namespace
@@ -159,7 +162,7 @@ void DockLayout::toggle(QDockWidget* dock) {
     look();
 }
 
-/// One that was closed and shares the bottom with lower ones gets half of the window.
+/// One that was closed and shares the bottom with lower ones gets what it wants.
 void DockLayout::open(QDockWidget* dock) const {
     const auto is_below = [this](QDockWidget* each) {
         return !each->isFloating() && window_.dockWidgetArea(each) == Qt::BottomDockWidgetArea;
@@ -170,8 +173,9 @@ void DockLayout::open(QDockWidget* dock) const {
     const bool was_closed = dock->isHidden();
     dock->show();
     dock->raise();
-    if (was_closed && wants_room(dock->objectName()) && is_below(dock) && high < window_.height() / 3)
-        window_.resizeDocks({dock}, {window_.height() / 2}, Qt::Vertical);
+    const int wanted = wanted_height(*dock, window_.height());
+    if (was_closed && wanted > 0 && is_below(dock) && high < std::min(wanted, window_.height() / 3))
+        window_.resizeDocks({dock}, {wanted}, Qt::Vertical);
 }
 
 QDockWidget* DockLayout::dock(const QString& name) const {
@@ -309,9 +313,10 @@ void DockLayout::apply(const QString& name) {
     QList<QDockWidget*> tall;
     for (auto* each : docks()) {
         each->setVisible(layout.docks.contains(each->objectName()));
-        if (!each->isHidden() && wants_room(each->objectName())) tall << each;
+        if (!each->isHidden() && wanted_height(*each, window_.height()) > 0) tall << each;
     }
-    if (tall.size() == 1) window_.resizeDocks(tall, {window_.height() / 2}, Qt::Vertical);
+    if (tall.size() == 1)
+        window_.resizeDocks(tall, {wanted_height(*tall.front(), window_.height())}, Qt::Vertical);
     show(has_project_);
 }
 

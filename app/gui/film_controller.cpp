@@ -60,7 +60,15 @@ void FilmController::update() {
 void FilmController::open() {
     const auto* chosen = session_.experiment();
     if (dialog_ || !chosen) return;
-    dialog_ = new FilmDialog(projects::effective(*chosen).time, live_.moves_until(chosen->id),
+    const auto run = projects::effective(*chosen);
+    const auto& pictures = workspace_.views().pictures();
+    const auto outputs = pictures.outputs(chosen->id);
+    const auto* output = pictures.find(outputs, pictures.key_of({chosen->id, {}}));
+    const auto what = tr("%1%2, %3 × %4 pixels")
+                          .arg(text_of(chosen->name), output ? " · " + output->label : QString())
+                          .arg(run.size[0])
+                          .arg(run.size[1]);
+    dialog_ = new FilmDialog(what, run.time, live_.moves_until(chosen->id),
                              workspace_.active_pane().compare().main_view().display().exposure, &window_);
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog_, &QDialog::finished, this, [this] { dialog_ = nullptr; });

@@ -23,7 +23,8 @@ widgets::NumberField* make_number(double min, double max, double value, const QS
 
 }  // namespace
 
-FilmDialog::FilmDialog(double begin, double moves_until, double exposure, QWidget* parent)
+FilmDialog::FilmDialog(const QString& what, double begin, double moves_until, double exposure,
+                       QWidget* parent)
     : QDialog(parent),
       begin_(begin),
       time_(new QRadioButton(tr("&Time passes until"))),
@@ -51,7 +52,12 @@ FilmDialog::FilmDialog(double begin, double moves_until, double exposure, QWidge
     pictures_->setObjectName(QStringLiteral("film-pictures"));
     pictures_->setToolTip(tr("0001.png, 0002.png, … in a folder"));
     count_->setObjectName(QStringLiteral("film-count"));
+    auto* subject = new QLabel(what);
+    subject->setObjectName(QStringLiteral("film-what"));
+    subject->setTextFormat(Qt::PlainText);
+    subject->setWordWrap(true);
     auto* form = new QFormLayout(this);
+    form->addRow(subject);
     form->addRow(time_, until_);
     form->addRow(turn_, seconds_);
     form->addRow(tr("&Exposure"), exposure_);

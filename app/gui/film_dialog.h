@@ -15,8 +15,9 @@ namespace ir::gui {
 class FilmDialog : public QDialog {
     Q_OBJECT
   public:
-    /// Where the experiment begins and how long something moves in it, seconds; stops of the view.
-    FilmDialog(double begin, double moves_until, double exposure, QWidget* parent);
+    /// Whose picture, of which size; where the experiment begins and how long something moves in it, seconds;
+    /// stops of the view.
+    FilmDialog(const QString& what, double begin, double moves_until, double exposure, QWidget* parent);
     /// Without the file.
     engine::Film film() const;
 

@@ -23,8 +23,8 @@ using widgets::Findable;
 using widgets::ItemKind;
 
 Finder::Finder(QWidget& window, Session& session, const SceneShelf& scenes, Workspace& workspace,
-               DocumentDock& document, ParameterDock& parameters, DockLayout& docks, FileController& files,
-               Actions& actions)
+               DocumentDock& document, ParameterDock& parameters, DockLayout& docks,
+               LayoutController& layouts, FileController& files, Actions& actions)
     : window_(window),
       session_(session),
       scenes_(scenes),
@@ -32,6 +32,7 @@ Finder::Finder(QWidget& window, Session& session, const SceneShelf& scenes, Work
       document_(document),
       parameters_(parameters),
       docks_(docks),
+      layouts_(layouts),
       files_(files),
       actions_(actions) {
     actions_.add("find", tr("&Find anything …"), nullptr, {QKeySequence(Qt::CTRL | Qt::Key_P)},
@@ -65,6 +66,7 @@ std::vector<Findable> Finder::all() {
         add_cameras(all);
     }
     add_actions(all);
+    add_layouts(all);
     if (session_.has_project()) add_panels(all);
     add_samples(all);
     add_pages(all);
@@ -185,6 +187,15 @@ void Finder::add_actions(std::vector<Findable>& all) {
         if (!action->isEnabled()) found.why_not = tr("cannot be done now");
         found.go = [action] { action->trigger(); };
         all.push_back(std::move(found));
+    }
+}
+
+/// A person's own; those of the program are actions.
+void Finder::add_layouts(std::vector<Findable>& all) {
+    for (const auto& name : layouts_.names()) {
+        all.push_back({tr("Layout"), name, tr("your own")});
+        all.back().icon = widgets::icon("views-4");
+        all.back().go = [this, name] { layouts_.apply(name); };
     }
 }
 

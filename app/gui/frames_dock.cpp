@@ -220,7 +220,7 @@ void FramesDock::add_experiment() {
     auto copy = frame->experiment;
     copy.last_kept_key.clear();
     const auto pose = engine::pose_of(frame->result->camera);
-    copy.name += tr(", frame %1").arg(frame->number).toStdString();
+    copy.name += tr(", frame %1").arg(past_.place_of(*frame) + 1).toStdString();
     const auto now = session_.camera().pose();
     const bool has_moved = !now || copy.camera != session_.experiment()->camera ||
                            engine::seen_by(engine::camera_of(*now)) != engine::seen_by(frame->result->camera);

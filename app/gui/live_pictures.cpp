@@ -8,11 +8,13 @@
 #include "app/engine/from_project.h"
 #include "app/engine/lighting_digest.h"
 #include "app/engine/moving.h"
+#include "app/engine/run_frames.h"
 #include "projects/check.h"
 #include "projects/motion.h"
 #include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
+#include "renderers/core/words.h"
 #include "renderers/scene/builtin/registry.h"
 
 namespace ir::gui {
@@ -338,10 +340,13 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
 void LivePictures::on_failure(const std::string& tag, const std::string& error, bool cancelled) {
     const auto found = entries_.find(tag);
     if (found == entries_.end()) return;
-    const auto& now = found->second;
+    auto& now = found->second;
     // Given up for a reason that is shown, or for a request that has a successor by now.
     if (cancelled && (now.state != State::rendering || now.serial != now.cancelled_serial)) return;
-    if (!cancelled) emit message({Severity::error, "render", error, "experiment:" + tag});
+    if (!cancelled) {
+        emit message({Severity::error, "render", error, "experiment:" + tag});
+        now.draft.reset();  // no full picture follows it: the last one is shown, or the error
+    }
     set_state(tag, found->second, cancelled ? State::cancelled : State::failed,
               cancelled ? std::string() : error);
 }
@@ -403,6 +408,13 @@ std::shared_ptr<const engine::LiveResult> LivePictures::draft(const std::string&
     return entry && !past_.is_elsewhere() ? entry->draft : nullptr;
 }
 
+QString LivePictures::passes_on_host(const std::string& id) const {
+    const auto* entry = find(id);
+    const auto shown = result(id);
+    if (!entry || !shown || entry->state == State::failed || shown->serial < entry->first_serial) return {};
+    return QString::fromStdString(listed(engine::host_bodies(shown->report)));
+}
+
 const std::string& LivePictures::computed_from(const std::string& id) const {
     static const std::string none;
     if (past_.is_elsewhere()) {
@@ -413,20 +425,12 @@ const std::string& LivePictures::computed_from(const std::string& id) const {
     return entry ? entry->computed_from : none;
 }
 
-double LivePictures::progress(const std::string& id) const {
+LivePictures::Progress LivePictures::progress(const std::string& id) const {
     const auto* entry = find(id);
-    return entry ? entry->fraction : 0;
-}
-
-QString LivePictures::doing(const std::string& id) const {
-    const auto* entry = find(id);
-    return entry ? QString::fromStdString(entry->doing) : QString();
-}
-
-std::optional<double> LivePictures::seconds_left(const std::string& id) const {
-    const auto* entry = find(id);
-    if (!entry || entry->state != State::rendering || !entry->has_begun) return {};
-    return entry->remaining.seconds();
+    if (!entry) return {};
+    Progress found{QString::fromStdString(entry->doing), entry->fraction};
+    if (entry->state == State::rendering && entry->has_begun) found.seconds_left = entry->remaining.seconds();
+    return found;
 }
 
 std::vector<std::string> LivePictures::rendering() const {

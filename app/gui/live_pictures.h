@@ -84,13 +84,19 @@ class LivePictures : public QObject {
     std::shared_ptr<const engine::BufferContents> buffer(const std::string& id, const std::string& key) const;
     /// What is newer than result() and only to be seen; null where nothing is.
     std::shared_ptr<const engine::LiveResult> draft(const std::string& id) const;
+    /// Passes of the newest frame that ran on the host and could use shaders, between commas. Empty also
+    /// while that is not known: the frame failed, or is of before render_again().
+    QString passes_on_host(const std::string& id) const;
     /// The same text for all results of one computation: what the present one was computed from.
     const std::string& computed_from(const std::string& id) const;
-    /// Of the experiment's whole run, 0 … 1, and what is being done.
-    double progress(const std::string& id) const;
-    QString doing(const std::string& id) const;
-    /// Estimated from what is done, never more than before; absent while that says nothing.
-    std::optional<double> seconds_left(const std::string& id) const;
+    /// Of an experiment's whole run.
+    struct Progress {
+        QString doing;
+        double fraction = 0;  ///< 0 … 1
+        /// Estimated from what is done, never more than before; absent while that says nothing.
+        std::optional<double> seconds_left = {};
+    };
+    Progress progress(const std::string& id) const;
     std::vector<std::string> rendering() const;
     bool is_settled() const { return rendering().empty(); }
 

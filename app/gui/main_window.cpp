@@ -98,7 +98,8 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       lights_(session_, live_, renderer_, scenes_, workspace_, inspector_, actions_),
       light_mover_(session_, workspace_, *document_, actions_),
       light_offer_(session_, scenes_, lights_, *banners_),
-      finder_(*this, session_, scenes_, workspace_, *document_, *parameters_, docks_, files_, actions_),
+      finder_(*this, session_, scenes_, workspace_, *document_, *parameters_, docks_, layouts_, files_,
+              actions_),
       note_links_(*notes_, session_, workspace_, inspector_, docks_, finder_, notices_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));

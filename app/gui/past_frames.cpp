@@ -122,6 +122,12 @@ std::size_t PastFrames::place() const {
     return std::size_t(found - frames_.begin());
 }
 
+std::size_t PastFrames::place_of(const PastFrame& frame) const {
+    const auto found = std::find_if(frames_.begin(), frames_.end(),
+                                    [&](const PastFrame& each) { return each.number == frame.number; });
+    return std::size_t(found - frames_.begin());
+}
+
 QString PastFrames::why_not_now() const {
     return is_elsewhere() ? tr("A past frame is shown; go back to the newest frame first (Alt+N).")
                           : QString();

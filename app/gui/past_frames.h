@@ -49,7 +49,8 @@ class PastFrames : public QObject {
     bool is_elsewhere() const { return shown_.has_value(); }
     /// Why not to do what would be done to the newest frame; empty: it is shown.
     QString why_not_now() const;
-    std::size_t place() const;  ///< of what is shown; of no frame where none is kept
+    std::size_t place() const;                           ///< of what is shown; of no frame where none is kept
+    std::size_t place_of(const PastFrame& frame) const;  ///< that is kept
     /// What is shown of an experiment while is_elsewhere(); null: nothing of then is kept.
     const PastFrame* shown_of(const std::string& experiment) const;
 

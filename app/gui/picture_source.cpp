@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "app/engine/run_frames.h"
 #include "app/gui/kept_pictures.h"
 #include "app/gui/text_of.h"
 #include "projects/document.h"
 #include "projects/scene_files.h"
 #include "renderers/core/pass_writes.h"
+#include "renderers/core/words.h"
 #include "renderers/image/channels.h"
 #include "widgets/image/preferred_maps.h"
 #include "widgets/views/view_header.h"
@@ -88,6 +90,15 @@ QString not_kept(const QString& label) {
     return QObject::tr("“%1” was shown by no view when this frame arrived, so it was not kept.").arg(label);
 }
 
+/// What else there is to be seen; the panel has links to it.
+QString written_text(const FrameReport& report, const std::string& pass) {
+    std::vector<std::string> names;
+    for (const auto* buffer : engine::written_by(report, pass)) names.push_back(buffer->label);
+    return names.empty() ? QString()
+                         : QObject::tr("\nThat pass has written %1: click one in Pipeline.")
+                               .arg(text_of(listed(names)));
+}
+
 QString asks_for_pixel(const ResourceReport& resource) {
     return QObject::tr("“%1” explains a pixel: Shift-click one, or press H over it.")
         .arg(text_of(resource.label));
@@ -142,8 +153,8 @@ std::vector<OutputOption> PictureSource::outputs(const std::string& owner) const
     const auto* experiment = session_.experiment(owner);
     if (!experiment) return options;
     const auto* method = session_.registry().find(experiment->method);
-    const auto result = live_.result(owner);
-    const auto* report = result && !result->report.resources.empty() ? &result->report : nullptr;
+    const auto frame = named_frame(owner);
+    const auto* report = frame && !frame->report.resources.empty() ? &frame->report : nullptr;
     const auto values = projects::effective(*experiment).values;
     if (method)
         for (const auto& output : method->outputs) {
@@ -214,22 +225,36 @@ bool PictureSource::take_draft(Picture& picture, const ViewSource& source) const
     return true;
 }
 
+/// That knows the names of all buffers: the full picture's, else a coarse one's; null: there is none.
+std::shared_ptr<const engine::LiveResult> PictureSource::named_frame(const std::string& owner) const {
+    if (auto result = live_.result(owner)) return result;
+    auto draft = live_.draft(owner);
+    return draft && draft->fineness != engine::Fineness::preview ? draft : nullptr;
+}
+
+OutputOption PictureSource::option_named(const std::string& owner, const std::string& key) const {
+    if (const auto frame = named_frame(owner))
+        if (const auto* resource = find_resource(frame->report, key)) return option_of(*resource);
+    if (const auto* output = description(owner, key)) return option_of(*output);
+    OutputOption option;
+    option.key = key;
+    option.label = text_of(key);
+    return option;
+}
+
 Picture PictureSource::of_experiment(const ViewSource& source) const {
     Picture picture;
     const auto key = key_of(source);
     const auto result = live_.result(source.owner);
     const auto* resource = result ? find_resource(result->report, key) : nullptr;
-    OutputOption option;
-    option.key = key;
-    option.label = text_of(key);
-    if (resource) option = option_of(*resource);
+    const auto option = option_named(source.owner, key);
     const auto part = widgets::part_name(option, source.level, source.layer);
     picture.label = QStringLiteral("%1 · %2").arg(text_of(owner_name(source.owner)), option.label) +
                     (part.isEmpty() ? QString() : QStringLiteral(" · ") + part);
     const auto& after = live_.step(source.owner).after;
     if (!after.empty()) picture.label += QStringLiteral(" · ") + moment_text(after);
     if (const auto* past = live_.past().shown_of(source.owner))
-        picture.label += QObject::tr(" · past frame %1").arg(past->number);
+        picture.label += QObject::tr(" · past frame %1").arg(live_.past().place_of(*past) + 1);
     picture.stale = is_stale(source.owner);
     picture.origin = source.owner;
     if (take_draft(picture, source)) return picture;
@@ -375,7 +400,7 @@ QString PictureSource::why_unfinished(const std::string& owner) const {
     switch (live_.state(owner)) {
         case State::failed:
         case State::blocked:
-            return text_of(live_.text(owner));
+            return text_of(live_.text(owner)).section(QLatin1Char('\n'), 0, 0);
         case State::cancelled:
             return QObject::tr("Rendering %1 was cancelled. F5 renders again.")
                 .arg(text_of(owner_name(owner)));
@@ -418,10 +443,12 @@ QString moment_text(const std::string& pass) {
 /// What the report says of the whole frame holds of no step in it.
 QString PictureSource::why_not_by_then(const std::string& owner, const ResourceReport& resource) const {
     const auto& after = live_.step(owner).after;
+    const auto& report = live_.result(owner)->report;
     const auto label = text_of(resource.label), pass = text_of(after);
-    return is_written_by(live_.result(owner)->report, resource.key, after)
+    return is_written_by(report, resource.key, after)
                ? QObject::tr("What “%2” left of “%1” is not kept.").arg(label, pass)
-               : QObject::tr("“%1” is not written yet when “%2” has run.").arg(label, pass);
+               : QObject::tr("“%1” is not written yet when “%2” has run.").arg(label, pass) +
+                     written_text(report, after);
 }
 
 const OutputDescription* PictureSource::description(const std::string& owner, const std::string& key) const {

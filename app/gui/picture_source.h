@@ -77,6 +77,9 @@ class PictureSource {
     Entry& entry(const widgets::ViewSource& source);
     widgets::Picture make(const widgets::ViewSource& source) const;
     widgets::Picture of_experiment(const widgets::ViewSource& source) const;
+    std::shared_ptr<const engine::LiveResult> named_frame(const std::string& owner) const;
+    /// An output or buffer by its name, where that is known; else by its key.
+    widgets::OutputOption option_named(const std::string& owner, const std::string& key) const;
     /// As it is asked for of a running experiment.
     engine::Part part_of(const widgets::ViewSource& source) const;
     void take_image(widgets::Picture& picture, const widgets::ViewSource& source,

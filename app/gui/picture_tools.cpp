@@ -10,12 +10,14 @@ namespace ir::gui {
 void PictureTools::add(widgets::PaneBoard& panes) {
     boards_.push_back(&panes);
     panes.set_tool(tool_);
+    panes.set_hinted(!is_known(tool_));
     panes.set_pixel_grid(grid_);
     panes.set_legend(legend_);
     panes.set_pins(pins_);
     panes.set_region(region_size_, region_);
     panes.set_line(line_size_, line_);
     connect(&panes, &widgets::PaneBoard::tool_changed, this, &PictureTools::set_tool);
+    connect(&panes, &widgets::PaneBoard::tool_used, this, &PictureTools::note_use);
     connect(&panes, &widgets::PaneBoard::region_changed, this, &PictureTools::set_region);
     connect(&panes, &widgets::PaneBoard::line_changed, this, &PictureTools::set_line);
     connect(&panes, &widgets::PaneBoard::shape_drawn, this, &PictureTools::shape_drawn);
@@ -27,8 +29,16 @@ void PictureTools::add(widgets::PaneBoard& panes) {
 void PictureTools::set_tool(Tool tool) {
     if (tool == tool_) return;
     tool_ = tool;
-    for (auto* each : boards_) each->set_tool(tool);
+    for (auto* each : boards_) {
+        each->set_hinted(!is_known(tool));
+        each->set_tool(tool);
+    }
     emit tool_changed(tool);
+}
+
+void PictureTools::note_use() {
+    if (known_.insert(tool_).second)
+        for (auto* each : boards_) each->set_hinted(false);
 }
 
 void PictureTools::set_pixel_grid(bool on) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <set>
 #include <vector>
 
 #include "projects/json.h"
@@ -19,6 +20,8 @@ class PictureTools : public QObject {
 
     Tool tool() const { return tool_; }
     void set_tool(Tool tool);
+    /// Whether a hand has used it since the program began: pictures say how until then.
+    bool is_known(Tool tool) const { return known_.count(tool) != 0; }
     void set_pixel_grid(bool on);
     void set_legend(bool on);
     void set_pins(std::vector<widgets::PinMark> pins);
@@ -45,8 +48,10 @@ class PictureTools : public QObject {
     void light_gesture_finished(bool kept);
 
   private:
+    void note_use();
     std::vector<widgets::PaneBoard*> boards_;
     Tool tool_ = Tool::inspect;
+    std::set<Tool> known_;
     bool grid_ = true, legend_ = true;
     std::vector<widgets::PinMark> pins_;
     QSize region_size_;

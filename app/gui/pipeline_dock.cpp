@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "app/engine/run_frames.h"
 #include "app/gui/dialog_folder.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
@@ -10,6 +11,18 @@
 #include "renderers/plot/pipeline_svg.h"
 
 namespace ir::gui {
+namespace {
+
+/// Whether a pass up to that one writes it.
+bool is_written(const FrameReport& report, const std::string& key, const std::string& last_pass) {
+    for (const auto& pass : report.passes) {
+        if (!pass.culled && std::ranges::find(pass.writes, key) != pass.writes.end()) return true;
+        if (pass.name == last_pass) break;
+    }
+    return false;
+}
+
+}  // namespace
 
 PipelineDock::PipelineDock(Session& session, LivePictures& live, ViewModel& views, PixelInspector& inspector,
                            FrameLists& lists, Notices& notices, Actions& actions)
@@ -111,6 +124,9 @@ void PipelineDock::update() {
     fields.pictures = lists_.thumbnails();
     fields.step = step.after;
     fields.shown = views_.shown_key();
+    if (!step.after.empty() && !is_written(result->report, fields.shown, step.after))
+        for (const auto* buffer : engine::written_by(result->report, step.after))
+            fields.written.emplace_back(text_of(buffer->label), text_of(buffer->key));
     if (step.traced) {
         fields.traced = QPoint(step.traced->x, step.traced->y);
         fields.changes = result->report;
@@ -141,11 +157,9 @@ void PipelineDock::show_pass_menu(const QString& name, QPoint global_position) {
 void PipelineDock::add_buffers(QMenu& menu, const FrameReport& report, const PassReport& pass) {
     auto* list = menu.addMenu(tr("Show in another view"));
     list->menuAction()->setObjectName(QStringLiteral("pass-buffers"));
-    for (const auto& key : pass.writes) {
-        const auto* buffer = find_resource(report, key);
-        if (buffer && buffer->available)
-            list->addAction(text_of(buffer->label), this, [this, key] { lists_.show_in_another_view(key); });
-    }
+    for (const auto* buffer : engine::written_by(report, pass.name))
+        list->addAction(text_of(buffer->label), this,
+                        [this, key = buffer->key] { lists_.show_in_another_view(key); });
     list->menuAction()->setData(tr("A buffer that this pass writes"));
     set_reason(*list->menuAction(), list->isEmpty() ? tr("It has written none.") : QString());
 }

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "app/engine/run_frames.h"
 #include "app/gui/beside.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/pixel_places.h"
 #include "app/gui/printed.h"
 #include "app/gui/text_of.h"
-#include "renderers/core/words.h"
 
 namespace ir::gui {
 namespace {
@@ -292,8 +290,7 @@ void PixelInspector::update_explain() {
     }
     explain_->set_content(pixel, outputs, selectors);
     const bool is_changed = chosen && !chosen->shaders.empty();
-    explain_->set_on_host(is_changed && result ? text_of(listed(engine::host_bodies(result->report)))
-                                               : QString());
+    explain_->set_on_host(is_changed ? live_.passes_on_host(id) : QString());
     explain_->set_printed(result && result->report.can_print,
                           printed_of(result.get(), views_.inspection(id)));
 }

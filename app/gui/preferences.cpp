@@ -74,7 +74,7 @@ const ParameterTable<Values>& table() {
                                            {"dark", "Dark", "Light letters on dark grey."},
                                            {"light", "Light", "Dark letters on light grey."}}});
         t.add(&Values::font_size, {.key = "font_size",
-                                   .label = "Font size (0: the desktop's)",
+                                   .label = "Font size",
                                    .doc = "Of the window's letters, 6 at least; 0: that of the desktop. "
                                           "Letters over pictures stay as they are.",
                                    .unit = "pt",
@@ -247,7 +247,9 @@ void PreferencesController::use_opengl(widgets::BannerStack& banners) {
 void PreferencesController::show() {
     using Dialog = widgets::PreferencesDialog;
     if (auto* open = window_.findChild<Dialog*>()) return open->raise(), open->activateWindow();
-    auto* dialog = new Dialog(Preferences::descriptions(), &window_);
+    auto* dialog = new Dialog(
+        Preferences::descriptions(),
+        {{"font_size", tr("the desktop's")}, {"threads", tr("all")}, {"memory", tr("none")}}, &window_);
     const auto update = [this, dialog] { dialog->set_values(preferences_.settings(), preferences_.given()); };
     connect(&preferences_, &Preferences::changed, dialog, update);
     connect(dialog, &Dialog::value_chosen, &preferences_,

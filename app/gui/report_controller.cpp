@@ -127,7 +127,8 @@ ReportController::ReportController(QWidget& window, Session& session, LivePictur
     connect(&document_.tree(), &widgets::ProjectPanel::menu_opening, this, &ReportController::fill_menu);
     connect(&live_, &LivePictures::state_changed, this, &ReportController::look_at);
     connect(&live_, &LivePictures::progressed, this, [this](const std::string& id) {
-        if (unkept_) unkept_->set_progress(id, live_.doing(id), live_.progress(id));
+        const auto now = live_.progress(id);
+        if (unkept_) unkept_->set_progress(id, now.doing, now.fraction);
     });
     connect(&renderer_, &Renderer::exported, this, &ReportController::take);
     connect(&job_, &FileJob::written, this, [this](const QString& file) {

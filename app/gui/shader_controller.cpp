@@ -1,13 +1,13 @@
 #include "app/gui/shader_controller.h"
 
 #include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <algorithm>
 
-#include "app/engine/run_frames.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
 #include "renderers/core/line_diff.h"
-#include "renderers/core/words.h"
 #include "widgets/panels/finder_dialog.h"
 #include "widgets/style/icons.h"
 
@@ -27,14 +27,17 @@ ShaderController::ShaderController(QWidget& window, Session& session, LivePictur
     auto& panel = dock_.panel();
     connect(&panel, &widgets::ShaderPanel::copy_wanted, action_, &QAction::trigger);
     connect(&panel, &widgets::ShaderPanel::edit_wanted, this, &ShaderController::edit_copy);
+    connect(&panel, &widgets::ShaderPanel::path_wanted, this, &ShaderController::copy_path);
     connect(&panel, &widgets::ShaderPanel::removal_wanted, this, &ShaderController::remove_change);
     connect(&pipeline, &PipelineDock::shader_wanted, this, &ShaderController::open);
     connect(&pipeline, &PipelineDock::copy_wanted, this, &ShaderController::edit_copy);
     connect(&dock_, &ShaderDock::copy_wanted, this, &ShaderController::edit_fault);
     follow(session_, this, &ShaderController::update);
-    connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
+    const auto update_of = [this](const std::string& id) {
         if (const auto* chosen = session_.experiment(); chosen && chosen->id == id) update();
-    });
+    };
+    connect(&live_, &LivePictures::picture_arrived, this, update_of);
+    connect(&live_, &LivePictures::state_changed, this, update_of);
     update();
 }
 
@@ -77,6 +80,17 @@ void ShaderController::edit(std::string experiment, std::string file, int line) 
             emit dock_.wanted();
         },
         tr("Edit copy of %1").arg(text_of(file)));
+    update();
+}
+
+void ShaderController::copy_path(const QString& file) {
+    const auto* chosen = session_.experiment();
+    if (!chosen) return;
+    const auto opened = copies_.opened(chosen->id);
+    const auto copy = opened.find(file.toStdString());
+    if (copy == opened.end()) return;
+    QGuiApplication::clipboard()->setText(text_of(copy->second.string()));
+    notices_.say(tr("Copied %1").arg(text_of(copy->second.string())));
 }
 
 /// Of the experiment that is worked on, else of the first that changes the file.
@@ -97,11 +111,6 @@ void ShaderController::remove_change(const QString& file) {
     session_.end_gesture();
 }
 
-QString ShaderController::passes_on_host() const {
-    const auto result = live_.result(session_.experiment()->id);
-    return result ? text_of(listed(engine::host_bodies(result->report))) : QString();
-}
-
 void ShaderController::update() {
     const auto* chosen = session_.has_project() ? session_.experiment() : nullptr;
     set_reason(*action_, !chosen ? tr("There is no experiment to edit it for.")
@@ -110,9 +119,14 @@ void ShaderController::update() {
     widgets::ShaderPanel::Changes changes;
     if (chosen) {
         changes.experiment = text_of(chosen->name);
+        auto opened = copies_.opened(chosen->id);
         for (const auto& [file, hunks] : chosen->shaders)
-            changes.files.push_back({text_of(file), text_of(count_lines(hunks).text()), text_of(hunks)});
-        if (!changes.files.empty()) changes.on_host = passes_on_host();
+            changes.files.push_back({text_of(file), text_of(count_lines(hunks).text()), text_of(hunks),
+                                     text_of(opened[file].string())});
+        for (const auto& [file, path] : opened)
+            if (!chosen->shaders.count(file))
+                changes.files.push_back({text_of(file), tr("not changed yet"), {}, text_of(path.string())});
+        if (!changes.files.empty()) changes.on_host = live_.passes_on_host(chosen->id);
     }
     dock_.panel().set_changes(std::move(changes));
 }

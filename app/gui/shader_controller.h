@@ -22,9 +22,9 @@ class ShaderController : public QObject {
     void edit_copy(const QString& file);
     void edit(std::string experiment, std::string file, int line);
     void edit_fault(const ShaderFault& fault);
+    void copy_path(const QString& file);
     void remove_change(const QString& file);
     void update();
-    QString passes_on_host() const;
 
     QWidget& window_;
     Session& session_;

@@ -151,6 +151,13 @@ fs::path ShaderCopies::open(const std::string& experiment, const std::string& fi
     return path;
 }
 
+std::map<std::string, fs::path> ShaderCopies::opened(const std::string& experiment) const {
+    std::map<std::string, fs::path> opened;
+    for (const auto& [path, copy] : copies_)
+        if (copy.experiment == experiment) opened[copy.file] = path;
+    return opened;
+}
+
 /// Another text than the experiment had last is a person's: it is put aside.
 void ShaderCopies::write(const fs::path& path, Copy& copy, std::string text) {
     std::error_code ignored;

@@ -29,6 +29,8 @@ class ShaderCopies : public QObject {
 
     /// The file of a copy, as the experiment has it. Throws Error.
     std::filesystem::path open(const std::string& experiment, const std::string& file);
+    /// Copies of an experiment that were opened since the project was, by the file that they are of.
+    std::map<std::string, std::filesystem::path> opened(const std::string& experiment) const;
 
   private:
     struct Copy {

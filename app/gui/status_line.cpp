@@ -80,8 +80,9 @@ QString StatusLine::text_of_rendering(const std::vector<std::string>& ids) const
     const auto result = live_.result(id);
     if (frames > 1 && result)
         text += tr(", frame %1 of %2").arg(std::min(frames, result->frame + 1)).arg(frames);
-    if (const auto doing = live_.doing(id); !doing.isEmpty()) text += QStringLiteral(": ") + doing;
-    if (const auto left = live_.seconds_left(id); left && *left >= 1)
+    const auto progress = live_.progress(id);
+    if (!progress.doing.isEmpty()) text += QStringLiteral(": ") + progress.doing;
+    if (const auto left = progress.seconds_left; left && *left >= 1)
         text += tr(", %1 left").arg(duration_text(*left));
     if (ids.size() > 1) text += tr(" (and %n more)", nullptr, int(ids.size()) - 1);
     return text;
@@ -124,7 +125,7 @@ void StatusLine::update_text() {
     cancel_->setVisible(!ids.empty());
     if (!ids.empty()) {
         double sum = 0;
-        for (const auto& id : ids) sum += live_.progress(id);
+        for (const auto& id : ids) sum += live_.progress(id).fraction;
         progress_->setValue(int(1000 * sum / double(ids.size())));
     }
     const QString text = !saying_.isEmpty() ? saying_

@@ -31,6 +31,8 @@ Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, I
       pictures_(session, views_),
       spaces_(live, renderer, views_) {
     connect(&views_, &ViewModel::shown_changed, this, &Workspace::update_view);
+    connect(&session_, &Session::project_replaced, this,
+            [this] { tools_.set_tool(widgets::ImageView::Tool::inspect); });
     connect(&views_, &ViewModel::linked_changed, this, &Workspace::on_linked);
     connect(&views_, &ViewModel::displays_changed, this, &Workspace::show_displays);
     connect(&views_, &ViewModel::explained_changed, this, [this](int view) {

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <utility>
 
 #include "renderers/image/enlarge.h"
 #include "widgets/compare/one_size.h"
@@ -48,6 +49,11 @@ ImageView& PaneBoard::pane(int index) {
         view->set_pixel_grid(pixel_grid_);
         view->camera().set_fly_speed(fly_speed_);
         view->set_mark(&Marks::pins, pins_);
+        connect(view, &ImageView::cursor_moved, this, [this, made] {
+            if (std::exchange(pointed_, made) != made) update_hints();
+        });
+        connect(view, &ImageView::camera_gesture_finished, this, &PaneBoard::tool_used);
+        connect(view, &ImageView::shape_drawn, this, &PaneBoard::tool_used);
         connect(view, &ImageView::picked_changed, this, [this, view, made](QPoint pixel) {
             set_picked(pixel, view->transform().image_size().toSize());
             emit picked_changed(made, pixel);
@@ -75,6 +81,7 @@ ImageView& PaneBoard::pane(int index) {
             emit activated(made);
         });
         panes_.push_back(view);
+        update_hints();
         emit pane_made(view, made);
     }
     return *panes_[std::size_t(index)];
@@ -89,6 +96,7 @@ void PaneBoard::arrange(std::vector<Cell> cells, QSize grid, bool captions) {
         panes_[i]->set_picture(nullptr);
     }
     if (active_ >= int(cells_.size())) active_ = 0;
+    if (pointed_ >= int(cells_.size())) pointed_ = 0, update_hints();
     place_panes();
     update_marks();
     update_legends();
@@ -97,6 +105,15 @@ void PaneBoard::arrange(std::vector<Cell> cells, QSize grid, bool captions) {
 void PaneBoard::set_tool(ImageView::Tool tool) {
     tool_ = tool;
     for (auto* view : panes_) view->set_tool(tool);
+}
+
+void PaneBoard::set_hinted(bool on) {
+    is_hinted_ = on;
+    update_hints();
+}
+
+void PaneBoard::update_hints() {
+    for (int i = 0; i < pane_count(); ++i) panes_[std::size_t(i)]->set_mark(&Marks::hinted, is_hinted_ && i == pointed_);
 }
 
 void PaneBoard::set_pixel_grid(bool on) {

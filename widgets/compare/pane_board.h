@@ -36,6 +36,8 @@ class PaneBoard : public QScrollArea {
     int active() const { return active_; }
 
     void set_tool(ImageView::Tool tool);
+    /// Whether one of the panes says how the tool is used: the one under the cursor, or that was last.
+    void set_hinted(bool on);
     void set_pixel_grid(bool on);
     void set_legend(bool on);
     void set_fly_speed(double metres_per_second);
@@ -70,6 +72,7 @@ class PaneBoard : public QScrollArea {
     void line_changed(QSize size, QLine line);
     void shape_drawn();  ///< the hand let go of one of them
     void tool_changed(ir::widgets::ImageView::Tool tool);
+    void tool_used();  ///< a hand has drawn or cleared a shape, or moved the camera
     // As in LightTool, of any pane.
     void light_moved(const glm::dvec3& position);
     void light_turned(const glm::dvec3& direction);
@@ -89,13 +92,14 @@ class PaneBoard : public QScrollArea {
     QRect cell_rect(int pane) const;
     void update_legends();
     void update_marks();
+    void update_hints();
 
     ImageView::Surface surface_;
     QWidget* sheet_;
     std::vector<ImageView*> panes_;  ///< those after the cells are hidden
     std::vector<Cell> cells_;
     QSize grid_{1, 1};
-    bool captions_ = false, legend_ = false, pixel_grid_ = true;
+    bool captions_ = false, legend_ = false, pixel_grid_ = true, is_hinted_ = true;
     ImageView::Tool tool_ = ImageView::Tool::inspect;
     double fly_speed_ = 1;
     std::vector<PinMark> pins_;
@@ -103,7 +107,7 @@ class PaneBoard : public QScrollArea {
     QSize picked_size_, region_size_, line_size_;
     QRect region_;
     QLine line_;
-    int active_ = 0;
+    int active_ = 0, pointed_ = 0;
 };
 
 }  // namespace ir::widgets

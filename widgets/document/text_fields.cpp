@@ -1,11 +1,14 @@
+#include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
+#include <algorithm>
 
 #include "widgets/document/fields.h"
 
 namespace ir::widgets {
 namespace {
 
-constexpr int pause_ms = 500;  ///< of typing, after which notes are taken over
+constexpr int min_lines = 5, max_lines = 30;  ///< as high as the text in between
+constexpr int pause_ms = 500;                 ///< of typing, after which notes are taken over
 
 bool is_undo_key(QEvent* event) {
     if (event->type() != QEvent::ShortcutOverride) return false;
@@ -57,7 +60,12 @@ void TextField::keyPressEvent(QKeyEvent* event) {
 NotesField::NotesField(const char* name, QWidget* parent) : QPlainTextEdit(parent) {
     setObjectName(QLatin1String(name));
     setTabChangesFocus(true);
-    setFixedHeight(fontMetrics().lineSpacing() * 5 + 12);
+    const auto fit = [this] {
+        const int lines = std::clamp(int(document()->size().height()), min_lines, max_lines);
+        setFixedHeight(fontMetrics().lineSpacing() * lines + 12);
+    };
+    connect(document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this, fit);
+    fit();
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
     connect(&pause_, &QTimer::timeout, this, &NotesField::commit);

@@ -40,6 +40,7 @@ struct Marks {
     QRect region;               ///< pixels that are measured; empty: none
     QLine line;                 ///< from the middle of a pixel to that of another one; null: none
     QPoint cursor{-1, -1};      ///< where the cursor is in a linked view; negative: nowhere
+    bool hinted = true;         ///< how the tool is used, where there is room for that
 };
 
 /// What a canvas draws. Owned by the view, read by its canvas.

@@ -18,7 +18,8 @@ bool may_be_negative(Semantic semantic) {
 
 }  // namespace
 
-Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas, int channel) {
+Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas, int channel,
+                      const Image* valid) {
     Statistics result;
     double sum = 0;
     const auto take = [&](float value) {
@@ -36,8 +37,12 @@ Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas,
         channel < 0 ? value_channels(semantic, image.channels) : std::min(channel + 1, image.channels);
     for (const AtlasTile& tile : tiles_of(image, atlas))
         for (int y = tile.y; y < std::min(tile.y + tile.height, image.height); ++y)
-            for (int x = tile.x; x < std::min(tile.x + tile.width, image.width); ++x)
+            for (int x = tile.x; x < std::min(tile.x + tile.width, image.width); ++x) {
+                ++result.pixels;
+                if (valid && !(valid->at(x, y) > 0.5f)) continue;
+                ++result.valid;
                 for (int c = first; c < end; ++c) take(image.at(x, y, c));
+            }
     if (result.finite) result.mean = sum / double(result.finite);
     return result;
 }

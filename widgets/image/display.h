@@ -56,10 +56,12 @@ inline constexpr std::array<unsigned char, 3> zero_grey{72, 72, 72};
 struct Statistics {
     double min = 0, max = 0, mean = 0;  ///< of finite values; 0 when there are none
     std::size_t finite = 0, nan = 0, infinite = 0, negative = 0;
+    std::size_t valid = 0, pixels = 0;  ///< pixels that count, and all
 };
 /// Of the channels that are values (renderers/image/channels.h), or one of all; between the tiles of an atlas
-/// is nothing.
-Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas = {}, int channel = -1);
+/// is nothing. `valid`: one channel of the same size; pixels count above 0.5. Null: all do.
+Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas = {}, int channel = -1,
+                      const Image* valid = nullptr);
 
 /// How a buffer is shown before anybody chooses otherwise.
 Display display_for(Semantic semantic, const std::string& colour_map, const Image& image,

@@ -12,6 +12,7 @@
 #include "widgets/image/arrow_keys.h"
 #include "widgets/image/legend.h"
 #include "widgets/image/raster_painter.h"
+#include "widgets/image/tool_hint.h"
 
 namespace ir::widgets {
 namespace {
@@ -23,22 +24,12 @@ constexpr double click_slack = 4;
 /// Room for a legend beside an exported picture: all that it needs.
 constexpr qreal whole_legend = 10000;
 
-/// How a tool is used; empty: it explains itself.
-QString hint_of(ImageView::Tool tool) {
-    switch (tool) {
-        case ImageView::Tool::orbit:
-            return ImageView::tr("Orbit: drag to turn  ·  Shift-drag to slide  ·  Ctrl+wheel for distance");
-        case ImageView::Tool::fly:
-            return ImageView::tr(
-                "Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster");
-        case ImageView::Tool::rectangle:
-            return ImageView::tr("Rectangle: drag to draw, move or resize  ·  arrows nudge  ·  Esc clears");
-        case ImageView::Tool::line:
-            return ImageView::tr("Line: drag to draw, move it or an end  ·  arrows nudge  ·  Esc clears");
-        case ImageView::Tool::inspect:
-            break;
-    }
-    return {};
+void check_sizes(QSize a, QSize b) {
+    const auto text = [](QSize size) {
+        return std::to_string(size.width()) + "x" + std::to_string(size.height());
+    };
+    if (a != b)
+        throw UsageError("sizes differ: A " + text(a) + ", B " + text(b) + "; render both at one size");
 }
 
 }  // namespace
@@ -104,17 +95,11 @@ void ImageView::set_picture(std::shared_ptr<const Picture> picture) {
         state_.transform.set_image_size(size);
         if (state_.transform.zoom() != before) emit zoom_changed(state_.transform.zoom());
     }
-    repaint_all();
+    update_hint();
 }
 
 void ImageView::set_second(std::shared_ptr<const Picture> picture, const Display& display, bool has_lens) {
-    if (picture && picture->has_image() && picture->size() != state_.transform.image_size().toSize()) {
-        const QSizeF first = state_.transform.image_size();
-        throw UsageError("sizes differ: A " + std::to_string(int(first.width())) + "x" +
-                         std::to_string(int(first.height())) + ", B " +
-                         std::to_string(picture->size().width()) + "x" +
-                         std::to_string(picture->size().height()) + "; render both at one size");
-    }
+    if (picture && picture->has_image()) check_sizes(state_.transform.image_size().toSize(), picture->size());
     state_.has_lens = has_lens && picture;
     state_.pictures[1] = cache_.prepare(std::move(picture), display);
     repaint_all();
@@ -204,8 +189,7 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     RasterPainter().paint(painter, drawn, ratio);
     if (overlays || legend) {
         if (!overlays) {  // the legend (and a reason for having no picture) alone
-            drawn.label.clear();
-            drawn.second_label.clear();
+            drawn.label = drawn.second_label = QString();
             drawn.marks = {};
             drawn.pixel_grid = false;
         }
@@ -225,9 +209,13 @@ void ImageView::set_tool(Tool tool) {
     emit tool_changed(tool);
 }
 
+QString ImageView::hint() const {
+    const QString told = tool_hint(tool_, state_, size());
+    return told.isEmpty() ? light_tool_.hint() : told;
+}
+
 void ImageView::update_hint() {
-    const QString hint = light_tool_.is_over_handle() ? QString() : hint_of(tool_);
-    state_.hint = hint.isEmpty() ? light_tool_.hint() : hint;
+    state_.hint = hint();
     state_.region_edited = tool_ == Tool::rectangle;
     state_.line_edited = tool_ == Tool::line;
     repaint_all();
@@ -285,7 +273,7 @@ QPoint ImageView::pixel_at(QPointF logical) const {
 void ImageView::resizeEvent(QResizeEvent*) {
     overlay_->setGeometry(rect());
     state_.transform.set_view_size(QSizeF(size()) * devicePixelRatioF());
-    repaint_all();
+    update_hint();
     emit zoom_changed(state_.transform.zoom());
 }
 

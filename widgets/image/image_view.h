@@ -39,7 +39,9 @@ class ImageView : public QWidget {
     /// As in set_mark(&Marks::picked, pixel). Emits nothing.
     template <typename Mark>
     void set_mark(Mark Marks::*mark, const std::type_identity_t<Mark>& value) {
-        if (std::exchange(state_.marks.*mark, value) != value) overlay_->update();
+        if (std::exchange(state_.marks.*mark, value) == value) return;
+        state_.hint = hint();
+        overlay_->update();
     }
     /// Takes zoom and place (or being fitted) over from another view of the same picture size. Emits nothing.
     void follow(const ViewTransform& transform);
@@ -130,6 +132,7 @@ class ImageView : public QWidget {
     }
     void move_wipe(double fraction);
     void repaint_all();
+    QString hint() const;
     void update_hint();
     void update_cursor_shape();
     QPointF device(QPointF logical) const { return logical * devicePixelRatioF(); }

@@ -377,7 +377,7 @@ void paint_handles(QPainter& painter, const QRectF& box, qreal ratio) {
     painter.setBrush(Qt::NoBrush);
 }
 
-/// A text below a shape, or above it where the view ends.
+/// A text below a shape, or above it where the view ends; none in a view that is small beside it.
 void paint_measure(QPainter& painter, const CanvasState& state, const QRectF& box, const QString& text,
                    qreal ratio) {
     QFont font = painter.font();
@@ -385,6 +385,9 @@ void paint_measure(QPainter& painter, const CanvasState& state, const QRectF& bo
     painter.setFont(font);
     const QFontMetricsF metrics(font);
     const QSizeF plate(metrics.horizontalAdvance(text) + 8 * ratio, metrics.height() + 2 * ratio);
+    const QSizeF picture = state.transform.image_size() * state.transform.zoom();
+    constexpr double most = 0.5;  // of the picture's width, and a quarter of its height
+    if (plate.width() > most * picture.width() || plate.height() > most / 2 * picture.height()) return;
     QRectF place(box.left(), box.bottom() + 7 * ratio, plate.width(), plate.height());
     const QSizeF view = state.transform.view_size();
     if (place.bottom() > view.height()) place.moveBottom(box.top() - 7 * ratio);

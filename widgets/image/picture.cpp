@@ -40,6 +40,10 @@ QString full_picture_awaited() {
     return translated("Waiting for the full picture …");
 }
 
+QString valid_pixels(std::size_t valid, std::size_t all) {
+    return valid == all ? QString() : translated("valid pixels: %1 of %2").arg(valid).arg(all);
+}
+
 PicturePixel locate(const Picture& picture, QPoint pixel) {
     if (!picture.has_image() || !QRect(QPoint(0, 0), picture.size()).contains(pixel)) return {};
     if (picture.atlas.tiles.empty()) return {0, 0, pixel};

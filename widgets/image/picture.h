@@ -42,6 +42,8 @@ std::shared_ptr<const Picture> make_picture(Image image, Semantic semantic, cons
                                             const QString& unit = {});
 /// What is said in the place of what drafts do not have, such as metrics.
 QString full_picture_awaited();
+/// "valid pixels: 6273 of 9216", which numbers of the picture are of; empty: of all.
+QString valid_pixels(std::size_t valid, std::size_t all);
 std::shared_ptr<const Picture> make_note(const QString& note, const QString& label = {});
 
 /// A pixel in terms of its tile: of a plain image level 0 and layer 0.

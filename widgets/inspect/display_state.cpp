@@ -118,7 +118,7 @@ void DisplayPanel::update_controls() {
     reset_->setEnabled(picture_ && !automatic_);
     reset_->setToolTip(automatic_ ? tr("Range and colours already come from the buffer's meaning and values")
                                   : tr("Choose range and colours from the buffer's meaning and values"));
-    histogram_->set_picture(picture_, display_.channel, display_.hide_invalid);
+    histogram_->set_picture(picture_, display_.channel);
     histogram_->set_range_shown(ranged);
     histogram_->set_range(display_.low, display_.high);
     update_counts();

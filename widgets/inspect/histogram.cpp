@@ -59,7 +59,10 @@ Histogram histogram(const Image& image, int channel, const std::optional<Axis>& 
     result.counts.resize(result.channels.size());
     std::vector<float> finite;
     finite.reserve(image.pixels.size() / std::size_t(std::max(image.channels, 1)) * result.channels.size());
-    for_each_value(image, result.channels, counted, cancelled, [&](std::size_t, float value) {
+    for (const auto& tile : tiles_of(image, counted.atlas))
+        result.pixels += std::size_t(tile.width) * std::size_t(tile.height);
+    for_each_value(image, result.channels, counted, cancelled, [&](std::size_t c, float value) {
+        result.valid += c == 0;
         if (std::isnan(value)) return void(++result.nan);
         if (std::isinf(value)) return void(++result.infinite);
         result.negative += value < 0;

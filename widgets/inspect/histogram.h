@@ -25,6 +25,7 @@ struct Histogram {
     double min = 0, max = 0;                     ///< of the finite values; 0 when there are none
     double percentile_1 = 0, percentile_99 = 0;  ///< of the finite values
     std::size_t finite = 0, nan = 0, infinite = 0, negative = 0;
+    std::size_t valid = 0, pixels = 0;  ///< pixels that count, and all
     Axis axis;
     std::size_t below = 0, above = 0;                     ///< finite values beyond the axis
     std::vector<int> channels;                            ///< numbers of the channels in `counts`

@@ -33,10 +33,10 @@ void HistogramView::set_image(std::shared_ptr<const Image> image, Semantic seman
     auto picture = std::make_shared<Picture>();
     picture->image = std::move(image);
     picture->semantic = semantic;
-    set_picture(std::move(picture), channel, false);
+    set_picture(std::move(picture), channel);
 }
 
-void HistogramView::set_picture(std::shared_ptr<const Picture> picture, int channel, bool valid_only) {
+void HistogramView::set_picture(std::shared_ptr<const Picture> picture, int channel) {
     if (picture && !picture->has_image()) picture.reset();
     const auto same_pixels = [&] {
         if (!picture || !picture_) return picture == picture_;
@@ -45,10 +45,10 @@ void HistogramView::set_picture(std::shared_ptr<const Picture> picture, int chan
     };
     const auto same_kind = [&] {
         return picture && picture_ && picture->semantic == picture_->semantic && channel == channel_ &&
-               valid_only == valid_only_ && picture->size() == picture_->size() &&
-               picture->image->channels == picture_->image->channels && picture->label == picture_->label;
+               picture->size() == picture_->size() && picture->image->channels == picture_->image->channels &&
+               picture->label == picture_->label;
     };
-    const bool recount = !same_pixels() || channel != channel_ || valid_only != valid_only_;
+    const bool recount = !same_pixels() || channel != channel_;
     if (!same_kind()) {
         ++generation_;
         zoom_.reset();
@@ -56,13 +56,12 @@ void HistogramView::set_picture(std::shared_ptr<const Picture> picture, int chan
     }
     picture_ = std::move(picture);
     channel_ = channel;
-    valid_only_ = valid_only;
     recount ? count() : update();
 }
 
-Histogram HistogramView::count_picture(const Picture& picture, int channel, bool valid_only,
-                                       const std::optional<Axis>& axis, const std::atomic<bool>* cancelled) {
-    const Counted counted{valid_only ? picture.valid.get() : nullptr, picture.atlas, picture.semantic};
+Histogram HistogramView::count_picture(const Picture& picture, int channel, const std::optional<Axis>& axis,
+                                       const std::atomic<bool>* cancelled) {
+    const Counted counted{picture.valid.get(), picture.atlas, picture.semantic};
     return ir::widgets::histogram(*picture.image, channel, axis, counted, cancelled);
 }
 
@@ -72,7 +71,7 @@ void HistogramView::count() {
     update();
     if (!picture_) return;
     if (picture_->image->pixels.size() > at_once) return start();
-    histogram_ = count_picture(*picture_, channel_, valid_only_, zoom_, nullptr);
+    histogram_ = count_picture(*picture_, channel_, zoom_, nullptr);
     counted_ = true;
     emit counted();
 }
@@ -82,9 +81,9 @@ void HistogramView::start() {
     // else never be.
     if (running_) return;
     running_ = true;
-    worker_.start([this, picture = picture_, channel = channel_, valid_only = valid_only_, zoom = zoom_,
-                   serial = serial_, generation = generation_] {
-        Histogram result = count_picture(*picture, channel, valid_only, zoom, &cancelled_);
+    worker_.start([this, picture = picture_, channel = channel_, zoom = zoom_, serial = serial_,
+                   generation = generation_] {
+        Histogram result = count_picture(*picture, channel, zoom, &cancelled_);
         if (cancelled_) return;
         QMetaObject::invokeMethod(
             this,
@@ -138,6 +137,8 @@ QString HistogramView::summary() const {
     add(histogram_.infinite, tr("Inf"));
     add(histogram_.negative, tr("negative"));
     add(histogram_.below + histogram_.above, tr("beyond the axis"));
+    if (const auto valid = valid_pixels(histogram_.valid, histogram_.pixels); !valid.isEmpty())
+        parts << valid;
     return parts.join(QStringLiteral(", "));
 }
 

@@ -24,9 +24,9 @@ class HistogramView : public QWidget {
     ~HistogramView() override;
     /// Null: nothing to show. What it points to must not change.
     void set_image(std::shared_ptr<const Image> image, Semantic semantic, int channel);
-    /// The same of a picture: of its levels and layers without the gaps between them, and where `valid_only`
-    /// of the pixels that its mask includes. Null: nothing to show.
-    void set_picture(std::shared_ptr<const Picture> picture, int channel, bool valid_only);
+    /// The same of a picture: of its levels and layers without the gaps between them, and of the pixels that
+    /// its mask includes. Null: nothing to show.
+    void set_picture(std::shared_ptr<const Picture> picture, int channel);
     /// Shows the handles; emits nothing.
     void set_range(double low, double high);
     void set_range_shown(bool shown);
@@ -34,7 +34,7 @@ class HistogramView : public QWidget {
     bool logarithmic() const { return logarithmic_; }
     /// Of the image set last; null while it is being counted and where there is none.
     const Histogram* current() const { return counted_ && picture_ ? &histogram_ : nullptr; }
-    /// "65536 values, 2 NaN, 1 Inf, 14 negative"
+    /// "65536 values, 2 NaN, 1 Inf, 14 negative, valid pixels: 6273 of 9216"
     QString summary() const;
     /// Where a value lies, in pixels of the widget.
     double x_of(double value) const;
@@ -60,8 +60,8 @@ class HistogramView : public QWidget {
   private:
     enum class Handle { none, low, high };
     /// Counts the picture set last; called on any thread.
-    static Histogram count_picture(const Picture& picture, int channel, bool valid_only,
-                                   const std::optional<Axis>& axis, const std::atomic<bool>* cancelled);
+    static Histogram count_picture(const Picture& picture, int channel, const std::optional<Axis>& axis,
+                                   const std::atomic<bool>* cancelled);
     void count();
     void start();
     void take(std::uint64_t serial, std::uint64_t generation, Histogram histogram);
@@ -80,7 +80,6 @@ class HistogramView : public QWidget {
     std::uint64_t generation_ = 0;            ///< of the last change of more than pixel values
     std::shared_ptr<const Picture> picture_;  ///< one that has an image, or null
     int channel_ = -1;
-    bool valid_only_ = false;
     std::optional<Axis> zoom_;
     Histogram histogram_;
     bool counted_ = false, running_ = false, logarithmic_ = true, range_shown_ = true;

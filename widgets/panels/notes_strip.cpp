@@ -9,6 +9,7 @@
 #include <QStyle>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
 #include <QTextLayout>
 #include <QToolButton>
 #include <QToolTip>
@@ -28,6 +29,19 @@ const auto without_html =
 /// As tooltips show it, whatever it looks like.
 QString plain_tip(const QString& text) {
     return text.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
+}
+
+/// Qt gives only the words before a heading's first link its size and weight.
+void even_out_headings(QTextDocument& document) {
+    for (auto block = document.begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0 || block.length() <= 1) continue;
+        QTextCharFormat heading;
+        heading.setFontWeight(QFont::Bold);
+        heading.setProperty(QTextFormat::FontSizeAdjustment, 4 - block.blockFormat().headingLevel());
+        QTextCursor words(block);
+        words.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+        words.mergeCharFormat(heading);
+    }
 }
 
 /// Loads nothing, and tells where links lead and not what they say of themselves.
@@ -84,6 +98,7 @@ void NotesStrip::set_notes(const QString& notes) {
     if (trimmed != notes_) {  // else it stays scrolled
         notes_ = trimmed;
         text_->document()->setMarkdown(notes_, without_html);
+        even_out_headings(*text_->document());
         text_->moveCursor(QTextCursor::Start);  // else it scrolls to the end
     }
     setVisible(!notes_.isEmpty());

@@ -5,17 +5,29 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/inspect/colour_map_box.h"
+#include "widgets/parameters/number_field.h"
 
 namespace ir::widgets {
 
-PreferencesDialog::PreferencesDialog(const std::vector<ParameterDescription>& preferences, QWidget* parent)
+PreferencesDialog::PreferencesDialog(const std::vector<ParameterDescription>& preferences,
+                                     const std::map<std::string, QString>& zeros, QWidget* parent)
     : QDialog(parent), panel_(new ParameterPanel), given_(new QLabel) {
     setWindowTitle(tr("Preferences"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(480);
     panel_->set_parameters("preferences", preferences, tr("For all projects"));
+    for (const auto& [key, word] : zeros) {
+        auto* editor = panel_->findChild<QWidget*>("editor:" + QString::fromStdString(key));
+        auto* number = editor ? editor->findChild<NumberField*>() : nullptr;
+        if (!number) continue;
+        constexpr int buttons = 36;
+        number->setSpecialValueText(word);
+        number->setMinimumWidth(
+            std::max(number->minimumWidth(), number->fontMetrics().horizontalAdvance(word) + buttons));
+    }
     for (auto* list : panel_->findChildren<QComboBox*>()) add_map_pictures(*list);
     // A dialog is as wide as they are. Those that wrapped were cut at twice the scale.
     for (auto* label : panel_->findChildren<QLabel*>()) label->setWordWrap(false);

@@ -13,8 +13,9 @@ namespace ir::widgets {
 class PreferencesDialog : public QDialog {
     Q_OBJECT
   public:
+    /// `zeros`: what is said in place of 0, by key.
     explicit PreferencesDialog(const std::vector<ParameterDescription>& preferences,
-                               QWidget* parent = nullptr);
+                               const std::map<std::string, QString>& zeros = {}, QWidget* parent = nullptr);
     /// `given`: options of the command line by the key of what they set, which cannot be chosen then.
     void set_values(const Settings& settings, const std::map<std::string, QString>& given);
 

@@ -32,6 +32,7 @@ QString html_of(const ShaderFault& fault, std::size_t number, const ThemeColours
 
 /// Where a link leads, before the file that it is of.
 constexpr const char* edit_link = "edit/";
+constexpr const char* path_link = "path/";
 constexpr const char* remove_link = "remove/";
 
 QString html_of(const ShaderPanel::Changes::File& file, const ThemeColours& colours) {
@@ -40,9 +41,15 @@ QString html_of(const ShaderPanel::Changes::File& file, const ThemeColours& colo
     };
     auto html = QStringLiteral("<p style='margin:4px 0 2px 0'><b>%1</b> %2").arg(file.name, file.lines) +
                 link(edit_link, ShaderPanel::tr("Edit copy")) +
-                link(remove_link, ShaderPanel::tr("Remove change")) +
-                QStringLiteral("</p><pre style='margin:0 0 6px 0; font-family:\"%1\"'>")
-                    .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
+                (file.hunks.isEmpty() ? QString() : link(remove_link, ShaderPanel::tr("Remove change"))) +
+                QStringLiteral("</p>");
+    if (!file.path.isEmpty())
+        html += QStringLiteral("<p style='margin:0 0 2px 0'>%1%2</p>")
+                    .arg(ShaderPanel::tr("Edit and save %1").arg(file.path.toHtmlEscaped()),
+                         link(path_link, ShaderPanel::tr("Copy path")));
+    if (file.hunks.isEmpty()) return html;
+    html += QStringLiteral("<pre style='margin:0 0 6px 0; font-family:\"%1\"'>")
+                .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
     // Lines of one sign are one piece: a browser takes ten times as long for many.
     const auto lines = file.hunks.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     for (auto begin = lines.begin(), end = begin; begin != lines.end(); begin = end) {
@@ -60,7 +67,7 @@ QString html_of(const ShaderPanel::Changes::File& file, const ThemeColours& colo
 QString html_of(const ShaderPanel::Changes& changes, const ThemeColours& colours) {
     if (changes.files.empty()) return {};
     auto html = QStringLiteral("<p style='margin:6px 0 2px 0'>%1</p>")
-                    .arg(ShaderPanel::tr("Changed for <b>%1</b> alone:")
+                    .arg(ShaderPanel::tr("Edited for <b>%1</b> alone:")
                              .arg(escaped(changes.experiment.toStdString())));
     if (!changes.on_host.isEmpty())
         html += QStringLiteral("<p style='margin:2px 0; color:%1'>%2</p>")
@@ -106,6 +113,7 @@ ShaderPanel::ShaderPanel(const QString& folder, QWidget* parent)
 void ShaderPanel::follow_link(const QString& link) {
     if (link == QLatin1String(use_opengl_link)) return emit opengl_wanted();
     if (link.startsWith(QLatin1String(edit_link))) return emit edit_wanted(link.mid(int(qstrlen(edit_link))));
+    if (link.startsWith(QLatin1String(path_link))) return emit path_wanted(link.mid(int(qstrlen(path_link))));
     if (link.startsWith(QLatin1String(remove_link)))
         return emit removal_wanted(link.mid(int(qstrlen(remove_link))));
     const auto number = link.toUInt();

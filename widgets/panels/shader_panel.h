@@ -22,6 +22,7 @@ class ShaderPanel : public QWidget {
     struct Changes {
         struct File {
             QString name, lines, hunks;  ///< lines: "+3 −1"
+            QString path = {};           ///< of the copy that is edited; empty: none is open
             bool operator==(const File&) const = default;
         };
         QString experiment;  ///< its name
@@ -37,6 +38,7 @@ class ShaderPanel : public QWidget {
     void place_chosen(const ir::ShaderFault& fault);
     void copy_wanted();  ///< of a shader that is still to be chosen
     void edit_wanted(const QString& file);
+    void path_wanted(const QString& file);     ///< of its copy, to paste it elsewhere
     void removal_wanted(const QString& file);  ///< of its change
     void opengl_wanted();                      ///< in place of the host
 

@@ -38,8 +38,8 @@ ValueStrip::ValueStrip(QWidget* parent)
 }
 
 void ValueStrip::set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit,
-                             const Atlas& atlas) {
-    statistics_ = statistics(image, semantic, atlas);
+                             const Atlas& atlas, const Image* valid) {
+    statistics_ = statistics(image, semantic, atlas, -1, valid);
     semantic_ = semantic;
     name_ = name;
     unit_ = unit;
@@ -57,6 +57,8 @@ QString ValueStrip::summary(int statistics, bool named) const {
                               QStringLiteral("  mean ") + short_number(statistics_.mean)};
     for (int i = 0; i < statistics; ++i) text += fields[i];
     if (!unit_.isEmpty() && statistics > 0) text += QLatin1Char(' ') + unit_;
+    const auto valid = valid_pixels(statistics_.valid, statistics_.pixels);
+    if (!valid.isEmpty() && statistics > 0) text += QStringLiteral("   ") + valid;
     if (statistics_.nan) text += tr("   %1 NaN").arg(statistics_.nan);
     if (statistics_.infinite) text += tr("   %1 Inf").arg(statistics_.infinite);
     return text;

@@ -15,8 +15,9 @@ class ValueStrip : public QWidget {
     Q_OBJECT
   public:
     explicit ValueStrip(QWidget* parent = nullptr);
+    /// Numbers are of the pixels that `valid` includes; null: of all.
     void set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit,
-                     const Atlas& atlas = {});
+                     const Atlas& atlas = {}, const Image* valid = nullptr);
     /// "x 12  y 40   R 0.25  G 0.5  B 1 W/(m² sr)"; levels and slices of an atlas by their own pixels. The
     /// summary for a pixel that the picture does not have. `who`, "B", stands before it; may be empty.
     void show_pixel(const Picture& picture, QPoint pixel, const QString& who = {});

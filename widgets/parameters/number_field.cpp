@@ -73,12 +73,14 @@ QString NumberField::bare(QString text) const {
 
 double NumberField::valueFromText(const QString& text) const {
     const QString typed = bare(text);
+    if (is_special(typed)) return minimum();
     if (typed == textFromValue(value())) return value();  // untouched: keep the digits that are not shown
     return typed.toDouble();
 }
 
 QValidator::State NumberField::validate(QString& text, int&) const {
     const QString typed = bare(text);
+    if (is_special(typed)) return QValidator::Acceptable;
     bool is_number = false;
     const double number = typed.toDouble(&is_number);
     if (is_number && std::isfinite(number)) {

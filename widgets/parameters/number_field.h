@@ -41,6 +41,8 @@ class NumberField : public QDoubleSpinBox {
 
   private:
     QString bare(QString text) const;
+    /// Whether it is the word that stands for the least value.
+    bool is_special(const QString& text) const { return !text.isEmpty() && text == specialValueText(); }
     bool whole_ = false, showing_ = false;
 };
 

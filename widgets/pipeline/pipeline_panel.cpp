@@ -86,6 +86,14 @@ PipelinePanel::PipelinePanel(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(make_bar());
+    written_ = new QLabel;
+    written_->setObjectName(QStringLiteral("written"));
+    written_->setTextFormat(Qt::RichText);
+    written_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    written_->setWordWrap(true);
+    written_->setContentsMargins(8, 2, 8, 4);
+    connect(written_, &QLabel::linkActivated, this, &PipelinePanel::buffer_wanted);
+    layout->addWidget(written_);
     const auto empty = make_empty_page();
     empty_ = empty.text;
     empty.button->hide();
@@ -118,6 +126,8 @@ QWidget* PipelinePanel::make_bar() {
         add_icon_button(row, "pass-next", "step-forward", tr("Buffers after the next pass (down arrow)"));
     whole_ = add_button(row, "whole-frame", nullptr, tr("Whole frame"));
     whole_->setToolTip(tr("Buffers as the frame leaves them"));
+    whole_->setAutoRaise(false);
+    row->addSpacing(8);
     where_ = make_cut_label("step");
     row->addWidget(where_, 1);
     row->addWidget(new HeatLegend);
@@ -202,6 +212,12 @@ void PipelinePanel::set_fields(const PipelineFields& fields) {
                                                .arg(names.size())
                                                .arg(QString::fromStdString(fields.step)));
     where_->setToolTip(where_->text());
+    QStringList links;
+    for (const auto& [label, key] : fields.written)
+        links << QStringLiteral("<a href='%1'>%2</a>").arg(key.toHtmlEscaped(), label.toHtmlEscaped());
+    written_->setVisible(has_frame && !links.isEmpty());
+    written_->setText(tr("The view's buffer is not written yet. This pass has written: %1")
+                          .arg(links.join(QStringLiteral(", "))));
     view_->set_pipeline(fields.pipeline, fields.pictures);
     const auto& why_not = has_frame ? view_->problem() : fields.why_empty;
     pages_->setCurrentIndex(why_not.isEmpty() ? 0 : 1);

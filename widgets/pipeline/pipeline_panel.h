@@ -20,8 +20,10 @@ class RowsPanel;
 struct PipelineFields {
     Pipeline pipeline = {};
     PipelineView::Pictures pictures = {};
-    std::string step = {};              ///< pass after which buffers are shown; empty: the whole frame
-    std::string shown = {};             ///< key of the buffer that a view shows
+    std::string step = {};   ///< pass after which buffers are shown; empty: the whole frame
+    std::string shown = {};  ///< key of the buffer that a view shows
+    /// What the pass of the step has written, as label and key, where the view shows nothing of it.
+    std::vector<std::pair<QString, QString>> written = {};
     std::optional<QPoint> traced = {};  ///< pixel whose changes are listed
     FrameReport changes = {};           ///< of the frame in which it was traced
     QString why_empty = {};             ///< not empty: there is no frame
@@ -56,7 +58,7 @@ class PipelinePanel : public QWidget {
     PipelineFields fields_;
     PipelineView* view_;
     RowsPanel* changes_;
-    QLabel *where_ = nullptr, *pixel_ = nullptr, *empty_ = nullptr;
+    QLabel *where_ = nullptr, *written_ = nullptr, *pixel_ = nullptr, *empty_ = nullptr;
     QToolButton *back_ = nullptr, *forward_ = nullptr, *whole_ = nullptr, *fit_ = nullptr, *export_ = nullptr;
     QCheckBox* skipped_ = nullptr;
     QWidget* traced_ = nullptr;

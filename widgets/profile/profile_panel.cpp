@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderers/plot/plot_svg.h"
 #include "widgets/image/display.h"
@@ -171,6 +172,7 @@ QWidget* ProfilePanel::make_content() {
     waveforms_->setMinimumSize(least_plot);
     make_table();
     split_ = new QSplitter;
+    split_->setObjectName(QStringLiteral("parts"));
     split_->setChildrenCollapsible(false);
     for (auto* plot : {profile_, histograms_}) plot->setMinimumSize(least_plot);
     for (QWidget* part : {static_cast<QWidget*>(profile_), static_cast<QWidget*>(table_),
@@ -299,13 +301,41 @@ void ProfilePanel::take(const std::shared_ptr<const RegionNumbers>& numbers) {
         }
         rows_->appendRow(items);
     }
+    const auto is_used = [&](auto is_said) { return std::ranges::any_of(numbers->rows, is_said); };
+    table_->setColumnHidden(1, !is_used([](const auto& row) { return !row.channel.empty(); }));
+    table_->setColumnHidden(8, !is_used([](const auto& row) { return row.skipped > 0; }));
     table_->resizeColumnsToContents();
-    table_->setColumnWidth(0, std::min(table_->columnWidth(0), 180));
+    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     rows_->horizontalHeaderItem(8)->setToolTip(tr("Pixels without a value, NaN or infinite"));
     rows_->horizontalHeaderItem(3)->setToolTip(tr("Standard deviation over the pixels"));
+    share_room();
     histograms_->set_data(numbers->histograms);
     waveforms_->set_waveforms(numbers->waveforms, requested_ && requested_->logarithmic);
     update_region();
+}
+
+/// Side by side numbers have what they need, names are cut, and plots share the rest. Done again where other
+/// parts are seen or numbers need other room, and else left as a hand has put it.
+void ProfilePanel::share_room() {
+    if (table_->isHidden() || split_->orientation() != Qt::Horizontal || split_->width() == 0) return;
+    constexpr int name_width = 96;
+    int needed = name_width + 2 * table_->frameWidth();
+    for (int column = 1; column < rows_->columnCount(); ++column)
+        if (!table_->isColumnHidden(column)) needed += table_->columnWidth(column);
+    std::vector<int> shared{needed};
+    int plots = 0;
+    for (int i = 0; i < split_->count(); ++i)
+        if (!split_->widget(i)->isHidden() && split_->widget(i) != table_) ++plots, shared.push_back(i);
+    if (plots == 0 || std::exchange(shared_, shared) == shared) return;
+    const int room = split_->width() - plots * split_->handleWidth();
+    const int numbers = std::clamp(needed, least_table.width(),
+                                   std::max(least_table.width(), room - plots * least_plot.width()));
+    QList<int> sizes;
+    for (int i = 0; i < split_->count(); ++i)
+        sizes << (split_->widget(i)->isHidden() ? 0
+                  : split_->widget(i) == table_ ? numbers
+                                                : (room - numbers) / plots);
+    split_->setSizes(sizes);
 }
 
 void ProfilePanel::set_choice(int choice) {

@@ -71,6 +71,7 @@ class ProfilePanel : public QWidget {
     QToolButton* make_tool(const char* name, const QString& tip, ImageView::Tool tool);
     void fill_choices();
     void arrange();
+    void share_room();
     void update_profile();
     void update_region();
     void take(const std::shared_ptr<const RegionNumbers>& numbers);
@@ -82,6 +83,7 @@ class ProfilePanel : public QWidget {
     std::shared_ptr<const RegionNumbers> within_;
     NewestJob* measuring_;
     std::optional<RegionRequest> requested_;  ///< what is measured, or was
+    std::vector<int> shared_;                 ///< for what the room was shared last
     std::vector<std::string> channels_;       ///< in the list of choices
     QComboBox* choices_ = nullptr;
     QCheckBox *log_ = nullptr, *waves_ = nullptr;

@@ -21,17 +21,21 @@ std::string region_text(const char* text) {
 struct Values {
     std::string name;
     std::vector<float> finite;
-    std::size_t skipped = 0;
+    std::size_t skipped = 0, valid = 0, pixels = 0;
 };
 
 Values values_of(const MeasuredImage& image, const PixelNumber& number, const QRect& rectangle,
                  const std::atomic<bool>& cancelled) {
-    Values values{number.name.empty() ? image.label : image.label + "  " + number.name, {}, 0};
+    Values values{number.name.empty() ? image.label : image.label + "  " + number.name, {}};
+    auto all = image;  // of which the gaps of an atlas are no part
+    all.valid = nullptr;
     for (int y = rectangle.top(); y <= rectangle.bottom() && !cancelled; ++y)
         for (int x = rectangle.left(); x <= rectangle.right(); ++x) {
-            const double value = image.has_value(x, y)
-                                     ? number.of(&image.image->pixels[image.image->index(x, y)])
-                                     : std::numeric_limits<double>::quiet_NaN();
+            const bool is_valid = image.has_value(x, y);
+            values.valid += is_valid;
+            values.pixels += all.has_value(x, y);
+            const double value = is_valid ? number.of(&image.image->pixels[image.image->index(x, y)])
+                                          : std::numeric_limits<double>::quiet_NaN();
             std::isfinite(value) ? values.finite.push_back(float(value)) : void(++values.skipped);
         }
     return values;
@@ -76,17 +80,31 @@ int joined_bins(std::size_t pixels) {
     return joined;
 }
 
+/// What the numbers are of: how many pixels, where the pictures agree.
+std::string title_of(const std::vector<Values>& all, const QRect& rectangle) {
+    const auto disagrees = [&](const Values& each) {
+        return each.valid != all.front().valid || each.pixels != all.front().pixels;
+    };
+    auto valid = all.empty()                           ? QString()
+                 : std::ranges::any_of(all, disagrees) ? QCoreApplication::translate("Region", "valid pixels")
+                                                       : valid_pixels(all.front().valid, all.front().pixels);
+    if (rectangle.isEmpty()) {
+        if (valid.isEmpty()) return region_text("All pixels");
+        valid[0] = valid[0].toUpper();
+        return valid.toStdString();
+    }
+    const auto text = QCoreApplication::translate("Region", "%1 × %2 pixels at %3, %4")
+                          .arg(rectangle.width())
+                          .arg(rectangle.height())
+                          .arg(rectangle.x())
+                          .arg(rectangle.y());
+    return (valid.isEmpty() ? text : text + QStringLiteral(", ") + valid).toStdString();
+}
+
 PlotData histograms_of(std::vector<Values> all, const RegionRequest& request, std::optional<Axis>& axis,
                        const std::atomic<bool>& cancelled) {
     PlotData plot;
-    plot.title = request.rectangle.isEmpty()
-                     ? region_text("All pixels")
-                     : QCoreApplication::translate("Region", "%1 × %2 pixels at %3, %4")
-                           .arg(request.rectangle.width())
-                           .arg(request.rectangle.height())
-                           .arg(request.rectangle.x())
-                           .arg(request.rectangle.y())
-                           .toStdString();
+    plot.title = title_of(all, request.rectangle);
     plot.x.title = value_title(request.pictures);
     plot.y.title = region_text("Share of the pixels");
     plot.y.log = request.logarithmic;

@@ -94,7 +94,7 @@ void ViewPane::update_summary() {
     // Statistics of the same pixels are known already.
     if (summarised_.lock() != picture->image)
         values_->set_picture(*picture->image, picture->semantic, picture->label, picture->unit,
-                             picture->atlas);
+                             picture->atlas, picture->valid.get());
     summarised_ = picture->image;
     values_->set_zoom(compare_->main_view().transform().zoom());
     if (cursor_.x() >= 0) show_pixel();

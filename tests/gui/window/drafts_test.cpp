@@ -93,6 +93,30 @@ TEST_F(DraftsWindowTest, ADraftOfAnOlderRequestIsReplacedByWhatIsNewer) {
     EXPECT_EQ(pixel(), 0.5f);
 }
 
+TEST_F(DraftsWindowTest, WhereTheFullPictureFailsTheLastOneStaysOrTheViewSaysWhy) {
+    begin();
+    change_level(0.75);
+    answer_with(Fineness::preview);
+    emit renderer.failed(id(), "march.comp:10: no such type\nand more", false);
+    QApplication::processEvents();
+    EXPECT_EQ(shown().draft, QString());
+    EXPECT_EQ(pixel(), 0.25f) << "the last full picture";
+    set_method("fake");
+    answer_with(Fineness::preview);
+    emit renderer.failed(id(), "march.comp:10: no such type\nand more", false);
+    QApplication::processEvents();
+    EXPECT_EQ(shown().note, "march.comp:10: no such type");
+}
+
+TEST_F(DraftsWindowTest, CoarsePicturesAndDescriptionsKnowNames) {
+    begin();
+    set_method("fake");
+    EXPECT_TRUE(shown().label.endsWith("· Picture")) << shown().label.toStdString();
+    window.views().show_output("depth");
+    QApplication::processEvents();
+    EXPECT_TRUE(shown().label.endsWith("· Depth")) << shown().label.toStdString();
+}
+
 TEST_F(DraftsWindowTest, AnOutputThatADraftLacksStaysAndIsMarkedAsOld) {
     begin();
     renderer.hold = false;

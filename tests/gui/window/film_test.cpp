@@ -67,6 +67,8 @@ TEST_F(FilmTest, AsksWhatItShows) {
     trigger("film");
     auto* dialog = window.findChild<FilmDialog*>("film");
     ASSERT_TRUE(dialog);
+    const auto what = dialog->findChild<QLabel*>("film-what")->text();
+    EXPECT_TRUE(what.contains(" · Picture, ") && what.endsWith(" pixels")) << what.toStdString();
     EXPECT_GT(dialog->film().turntable, 0) << "nothing moves in the box, so the camera turns";
     EXPECT_EQ(dialog->findChild<QDoubleSpinBox*>("film-turn")->text(), "4 s");
     auto* count = dialog->findChild<QLabel*>("film-count");

@@ -1,4 +1,5 @@
 #include <QContextMenuEvent>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
 #include <QRegularExpression>
@@ -65,6 +66,18 @@ TEST_F(FinderTest, GoesToABufferInTheActiveView) {
     EXPECT_FALSE(list().topLevelItem(0)->icon(0).isNull());
     enter();
     EXPECT_EQ(window.views().shown_key(), "depth");
+}
+
+TEST_F(FinderTest, AppliesALayoutOfOnesOwn) {
+    open_scene();
+    window.docks().apply("picture");
+    window.findChild<LayoutController*>()->keep("My bare pictures");
+    window.docks().restore_default();
+    ASSERT_TRUE(settle());
+    find("bare pict");
+    EXPECT_EQ(first(), "My bare pictures");
+    enter();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChild<QDockWidget*>("display")->isHidden(); }));
 }
 
 TEST_F(FinderTest, GivesAParameterTheKeyboard) {

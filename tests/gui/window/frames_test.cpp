@@ -47,6 +47,7 @@ TEST_F(FramesTest, KeysAndTheSliderGoBackThroughEditsInAllViews) {
     const auto asked = renderer.requests.size();
     press(Qt::Key_Comma);
     EXPECT_FLOAT_EQ(pixel(), 0.5f);
+    EXPECT_TRUE(window.view().picture()->label.contains("past frame 2"));
     EXPECT_NE(caption().find("2 of 3"), std::string::npos) << caption();
     EXPECT_NE(caption().find("Level"), std::string::npos) << caption() << ": what was edited";
     QTest::keyClick(slider(), Qt::Key_Left);

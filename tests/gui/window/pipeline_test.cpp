@@ -113,6 +113,20 @@ TEST_F(PipelineWindowTest, AMenuLeadsOnFromAPassAndFromABuffer) {
     menu->close();
 }
 
+TEST_F(PipelineWindowTest, WhereThePassHasNotWrittenTheBufferItsOwnAreOffered) {
+    auto* written = panel().findChild<QLabel*>("written");
+    click("paint");
+    EXPECT_TRUE(written->isHidden()) << "the picture is among them";
+    window.views().show_output("cover");
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !written->isHidden(); }, 60000));
+    EXPECT_TRUE(written->text().contains("<a href='picture'>Picture</a>")) << written->text().toStdString();
+    emit written->linkActivated("picture");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().shown_key(), "picture");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return written->isHidden(); }, 60000));
+}
+
 TEST_F(PipelineWindowTest, StepsShowTheBufferAsEachPassLeftIt) {
     EXPECT_FLOAT_EQ(pixel(), 0.25f);
     click("paint");

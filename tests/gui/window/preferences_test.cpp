@@ -129,6 +129,8 @@ TEST_F(PreferencesWindowTest, AFontSizeCountsAtOnceAndIsKept) {
     EXPECT_EQ(QApplication::font().pointSize(), 15);
     open_by_key();
     type("font_size", "0");
+    EXPECT_EQ(editor("font_size")->findChild<widgets::NumberField*>()->text(), "the desktop's");
+    EXPECT_EQ(editor("memory")->findChild<widgets::NumberField*>()->text(), "none");
     EXPECT_EQ(QApplication::font().pointSize(), desktop);
 }
 

@@ -142,12 +142,15 @@ TEST_F(EditedCopyTest, WhatIsSavedIsTheExperimentsAloneAndCanBeUndone) {
     EXPECT_FALSE(frame().isHidden());
     EXPECT_TRUE(text().contains("lib/random.glsl +1 −0")) << text().toStdString();
     EXPECT_TRUE(text().contains("+// mine"));
+    EXPECT_TRUE(text().contains("Edit and save " + copy())) << text().toStdString();
+    emit dock().panel().path_wanted(QString::fromStdString(file));
+    EXPECT_EQ(QApplication::clipboard()->text(), copy());
     EXPECT_TRUE(read(copy()).endsWith("// mine\n"));
 
     trigger("undo");
     EXPECT_TRUE(shaders().empty());
     EXPECT_FALSE(read(copy()).contains("// mine")) << "editors follow";
-    EXPECT_FALSE(text().contains("lib/random.glsl"));
+    EXPECT_TRUE(text().contains("lib/random.glsl not changed yet")) << text().toStdString();
     trigger("redo");
     EXPECT_TRUE(read(copy()).endsWith("// mine\n"));
     trigger("experiment-duplicate");
@@ -182,6 +185,9 @@ TEST_F(EditedCopyTest, PassesOnTheHostLeadToOpenGL) {
     QTest::keyClick(&list, Qt::Key_Tab);
     QTest::keyClick(&list, Qt::Key_Return);
     EXPECT_EQ(renderer.machine.chosen_processor(), Processor::gl);
+    emit renderer.failed(window.session().experiment()->id, "random.glsl:1: odd", false);
+    EXPECT_FALSE(text().contains("nothing: paint")) << "no frame has run on the host since";
+    EXPECT_TRUE(on_host->isHidden());
     EXPECT_TRUE(window.banners().text("processor").contains("OpenGL"));
     QPushButton* back = nullptr;
     for (auto* button : window.banners().findChildren<QPushButton*>())

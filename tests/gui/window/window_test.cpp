@@ -225,7 +225,7 @@ TEST_F(WindowTest, TheRemainingTimeIsThatOfTheFramesThatAreMissing) {
         << label("state");
     const auto* bar = window.statusBar()->findChild<QProgressBar*>();
     ASSERT_TRUE(QTest::qWaitFor([&] { return bar->value() == 925; }, 60000));
-    const auto left = window.live().seconds_left(id);
+    const auto left = window.live().progress(id).seconds_left;
     ASSERT_TRUE(left);
     EXPECT_GE(*left, 2.9) << "three times as much is missing as has been done in a second";
     renderer.hold = false;
@@ -503,6 +503,25 @@ TEST_F(WindowTest, KeysOfTheWindowWorkWhileANumberFieldHasTheFocus) {
     QTest::keyClick(level(), Qt::Key_E);  // a letter of 1e-3
     EXPECT_TRUE(level()->text().contains(QLatin1Char('e'))) << level()->text().toStdString();
     EXPECT_FLOAT_EQ(level()->value(), 0.75f);
+}
+
+TEST_F(WindowTest, AToolSaysHowItIsUsedUntilItWasAndGoesWithTheProject) {
+    open_scene();
+    trigger("line");
+    EXPECT_TRUE(window.view().state().hint.startsWith("Line")) << window.view().state().hint.toStdString();
+    window.view().setFocus();
+    QTest::keyClick(&window.view(), Qt::Key_Right);  // draws one
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    EXPECT_EQ(window.view().state().hint, QString());
+    trigger("inspect");
+    trigger("line");
+    EXPECT_EQ(window.view().state().hint, QString()) << "it is known";
+    trigger("rectangle");
+    EXPECT_TRUE(window.view().state().hint.startsWith("Rectangle"));
+    ASSERT_TRUE(window.open_path("builtin:plane"));
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(window.action("inspect")->isChecked());
+    EXPECT_EQ(window.view().tool(), widgets::ImageView::Tool::inspect);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <set>
 
 #include "widgets/image/picture.h"
 #include "widgets/panels/cards.h"
@@ -199,6 +200,18 @@ TEST_F(WelcomeTest, FindsSamplesByTheirWordsAndWalksThemByArrows) {
     QTest::keyClick(page.focusWidget(), Qt::Key_Return);
     ASSERT_EQ(chosen.count(), 2);
     EXPECT_EQ(chosen[1][0].toString(), "/ao.interreflect");
+}
+
+TEST(NotesStrip, AHeadingKeepsItsSizeBehindLinks) {
+    NotesStrip strip;
+    strip.set_notes("# Look [the blur](parameter:blur) and [normal](buffer:normal)\n\nWords");
+    const auto* document = strip.findChild<QTextBrowser*>()->document();
+    std::set<int> sizes;
+    int pieces = 0;
+    for (auto it = document->firstBlock().begin(); !it.atEnd(); ++it, ++pieces)
+        sizes.insert(it.fragment().charFormat().property(QTextFormat::FontSizeAdjustment).toInt());
+    EXPECT_EQ(pieces, 4);
+    EXPECT_EQ(sizes, std::set{3});
 }
 
 TEST(NotesStrip, FoldsIntoOneLineAndTakesNoRoomWithoutNotes) {

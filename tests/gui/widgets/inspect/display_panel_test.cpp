@@ -160,14 +160,15 @@ TEST_F(DisplayPanelTest, SwitchesMarksAndStripes) {
     EXPECT_FALSE(find<QCheckBox>("hide-invalid")->isEnabled()) << "there is no mask";
 }
 
-TEST_F(DisplayPanelTest, HiddenPixelsDoNotCountNorDoGapsOfAnAtlas) {
+TEST_F(DisplayPanelTest, InvalidPixelsDoNotCountNorDoGapsOfAnAtlas) {
     auto picture = std::make_shared<Picture>();
     picture->image = grey_ramp();
     Image valid(100, 1, 1);
     for (int x = 0; x < 30; ++x) valid.at(x, 0) = 1;
     picture->valid = std::make_shared<const Image>(valid);
     panel.set_picture(picture);
-    EXPECT_EQ(panel.histogram().current()->finite, 100u);
+    EXPECT_EQ(panel.histogram().current()->finite, 30u) << "seen or not";
+    EXPECT_TRUE(panel.histogram().summary().endsWith("valid pixels: 30 of 100"));
     tick("hide-invalid");
     EXPECT_TRUE(last.hide_invalid);
     EXPECT_EQ(panel.histogram().current()->finite, 30u);

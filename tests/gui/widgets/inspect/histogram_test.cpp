@@ -57,6 +57,22 @@ TEST(Histogram, KeepsChannelsApart) {
     EXPECT_EQ(one.min, 1);
 }
 
+TEST(Histogram, AndStatisticsAreOfValidPixels) {
+    Image image(4, 2, 3, 1.0f), valid(4, 2, 1);
+    for (int x = 0; x < 3; ++x) valid.at(x, 0) = 1;
+    image.at(3, 1, 0) = 100;
+    const auto counted = histogram(image, -1, {}, {.valid = &valid, .semantic = Semantic::position});
+    const auto said = statistics(image, Semantic::position, {}, -1, &valid);
+    EXPECT_EQ(counted.max, 1);
+    EXPECT_EQ(said.max, 1);
+    EXPECT_EQ(said.mean, 1);
+    EXPECT_EQ(counted.finite, 9u);
+    EXPECT_EQ(counted.valid, 3u);
+    EXPECT_EQ(counted.pixels, 8u);
+    EXPECT_EQ(said.valid, 3u);
+    EXPECT_EQ(said.pixels, 8u);
+}
+
 /// The line under a picture says the same.
 TEST(Histogram, AgreesWithTheStatisticsOfThePicture) {
     Image image(9, 4, 4);

@@ -43,6 +43,28 @@ TEST_P(LineTest, AHintStandsThereUntilALineIsDrawn) {
     EXPECT_EQ(view.grab(corner).toImage(), drawn) << "what is there without a hint";
 }
 
+TEST(ToolHints, StandInOnePictureThatHasRoom) {
+    PaneBoard board(nullptr, ImageView::Surface::raster);
+    for (int i = 0; i < 3; ++i) board.pane(i).set_picture(make_picture(ramp(64, 48), Semantic::radiance));
+    board.arrange({{{0, 0}}, {{1, 0}}, {{2, 0}}}, {3, 1}, false);
+    board.set_tool(Tool::line);
+    const auto hinted = [&] {
+        std::vector<int> panes;
+        for (int i = 0; i < 3; ++i)
+            if (!board.pane(i).state().hint.isEmpty()) panes.push_back(i);
+        return panes;
+    };
+    show(board, {1200, 300});
+    EXPECT_EQ(hinted(), std::vector{0});
+    emit board.pane(2).cursor_moved({1, 1});
+    EXPECT_EQ(hinted(), std::vector{2}) << "under the cursor";
+    board.set_hinted(false);
+    EXPECT_EQ(hinted(), std::vector<int>{}) << "it is known";
+    board.set_hinted(true);
+    board.resize(560, 300);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return hinted().empty(); })) << "it would cover them";
+}
+
 TEST_P(LineTest, IsDrawnMovedAndTurnedByMouse) {
     QSignalSpy changed(&view, &ImageView::line_changed), picked(&view, &ImageView::picked_changed);
     QSignalSpy drawn(&view, &ImageView::shape_drawn), region(&view, &ImageView::region_changed);

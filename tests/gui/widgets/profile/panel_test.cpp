@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "tests/gui/widgets/metrics/pictures.h"
+#include "widgets/panels/value_strip.h"
 #include "widgets/plot/plot_view.h"
 #include "widgets/profile/profile_panel.h"
 
@@ -105,6 +106,19 @@ TEST_F(ProfilePanelTest, TheRectanglesNumbersAreThoseOfItsPixels) {
     EXPECT_EQ(cell(0, 1), "luminance");
 }
 
+TEST_F(ProfilePanelTest, NumbersAreReadBetweenTwoPlots) {
+    const QString name = "Ambient occlusion from layered depth maps · Accessibility";
+    set({.along = {{name, a}}, .within = {{name, a}}, .line = {0, 0, 31, 0}, .rectangle = {0, 0, 9, 9}});
+    const auto* table = find<QTableView>("numbers");
+    ASSERT_EQ(find<QSplitter>("parts")->orientation(), Qt::Horizontal);
+    EXPECT_TRUE(table->isColumnHidden(8)) << "nothing is skipped";
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        return table->columnViewportPosition(7) + table->columnWidth(7) <= table->viewport()->width();
+    })) << table->viewport()->width();
+    EXPECT_GE(table->columnWidth(0), 60);
+    EXPECT_GE(panel.profile().width(), 160);
+}
+
 TEST_F(ProfilePanelTest, PixelsWithoutAValueAreSkippedAndCounted) {
     auto picture = *a;
     auto image = ramp();
@@ -118,6 +132,10 @@ TEST_F(ProfilePanelTest, PixelsWithoutAValueAreSkippedAndCounted) {
     choose("R");
     EXPECT_EQ(cell(0, 7), QString::number(32 * 23 - 2));
     EXPECT_EQ(cell(0, 8), "34");
+    EXPECT_EQ(panel.histograms().data().title, "Valid pixels: 736 of 768");
+    ValueStrip strip;
+    strip.set_picture(image, Semantic::radiance, "A", {}, {}, picture.valid.get());
+    EXPECT_TRUE(strip.text().contains("valid pixels: 736 of 768")) << strip.text().toStdString();
     set({.within = {{"A", std::make_shared<Picture>(picture)}}, .rectangle = {0, 23, 32, 1}});
     EXPECT_EQ(cell(0, 2), QStringLiteral("–")) << "no pixel counts";
     EXPECT_TRUE(panel.histograms().data().series.empty());
