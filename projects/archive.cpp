@@ -3,13 +3,15 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <array>
+#include <cerrno>
 #include <fstream>
-#include <limits>
 #include <new>
 #include <vector>
 
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
 #include "renderers/core/limits.h"
 
 namespace ir::projects {
@@ -18,7 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t block_size = 1u << 20;  // bytes that are read or written at once
-constexpr int max_files = 1'000'000;
 
 /// What failed in the archive itself.
 void require(archive* archive, int status) {
@@ -46,6 +47,63 @@ bool is_plain_file(archive_entry* entry) {
     return archive_entry_filetype(entry) == AE_IFREG && !archive_entry_hardlink(entry);
 }
 
+/// The file of an archive, and how much may come out of it: as bytes of the archive, headers included, and as
+/// bytes of the files in it, which may have holes.
+class UnpackedFile {
+  public:
+    UnpackedFile(fs::path file, const CancelToken* cancel)
+        : file_(std::move(file)),
+          cancel_(cancel),
+          stream_(file_, std::ios::binary),
+          most_(max_expanded(fs::file_size(file_))) {
+        if (!stream_) throw InputError(file_.string(), "", "cannot be opened; check name and permissions");
+    }
+
+    /// A few bytes at once: a header without end is noticed between two calls. They may become 32768 times as
+    /// many.
+    static la_ssize_t read(archive* archive, void* self, const void** data) {
+        auto& file = *static_cast<UnpackedFile*>(self);
+        const bool is_cancelled = file.cancel_ && file.cancel_->is_cancelled();
+        if (is_cancelled || file.has_too_much(archive)) return ARCHIVE_FATAL;  // see check()
+        *data = file.block_.data();
+        file.stream_.read(file.block_.data(), std::streamsize(file.block_.size()));
+        if (!file.stream_.bad()) return static_cast<la_ssize_t>(file.stream_.gcount());
+        archive_set_error(archive, EIO, "the disk does not give it");
+        return ARCHIVE_FATAL;
+    }
+
+    /// Throws Cancelled, and InputError where the archive itself has become too long.
+    void check(archive* archive) const {
+        if (cancel_) cancel_->check();
+        if (has_too_much(archive)) refuse();
+    }
+    void require_room(la_int64_t bytes) const {
+        if (bytes > 0 && static_cast<std::uint64_t>(bytes) > most_ - taken_) refuse();
+    }
+    /// Of a file in it.
+    void take(archive* archive, la_ssize_t bytes) {
+        check(archive);
+        require_room(bytes);
+        taken_ += static_cast<std::uint64_t>(bytes);
+    }
+
+  private:
+    bool has_too_much(archive* archive) const {
+        const auto bytes = archive_filter_bytes(archive, 0);
+        return bytes > 0 && static_cast<std::uint64_t>(bytes) > most_;
+    }
+    [[noreturn]] void refuse() const {
+        throw InputError(file_.string(), "", "unpacks to far more than it has bytes; it is no project");
+    }
+
+    const fs::path file_;
+    const CancelToken* const cancel_;
+    std::ifstream stream_;
+    const std::uint64_t most_;
+    std::uint64_t taken_ = 0;
+    std::array<char, 1u << 14> block_;
+};
+
 }  // namespace
 
 ArchiveWriter::ArchiveWriter(std::ostream& out, const CancelToken* cancel)
@@ -57,6 +115,9 @@ ArchiveWriter::ArchiveWriter(std::ostream& out, const CancelToken* cancel)
 }
 
 void ArchiveWriter::header(const std::string& name, std::uint64_t size) {
+    if (++files_ > max_packed_files)
+        throw Error("cannot be packed: a packed project holds at most " + std::to_string(max_packed_files) +
+                    " files; remove old results by project --prune");
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
                                                                          archive_entry_free);
     archive_entry_set_pathname(entry.get(), name.c_str());
@@ -99,12 +160,13 @@ void ArchiveWriter::finish() {
 void read_archive(const fs::path& file,
                   const std::function<bool(const std::string&, const CopyContent&)>& read,
                   const CancelToken* cancel) {
-    if (!std::ifstream(file))
-        throw InputError(file.string(), "", "cannot be opened; check name and permissions");
+    require_regular_file(file);
+    UnpackedFile unpacked(file, cancel);
     const std::unique_ptr<archive, int (*)(archive*)> opened(archive_read_new(), archive_read_free);
     if (!opened) throw std::bad_alloc();
     auto* const archive = opened.get();
     const auto refuse_if = [&](bool is_damaged) {
+        unpacked.check(archive);
         if (is_damaged)
             throw InputError(file.string(), "byte " + std::to_string(archive_filter_bytes(archive, -1)),
                              "damaged or no packed project (" +
@@ -114,21 +176,14 @@ void read_archive(const fs::path& file,
     archive_read_support_filter_gzip(archive);
     archive_read_support_filter_xz(archive);
     archive_read_support_filter_zstd(archive);
-    refuse_if(archive_read_open_filename(archive, file.c_str(), block_size) != ARCHIVE_OK);
+    refuse_if(archive_read_open(archive, &unpacked, nullptr, UnpackedFile::read, nullptr) != ARCHIVE_OK);
+    if (archive_filter_count(archive) > 2)  // the file itself counts
+        throw InputError(file.string(), "", "is compressed more than once; it is no project");
     std::vector<char> buffer(block_size);
-    std::error_code error;
-    const auto length = fs::file_size(file, error);  // none of a pipe
-    auto left = error ? std::numeric_limits<std::uint64_t>::max() : max_expanded(length);
-    const auto require_left = [&](la_int64_t bytes) {
-        if (bytes > 0 && static_cast<std::uint64_t>(bytes) > left)
-            throw InputError(file.string(), "", "unpacks to far more than it has bytes; it is no project");
-    };
     const CopyContent copy = [&](std::ostream& out) {
         la_ssize_t count = 0;
         while (out && (count = archive_read_data(archive, buffer.data(), buffer.size())) > 0) {
-            if (cancel) cancel->check();
-            require_left(count);
-            left -= static_cast<std::uint64_t>(count);
+            unpacked.take(archive, count);
             out.write(buffer.data(), count);
         }
         refuse_if(count < 0);
@@ -138,14 +193,16 @@ void read_archive(const fs::path& file,
         const int status = archive_read_next_header(archive, &entry);
         if (status == ARCHIVE_EOF) return;
         refuse_if(status < ARCHIVE_WARN);
-        if (number == max_files)
-            throw InputError(file.string(), "", "holds more than a million files; it is no project");
+        if (number == max_packed_files)
+            throw InputError(
+                file.string(), "",
+                "holds more than " + std::to_string(max_packed_files) + " files; it is no project");
         const auto name = name_of(entry);
         if (archive_entry_filetype(entry) == AE_IFDIR) continue;  // files make their folders
         if (!is_plain_file(entry) || !stays_inside(name))
             throw InputError(file.string(), printable(name),
                              "is no plain file inside the archive; a packed project holds nothing else");
-        require_left(archive_entry_size(entry));
+        unpacked.require_room(archive_entry_size(entry));
         if (!read(name, copy)) return;
     }
 }

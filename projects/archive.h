@@ -13,6 +13,9 @@ struct archive;
 
 namespace ir::projects {
 
+/// That an archive may hold, folders included: what a project keeps is some files for each picture.
+inline constexpr int max_packed_files = 100'000;
+
 /// Writes an uncompressed tar archive of plain files. Equal contents give equal bytes: no dates, no owners.
 class ArchiveWriter {
   public:
@@ -28,6 +31,7 @@ class ArchiveWriter {
     void put(const char* data, std::size_t size);
     std::ostream& out_;
     const CancelToken* cancel_;
+    int files_ = 0;
     std::unique_ptr<archive, int (*)(archive*)> archive_;
 };
 
@@ -35,8 +39,8 @@ class ArchiveWriter {
 using CopyContent = std::function<void(std::ostream& out)>;
 
 /// Calls `read(name, copy)`, until it says false, for every plain file of a tar archive, also of one that
-/// gzip, xz or zstd made smaller. Throws InputError for what is no such archive, for links and for names that
-/// leave the archive's folder, and Cancelled.
+/// gzip, xz or zstd made smaller once. Throws InputError for what is no such archive, for what unpacks
+/// without end, for links and for names that leave the archive's folder, and Cancelled.
 void read_archive(const std::filesystem::path& file,
                   const std::function<bool(const std::string& name, const CopyContent& copy)>& read,
                   const CancelToken* cancel = nullptr);

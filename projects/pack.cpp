@@ -14,6 +14,7 @@
 #include "renderers/core/changed_shaders.h"
 #include "renderers/core/error.h"
 #include "renderers/core/named_files.h"
+#include "renderers/core/new_files.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::projects {
@@ -65,6 +66,36 @@ void withdraw_shaders(const fs::path& folder) {
     json["shaders_allowed"] = false;
     write_atomically(files, file, pretty_json(json));
 }
+
+/// Makes the folders of files in an archive.
+class NewFolders {
+  public:
+    NewFolders(fs::path packed, fs::path root) : packed_(std::move(packed)), root_(std::move(root)) {
+        real_file_system().create_directories(root_);
+    }
+    /// `inside`: relative to the root.
+    void make(const fs::path& inside) {
+        constexpr int max_depth = 64;
+        if (inside == last_) return;
+        auto folder = root_;
+        int depth = 0;
+        std::error_code ignored;
+        for (const auto& part : inside) {
+            const bool is_there = fs::exists(folder /= part, ignored);
+            made_ += !is_there;
+            if (++depth > max_depth || made_ > max_packed_files)
+                throw InputError(packed_.string(), printable(inside.string()),
+                                 "has more folders than a project; ask for another copy");
+            if (!is_there) real_file_system().create_directories(folder);
+        }
+        last_ = inside;
+    }
+
+  private:
+    const fs::path packed_, root_;
+    fs::path last_;
+    int made_ = 0;
+};
 
 class Packer {
   public:
@@ -185,6 +216,7 @@ std::vector<Message> pack_project(const fs::path& given, const fs::path& file, c
 
 fs::path unpack_project(const fs::path& file, const fs::path& parent, const CancelToken* cancel) {
     std::optional<fs::path> root, begun;
+    std::optional<NewFolders> folders;
     std::error_code ignored;
     auto& files = real_file_system();
     try {
@@ -199,13 +231,15 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
                     throw Error(top.string() + ": exists already; unpack elsewhere or rename it");
                 root = top;
                 begun = temporary_beside(files, top);
+                folders.emplace(file, *begun);
             }
             if (top != *root || path == *path.begin())
                 throw InputError(file.string(), printable(name), "is outside the project's folder");
             const auto inside = path.lexically_relative(*path.begin());
             if (is_left_out(inside.string())) return true;
-            files.create_directories((*begun / inside).parent_path());
-            write_atomically(files, *begun / inside, copy);
+            folders->make(inside.parent_path());
+            files.remove(*begun / inside);  // the later one of two counts
+            write_new_file(*begun / inside, copy);
             return true;
         };
         read_archive(file, extract, cancel);
@@ -214,6 +248,7 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
             throw InputError(file.string(), "", "holds no project.json; ask for another copy");
         require_whole(file, *begun);
         withdraw_shaders(*begun);
+        sync_disk_of(*begun);
         files.rename(*begun, *root);
         files.sync_directory(root->parent_path());
     } catch (...) {

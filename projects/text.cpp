@@ -2,19 +2,19 @@
 
 #include <ctime>
 
+#include "renderers/core/first_character.h"
+
 namespace ir::projects {
 
 std::string printable(std::string_view text, std::size_t longest) {
     std::string result;
-    for (const char c : text.substr(0, longest)) {
-        const auto byte = static_cast<unsigned char>(c);
-        result += byte < 0x20 || byte == 0x7f ? '?' : c;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto [bytes, is_control] = first_character(text.substr(at));
+        if (at + bytes > longest) return result + "…";
+        result += is_control ? "?" : text.substr(at, bytes);
+        at += bytes;
     }
-    if (text.size() <= longest) return result;
-    // Never leave half a UTF-8 character behind.
-    while (!result.empty() && (static_cast<unsigned char>(text[result.size()]) & 0xc0) == 0x80)
-        result.pop_back();
-    return result + "…";
+    return result;
 }
 
 std::string pointer_to(const std::string& parent, std::string_view key) {

@@ -17,6 +17,8 @@ std::mutex mutex;
 std::map<std::string, int> living;
 std::atomic<long> calls{0}, last_call{0}, of_later{0};
 std::atomic<bool> is_lost{false}, was_lost{false};
+std::atomic<long> storages{0}, refused_storage{0};
+std::atomic<bool> has_no_memory{false}, was_refused{false};
 
 /// Whether the call still reaches the driver. What lived in a context goes with it.
 bool reaches_driver() {
@@ -26,6 +28,13 @@ bool reaches_driver() {
         living.clear();
     }
     return !is_lost;
+}
+
+/// Whether the driver says that it has no memory for a buffer or an image.
+bool is_refused() {
+    if (++storages != refused_storage) return false;
+    has_no_memory = was_refused = true;
+    return true;
 }
 
 /// Objects that a function makes or deletes: by the number and the names at the end, or one.
@@ -72,9 +81,14 @@ template <class Result, class... Values, int id>
 struct Watched<Result (*)(Values...), id> {
     static inline Result (*real)(Values...) = nullptr;
     static inline std::string_view name;
+    static inline bool is_storage = false, is_error = false;
     static Result call(Values... values) {
         if (!reaches_driver()) return answer_of_lost<Result>(name);
         note(name, values...);
+        if constexpr (std::is_void_v<Result>)
+            if (is_storage && is_refused()) return;
+        if constexpr (std::is_same_v<Result, GLenum>)
+            if (is_error && has_no_memory.exchange(false)) return GL_OUT_OF_MEMORY;
         return real(values...);
     }
 };
@@ -85,6 +99,8 @@ template <class Function, int id>
 Address watched(const char* name, Address real) {
     using Of = Watched<Function, id>;
     Of::name = name;
+    Of::is_storage = Of::name == "glNamedBufferStorage" || Of::name.starts_with("glTextureStorage");
+    Of::is_error = Of::name == "glGetError";
     Of::real = reinterpret_cast<Function>(real);
     return reinterpret_cast<Address>(&Of::call);
 }
@@ -119,6 +135,19 @@ void lose_context_at(long call, long later) {
 
 bool was_context_lost() {
     return was_lost;
+}
+
+long gl_storages() {
+    return storages;
+}
+
+void refuse_storage_at(long storage) {
+    refused_storage = storage > 0 ? storages + storage : 0;
+    has_no_memory = was_refused = false;
+}
+
+bool was_storage_refused() {
+    return was_refused;
 }
 
 }  // namespace ir::test

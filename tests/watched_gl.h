@@ -19,4 +19,12 @@ long gl_calls();
 void lose_context_at(long call, long later = 0);
 bool was_context_lost();  ///< since the last call of lose_context_at()
 
+/// Buffers and images that got memory.
+long gl_storages();
+
+/// The `storage`-th of them from now on, counted from 1, gets none: OpenGL says that it is out of memory. 0:
+/// all get it.
+void refuse_storage_at(long storage);
+bool was_storage_refused();  ///< since the last call of refuse_storage_at()
+
 }  // namespace ir::test

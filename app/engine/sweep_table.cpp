@@ -10,6 +10,7 @@
 #include "projects/hash.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
+#include "renderers/core/named_files.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::engine {
@@ -87,6 +88,13 @@ bool is_list(const fs::path& file) {
 
 bool same_sweep(const SweepTable& a, const SweepTable& b) {
     return a.sweep == b.sweep && a.experiment == b.experiment;
+}
+
+/// A file that a list in `folder` names, or nothing. Lists of shards are merged beside their folders.
+fs::path reachable(const fs::path& file, const fs::path& folder) {
+    const auto here = folder.empty() ? fs::path(".") : folder;
+    const bool is_beside = lies_within(file, here) || lies_within(file, here / "..");
+    return is_beside || are_outside_files_allowed() ? file : fs::path();
 }
 
 /// A shard, or a whole sweep.
@@ -171,12 +179,13 @@ std::string table_name(const Shard& shard) {
 
 fs::path picture_of(const SweepRow& row, const fs::path& folder) {
     const fs::path image = row.image;
-    return image.is_relative() && image.extension() == ".exr" ? folder / image : fs::path();
+    return image.is_relative() && image.extension() == ".exr" ? reachable(folder / image, folder)
+                                                              : fs::path();
 }
 
 fs::path reference_of(const SweepRow& row, const fs::path& folder) {
     if (row.reference.empty() || fs::path(row.reference).has_parent_path()) return {};
-    return folder / references_folder / (row.reference + ".exr");
+    return reachable(folder / references_folder / (row.reference + ".exr"), folder);
 }
 
 std::string sweep_plan(const std::vector<SweepRow>& rows) {

@@ -101,14 +101,19 @@ void Exports::save_all_buffers(const QString& file) const {
     renderer_.export_layers({owner, file.toStdString(), {"*"}});
 }
 
-void write_picture(const QString& file, const QImage& picture) {
+QByteArray encoded(const QImage& picture, const QString& file) {
     const auto suffix = QFileInfo(file).suffix().toLatin1();
-    QByteArray encoded;
-    QBuffer buffer(&encoded);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (!picture.save(&buffer, suffix.isEmpty() ? "PNG" : suffix.constData()))
         throw Error(file.toStdString() + ": pictures cannot be written so; give a name that ends with .png");
-    write_file(file.toStdString(), {encoded.constData(), std::size_t(encoded.size())});
+    return bytes;
+}
+
+void write_picture(const QString& file, const QImage& picture) {
+    const auto bytes = encoded(picture, file);
+    write_file(file.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
 }
 
 }  // namespace ir::gui

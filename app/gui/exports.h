@@ -45,5 +45,7 @@ void write_csv(std::ostream& out, const widgets::Picture& picture);
 /// In the format that the name ends with; PNG where it ends with none. Throws Error, also where not all of it
 /// could be stored: what stood there before stays.
 void write_picture(const QString& file, const QImage& picture);
+/// The bytes of such a file, in the format that the name's ending says. Throws Error.
+QByteArray encoded(const QImage& picture, const QString& file);
 
 }  // namespace ir::gui

@@ -15,6 +15,8 @@
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
+#include "renderers/core/named_files.h"
 
 namespace ir::gui {
 namespace {
@@ -232,11 +234,18 @@ void FileController::save_thumbnail() {
     if (shown && !shown->draft.isEmpty()) return;
     const QImage picture = picture_of(workspace_.active_pane());
     if (picture.isNull()) return;
-    const QString file = thumbnail_file(QString::fromStdString(session_.open_project().folder().string()));
-    QDir().mkpath(QFileInfo(file).path());
+    const auto folder = session_.open_project().folder();
+    const auto name = thumbnail_file(QString::fromStdString(folder.string()));
     try {
-        const QImage small = picture.scaledToWidth(thumbnail_width, Qt::SmoothTransformation);
-        patient_files().wait_for([&] { write_picture(file, small); });
+        const auto bytes =
+            encoded(picture.scaled(largest_thumbnail, Qt::KeepAspectRatio, Qt::SmoothTransformation), name);
+        patient_files().wait_for([&] {
+            const std::filesystem::path file = name.toStdString();
+            if (!lies_within(file.parent_path(), folder)) return;  // somebody else's link
+            auto& files = real_file_system();
+            files.create_directories(file.parent_path());
+            write_atomically(files, file, {bytes.constData(), std::size_t(bytes.size())});
+        });
     } catch (const Error&) {
         // Nothing of value is lost with it.
     }

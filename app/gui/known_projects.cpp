@@ -1,8 +1,10 @@
 #include "app/gui/known_projects.h"
 
+#include <QBuffer>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QImageReader>
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
@@ -15,7 +17,10 @@
 #include "projects/store.h"
 #include "projects/unsaved.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
+#include "renderers/core/named_files.h"
 #include "renderers/core/resources_path.h"
+#include "renderers/image/codecs/jpeg.h"
 
 namespace ir::gui {
 namespace {
@@ -28,13 +33,37 @@ QString key() {
 
 /// Name and notes of a project without opening it: nothing of it is checked or locked.
 projects::Json peek(const QString& path) {
-    QFile file(path + QStringLiteral("/project.json"));
-    if (!file.open(QIODevice::ReadOnly)) return {};
+    const auto file = path.toStdString() + "/project.json";
     try {
-        return projects::parse_json(file.readAll().toStdString(), file.fileName().toStdString());
+        return projects::parse_json(real_file_system().read(file, projects::JsonLimits{}.bytes), file);
     } catch (const std::exception&) {
         return {};  // opening it will say what is wrong
     }
+}
+
+/// Texts of a PNG become 1032 times as long at most, and so stay below the limit of pictures.
+constexpr std::size_t max_small_bytes = 512 << 10;
+constexpr int max_small_side = 1024;
+
+/// By Qt and not by the module for pictures, which takes a third of a second to load. Null: see
+/// thumbnail_of().
+QImage small_picture(const QString& name, const QString& project, const char* format) {
+    std::string bytes;
+    try {
+        const std::filesystem::path file = name.toStdString();
+        if (!lies_within(file, project.toStdString())) return {};
+        bytes = real_file_system().read(file, max_small_bytes);
+    } catch (const Error&) {
+        return {};
+    }
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    const auto outline = jpeg_outline({data, bytes.size()});
+    if (outline && !outline->fault().empty()) return {};
+    auto wrapped = QByteArray::fromRawData(bytes.data(), qsizetype(bytes.size()));
+    QBuffer buffer(&wrapped);
+    QImageReader reader(&buffer, format);
+    const auto size = reader.size();
+    return size.width() <= max_small_side && size.height() <= max_small_side ? reader.read() : QImage();
 }
 
 QStringList saved_paths() {
@@ -78,8 +107,9 @@ QString thumbnail_file(const QString& project) {
 }
 
 QImage thumbnail_of(const QString& project) {
-    const QImage saved(thumbnail_file(project));
-    return saved.isNull() ? QImage(project + QStringLiteral("/thumbnails/card.jpg")) : saved;
+    const auto saved = small_picture(thumbnail_file(project), project, "PNG");
+    return saved.isNull() ? small_picture(project + QStringLiteral("/thumbnails/card.jpg"), project, "JPEG")
+                          : saved;
 }
 
 QStringList RecentProjects::paths() const {

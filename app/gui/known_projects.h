@@ -52,8 +52,9 @@ class Samples {
 
 /// Where a project keeps the picture that stands for it.
 QString thumbnail_file(const QString& project);
-/// That picture; else the one that a sample came with. Null where there is neither.
+/// That picture; else the one that a sample came with. Null where there is neither, and for what leads out of
+/// the project, is no regular file, or is larger than such pictures are.
 QImage thumbnail_of(const QString& project);
-inline constexpr int thumbnail_width = 256;
+inline constexpr QSize largest_thumbnail{256, 512};
 
 }  // namespace ir::gui

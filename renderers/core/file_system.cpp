@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "renderers/core/error.h"
+#include "renderers/core/new_files.h"
 #include "renderers/core/output_buffer.h"
 
 namespace ir {
@@ -54,6 +55,25 @@ int create_like(const fs::path& target, const fs::path& file) {
     return descriptor;
 }
 
+/// FileSystem::write(); if not `is_synced`, some may be on its way to the disk.
+void create(const fs::path& temporary, const fs::path& target, const Fill& fill, bool is_synced) {
+    const int descriptor = create_like(target, temporary);
+    if (descriptor < 0) fail(target, "be written", errno);
+    OutputBuffer buffer(descriptor);
+    std::ostream out(&buffer);
+    try {
+        fill(out);
+    } catch (const std::exception&) {
+        if (buffer.error() == 0) throw;  // otherwise that is the cause
+    }
+    buffer.close(is_synced);
+    if (buffer.error() != 0) fail(target, "be written", buffer.error());
+    // Some file systems lose bytes and say nothing.
+    std::error_code error;
+    const auto length = fs::file_size(temporary, error);
+    if (error || length != buffer.length() || out.fail()) fail(target, "be written", EIO);
+}
+
 /// What was removed while somebody had it open: network file systems give it such a name until then.
 bool is_kept_by_nfs(const fs::path& file) {
     return file.filename().string().starts_with(".nfs");
@@ -74,21 +94,7 @@ class RealFileSystem final : public FileSystem {
     }
 
     void write(const fs::path& temporary, const fs::path& target, const Fill& fill) override {
-        const int descriptor = create_like(target, temporary);
-        if (descriptor < 0) fail(target, "be written", errno);
-        OutputBuffer buffer(descriptor);
-        std::ostream out(&buffer);
-        try {
-            fill(out);
-        } catch (const std::exception&) {
-            if (buffer.error() == 0) throw;  // otherwise that is the cause
-        }
-        buffer.close();
-        if (buffer.error() != 0) fail(target, "be written", buffer.error());
-        // Some file systems lose bytes and say nothing.
-        std::error_code error;
-        const auto length = fs::file_size(temporary, error);
-        if (error || length != buffer.length() || out.fail()) fail(target, "be written", EIO);
+        create(temporary, target, fill, true);
     }
 
     void sync_directory(const fs::path& folder) override {
@@ -236,6 +242,16 @@ void write_atomically(FileSystem& files, const fs::path& file, const Fill& fill)
 
 void write_atomically(FileSystem& files, const fs::path& file, std::string_view bytes) {
     write_atomically(files, file, fill_with(bytes));
+}
+
+void write_new_file(const fs::path& file, const Fill& fill) {
+    create(file, file, fill, false);
+}
+
+void sync_disk_of(const fs::path& folder) {
+    const Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
+    if (!descriptor.is_open()) fail(folder, "open", errno);
+    if (::syncfs(descriptor.get()) != 0) fail(folder, "be written", errno);
 }
 
 void remove_left_overs(const fs::path& folder, bool and_below) {

@@ -1,12 +1,15 @@
 #include "renderers/core/markup.h"
 
+#include "renderers/core/first_character.h"
+
 namespace ir {
 
 std::string escaped(std::string_view text) {
     std::string result;
     result.reserve(text.size());
-    for (const char c : text) {
-        switch (c) {
+    for (std::size_t at = 0; at < text.size();) {
+        const auto [bytes, is_control] = first_character(text.substr(at));
+        switch (const char c = text[at]) {
             case '&':
                 result += "&amp;";
                 break;
@@ -27,11 +30,9 @@ std::string escaped(std::string_view text) {
                 result += c;
                 break;
             default:
-                if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-                    result += "\uFFFD";
-                else
-                    result += c;
+                result += is_control ? "\uFFFD" : text.substr(at, bytes);
         }
+        at += bytes;
     }
     return result;
 }

@@ -45,9 +45,9 @@ OutputBuffer::~OutputBuffer() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void OutputBuffer::close() {
+void OutputBuffer::close(bool is_synced) {
     sync();
-    if (error_ == 0 && ::fsync(descriptor_) != 0) error_ = errno;
+    if (is_synced && error_ == 0 && ::fsync(descriptor_) != 0) error_ = errno;
     // Interrupted, it is closed all the same.
     if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR && error_ == 0) error_ = errno;
 }

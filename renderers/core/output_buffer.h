@@ -26,8 +26,8 @@ class OutputBuffer final : public std::streambuf {
 
     int error() const { return error_; }              ///< errno of the first failure, or 0
     std::uint64_t length() const { return length_; }  ///< of all that was written so far
-    /// Everything is on the disk afterwards, or there is an error().
-    void close();
+    /// Everything is on the disk afterwards, or there is an error(); if not `is_synced`, some is on its way.
+    void close(bool is_synced = true);
 
   protected:
     int_type overflow(int_type character) override;

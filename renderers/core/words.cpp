@@ -1,6 +1,8 @@
 #include "renderers/core/words.h"
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
 
 namespace ir {
 namespace {
@@ -22,6 +24,20 @@ std::size_t typing_errors(const std::string& a, const std::string& b) {
     return d[a.size()][b.size()];
 }
 
+bool is_number(const std::string& text) {
+    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const char* const end = text.data() + text.size();
+    double value = 0;
+    const auto parsed = std::from_chars(begin, end, value);
+    return parsed.ec == std::errc{} && parsed.ptr == end;
+}
+
+/// What programs for tables take for a formula.
+bool is_formula(const std::string& text) {
+    return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+           !is_number(text);
+}
+
 }  // namespace
 
 std::string listed(const std::vector<std::string>& words) {
@@ -41,7 +57,9 @@ std::string trimmed(const std::string& line) {
     return line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
 }
 
-std::string csv_field(const std::string& text) {
+/// Where programs for tables would compute a text that comes from anybody, it gets an apostrophe in front.
+std::string csv_field(const std::string& given) {
+    const auto text = is_formula(given) ? "'" + given : given;
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -190,8 +190,8 @@ std::string region_csv(const RegionNumbers& numbers) {
     const auto text = [](double value) { return std::isnan(value) ? "" : shortest_text(value); };
     std::string csv = "picture,channel,pixels,skipped,min,max,mean,deviation,median\n";
     for (const auto& row : numbers.rows)
-        csv += csv_field(row.picture) + "," + row.channel + "," + std::to_string(row.pixels) + "," +
-               std::to_string(row.skipped) + "," + text(row.min) + "," + text(row.max) + "," +
+        csv += csv_field(row.picture) + "," + csv_field(row.channel) + "," + std::to_string(row.pixels) +
+               "," + std::to_string(row.skipped) + "," + text(row.min) + "," + text(row.max) + "," +
                text(row.mean) + "," + text(row.deviation) + "," + text(row.median) + "\n";
     return csv;
 }

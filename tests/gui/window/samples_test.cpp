@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -162,6 +164,77 @@ TEST_F(WindowTest, ARecentProjectIsFoundFromAnotherFolder) {
     EXPECT_FALSE(recent->missing);
     other.session().files().close();
     QSettings().remove("recent");
+}
+
+void write_bytes(const QString& name, const QByteArray& bytes) {
+    QFile file(name);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+TEST_F(WindowTest, SavingFollowsNoLinksOfAProject) {
+    const QTemporaryDir folder;
+    const auto project = folder.path() + "/p.interreflect", precious = folder.path() + "/precious";
+    const auto view = thumbnail_file(project);
+    open_scene();
+    window.session().files().save_as(project.toStdString());
+    trigger("save");
+    ASSERT_TRUE(QFile::remove(view));
+    write_bytes(precious, "precious");
+    ASSERT_TRUE(QFile::link(precious, view));
+    type_level("0.75");
+    trigger("save");
+    EXPECT_FALSE(QFileInfo(view).isSymLink());
+    EXPECT_FALSE(thumbnail_of(project).isNull());
+    QFile kept(precious);
+    ASSERT_TRUE(kept.open(QIODevice::ReadOnly));
+    EXPECT_EQ(kept.readAll(), "precious");
+
+    ASSERT_TRUE(QDir(project + "/thumbnails").removeRecursively());
+    QDir(folder.path()).mkdir("elsewhere");
+    ASSERT_TRUE(QFile::link(folder.path() + "/elsewhere", project + "/thumbnails"));
+    type_level("0.5");
+    trigger("save");
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_TRUE(QDir(folder.path() + "/elsewhere").isEmpty());
+}
+
+TEST(Thumbnails, AreSmallPicturesInTheirProject) {
+    const QTemporaryDir folder;
+    const auto project = folder.path() + "/p.interreflect", view = thumbnail_file(project);
+    const auto card = project + "/thumbnails/card.jpg", elsewhere = folder.path() + "/elsewhere.png";
+    QDir(project).mkpath("thumbnails");
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    const auto is_there = [&] { return !thumbnail_of(project).isNull(); };
+    ASSERT_TRUE(picture.save(view));
+    EXPECT_TRUE(is_there());
+    ASSERT_TRUE(QFile::rename(view, elsewhere));
+    EXPECT_FALSE(is_there());
+    for (const auto& target : {elsewhere, QStringLiteral("/dev/zero"), QStringLiteral("/dev/tty")}) {
+        ASSERT_TRUE(QFile::link(target, view));
+        EXPECT_FALSE(is_there()) << target.toStdString();
+        QFile::remove(view);
+    }
+    ASSERT_EQ(::mkfifo(view.toLocal8Bit().constData(), 0600), 0);
+    EXPECT_FALSE(is_there());
+    ASSERT_TRUE(picture.save(card));
+    EXPECT_TRUE(is_there()) << "the one that a sample came with";
+    QFile::remove(card);
+    ASSERT_EQ(::mkfifo(card.toLocal8Bit().constData(), 0600), 0);
+    EXPECT_FALSE(is_there());
+    QFile::remove(view);
+    ASSERT_TRUE(picture.scaled(2000, 1).save(view));
+    EXPECT_FALSE(is_there()) << "larger than such pictures are";
+}
+
+TEST(RecentProjects, ArePeekedAtWithoutWaiting) {
+    const QTemporaryDir folder;
+    ASSERT_EQ(::mkfifo((folder.path() + "/project.json").toLocal8Bit().constData(), 0600), 0);
+    QSettings().setValue("recent", QStringList{folder.path()});
+    const auto all = RecentProjects(true).all();
+    QSettings().remove("recent");
+    EXPECT_TRUE(std::ranges::any_of(all, [&](const auto& each) { return each.path == folder.path(); }));
 }
 
 TEST(DialogFolder, NamesOfExportsAreClean) {

@@ -26,7 +26,8 @@ TEST(Markup, ElementsAreClosedInOrder) {
 
 TEST(Markup, ControlCharactersAreReplaced) {
     EXPECT_EQ(escaped(std::string("a\0b\x1b[1m", 7)), "a\uFFFDb\uFFFD[1m");
-    EXPECT_EQ(escaped("Grüße – ∞"), "Grüße – ∞");
+    EXPECT_EQ(escaped("a\u009b31m\u202egnp.\u2066exe\u2028"), "a\uFFFD31m\uFFFDgnp.\uFFFDexe\uFFFD");
+    EXPECT_EQ(escaped("Grüße – ∞ 日本 🙂\t\n"), "Grüße – ∞ 日本 🙂\t\n");
 }
 
 }  // namespace

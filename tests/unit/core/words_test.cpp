@@ -39,5 +39,14 @@ TEST(KnownAre, EndsAMessage) {
     EXPECT_EQ(known_are("seed", {}), "; there are none");
 }
 
+TEST(CsvField, ProgramsForTablesComputeNoTextOfOthers) {
+    for (const char* text : {"=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\tx", "-", "+1 m"})
+        EXPECT_EQ(csv_field(text), "'" + std::string(text));
+    EXPECT_EQ(csv_field("=a,\"b\""), "\"'=a,\"\"b\"\"\"");
+    EXPECT_EQ(csv_field("\r=x"), "\"'\r=x\"");
+    for (const char* text : {"", "-1", "-1.5e-07", "+3", "-inf", "nan", "a=b", "1-2", "'=", "— 5"})
+        EXPECT_EQ(csv_field(text), text);
+}
+
 }  // namespace
 }  // namespace ir

@@ -15,6 +15,7 @@ class LostContext : public RenderThreadTest {
     LostContext() { processor = Processor::gl; }
     void TearDown() override {
         test::lose_context_at(0);
+        test::refuse_storage_at(0);
         RenderThreadTest::TearDown();
     }
 
@@ -92,6 +93,38 @@ TEST_F(LostContext, NothingOfOpenGlIsLeftWhenTheThreadEnds) {
     thread->release("ldm-ao");
     thread.reset();
     for (const auto& [kind, count] : test::living_gl_objects()) ADD_FAILURE() << count << " " << kind;
+}
+
+TEST_F(LostContext, NoMemoryOfTheDeviceIsALineAndTheNextPictureIsWhole) {
+    for (const char* method : {"ldm-ao", "photon-mapping"}) {
+        const auto afresh = [&] {
+            thread->release("a");
+            forget();
+            return thread->request(picture(method, 1));
+        };
+        const auto expected = finished(afresh()).images.at(Part{}).pixels;
+        const long before = test::gl_storages();
+        EXPECT_EQ(finished(afresh()).images.at(Part{}).pixels, expected);
+        const long storages = test::gl_storages() - before;
+        ASSERT_GT(storages, 3);
+        for (long i = 1; i <= storages; ++i) {
+            test::refuse_storage_at(i);
+            afresh();
+            ASSERT_TRUE(wait([](const Answers& a) { return !a.failures.empty() || !a.results.empty(); }));
+            EXPECT_TRUE(test::was_storage_refused());
+            const auto failures = answers().failures;
+            ASSERT_EQ(failures.size(), 1u) << method << ": " << i << " of " << storages;
+            const auto& line = failures.front().error;
+            EXPECT_NE(line.find("MiB, which the device does not have; lower --memory"), std::string::npos)
+                << line;
+            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+            test::refuse_storage_at(0);
+            forget();
+            EXPECT_EQ(finished(thread->request(picture(method, 1))).images.at(Part{}).pixels, expected);
+            if (HasFailure()) FAIL() << method << ": refused at " << i << " of " << storages;
+        }
+        RecordProperty(std::string("storages of ") + method, int(storages));
+    }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/engine/sweep_plot.h"
 #include "projects/document_json.h"
 #include "renderers/core/error.h"
+#include "tests/own_folder.h"
 
 namespace ir::engine {
 namespace {
@@ -132,6 +133,35 @@ TEST(SweepRow, NamesNoFilesThatASweepDoesNotWrite) {
         row.reference = key;
         EXPECT_TRUE(reference_of(row, "out").empty()) << key;
     }
+}
+
+TEST(SweepRow, ReachesNothingBeyondTheFoldersBesideItsList) {
+    const auto root = own_folder("sweep-row");
+    fs::remove_all(root);
+    const auto folder = root / "p.interreflect/results/sweeps/sw";
+    fs::create_directories(folder / "references");
+    std::ofstream(root / "secret.exr") << "secret";
+    SweepRow row;
+    row.reference = "key";
+    for (const char* image : {"../../../../secret.exr", "../../secret.exr", "x/../../../secret.exr"}) {
+        row.image = image;
+        EXPECT_TRUE(picture_of(row, folder).empty()) << image;
+    }
+    for (const char* image : {"a.exr", "b/a.exr", "../part/a.exr", "x/../a.exr"}) {
+        row.image = image;
+        EXPECT_EQ(picture_of(row, folder), folder / image);
+    }
+    row.image = "sweep.exr";
+    EXPECT_EQ(picture_of(row, ""), fs::path("sweep.exr"));
+    fs::create_symlink(root / "secret.exr", folder / "link.exr");
+    fs::create_symlink(root, folder / "out");
+    for (const char* image : {"link.exr", "out/secret.exr"}) {
+        row.image = image;
+        EXPECT_TRUE(picture_of(row, folder).empty()) << image;
+    }
+    fs::create_symlink(root / "secret.exr", folder / "references/key.exr");
+    EXPECT_TRUE(reference_of(row, folder).empty());
+    fs::remove_all(root);
 }
 
 TEST_F(SweepJobTest, PlotsHaveEachRowOnceAndMeansWhereAxesAreLeftOut) {

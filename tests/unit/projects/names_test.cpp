@@ -4,6 +4,7 @@
 
 #include "projects/document_json.h"
 #include "projects/match.h"
+#include "projects/text.h"
 #include "projects/undo_stack.h"
 #include "renderers/core/transport.h"
 #include "tests/unit/projects/sample.h"
@@ -163,6 +164,28 @@ TEST_F(Names, OfComparisonsFollow) {
     EXPECT_EQ(project.comparisons[1].name, own.name);
     stack.undo(project);
     EXPECT_EQ(project.comparisons[0], made);
+}
+
+TEST(Printable, NothingReachesATerminalThatItObeys) {
+    EXPECT_EQ(printable(std::string("a\0\x1b[1m\x7f", 7)), "a??[1m?");
+    EXPECT_EQ(printable("\u009b31mC1\u0085\u202egnp.exe\u202c \u2066x\u2069\u2029"), "?31mC1??gnp.exe? ?x??");
+    EXPECT_EQ(printable("Grüße – ∞ 日本 🙂\u00a0"), "Grüße – ∞ 日本 🙂\u00a0");
+    // Bytes of no character: old terminals take some for controls.
+    EXPECT_EQ(printable("\x9b"
+                        "1m"),
+              "?1m");
+    EXPECT_EQ(printable("\xc2"), "\xc2");
+    EXPECT_EQ(printable("\xe0\x80\x9b"), "\xe0??");
+    EXPECT_EQ(printable("\xe2\x80"), "\xe2?");
+}
+
+TEST(Printable, CutsBetweenCharacters) {
+    EXPECT_EQ(printable("aé", 3), "aé");
+    EXPECT_EQ(printable("aéb", 3), "aé…");
+    EXPECT_EQ(printable("aé", 2), "a…");
+    EXPECT_EQ(printable("\u009b\u009bx", 4), "??…");
+    EXPECT_EQ(printable("x", 0), "…");
+    EXPECT_EQ(printable("", 0), "");
 }
 
 }  // namespace

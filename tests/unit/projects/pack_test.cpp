@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include "projects/archive.h"
 #include "projects/hash.h"
@@ -239,6 +243,118 @@ TEST(Pack, NamesCannotLeaveTheProject) {
         EXPECT_TRUE(fs::is_empty(there.path() / "inside")) << name;
         EXPECT_FALSE(fs::exists(there.path() / "evil"));
     }
+}
+
+/// A header as tar archives have it: its name, the length of what follows, and its type.
+std::string tar_header(const std::string& name, std::size_t size, char type) {
+    std::string block(512, '\0');
+    const auto put = [&](std::size_t at, const std::string& text) { block.replace(at, text.size(), text); };
+    put(0, name);
+    put(100, "0000644");
+    char octal[12];
+    std::snprintf(octal, sizeof octal, "%011zo", size);
+    put(124, octal);
+    put(136, "00000000000");
+    put(148, "        ");
+    block[156] = type;
+    put(257, type == 'S' ? "ustar  " : std::string("ustar\00000", 8));
+    if (type == 'S') block[482] = 1;  // more of the header follows
+    unsigned sum = 0;
+    for (const char c : block) sum += static_cast<unsigned char>(c);
+    std::snprintf(octal, sizeof octal, "%06o", sum);
+    put(148, octal);
+    block[154] = '\0';
+    return block;
+}
+
+std::string in_blocks(std::string text) {
+    text.resize((text.size() + 511) / 512 * 512);
+    return text;
+}
+
+/// What unpacking an archive of a small project says, then `count` times `more`; by another program, if one
+/// is given. Empty: nothing.
+std::string refusal_of_more(const std::string& more, int count, const std::string& program = "cat") {
+    TemporaryFolder here, there;
+    const auto archive = (here.path() / "bad.tar").string();
+    auto* out = ::popen((program + " > " + archive).c_str(), "w");
+    EXPECT_TRUE(out);
+    const auto document = document_with("files/a.gltf");
+    const auto first = tar_header("a.interreflect/project.json", document.size(), '0') + in_blocks(document);
+    std::fwrite(first.data(), 1, first.size(), out);
+    for (int i = 0; i < count; ++i) std::fwrite(more.data(), 1, more.size(), out);
+    EXPECT_EQ(::pclose(out), 0);
+    try {
+        unpack_project(archive, there.path());
+        return "";
+    } catch (const InputError& error) {
+        EXPECT_TRUE(fs::is_empty(there.path()));
+        return error.what();
+    }
+}
+
+TEST(Pack, HeadersCountInTheLimit) {
+    // An attribute that means nothing.
+    std::string record = "1000000 comment=";
+    record.resize(999'999, 'x');
+    record += '\n';
+    const auto folder = tar_header("a.interreflect/d/", 0, '5');
+    const auto bulky = tar_header("x", record.size(), 'x') + in_blocks(record) + folder;
+    EXPECT_EQ(refusal_of_more(bulky, 2), "");
+    const std::string too_much = "unpacks to far more than it has bytes";
+    EXPECT_NE(refusal_of_more(bulky, 560, "gzip -1").find(too_much), std::string::npos);
+    // One header without end: the list of a file's holes.
+    std::string holes(512, '\0');
+    holes[504] = 1;
+    std::string million;
+    for (int i = 0; i < 2000; ++i) million += holes;
+    const auto begin = tar_header("a.interreflect/holes", 0, 'S');
+    EXPECT_NE(refusal_of_more(begin + million, 560, "gzip -1").find(too_much), std::string::npos);
+}
+
+TEST(Pack, ArchivesInArchivesAreRefused) {
+    EXPECT_EQ(refusal_of_more("", 0, "gzip"), "");
+    EXPECT_NE(refusal_of_more("", 0, "gzip | gzip").find("is compressed more than once"), std::string::npos);
+}
+
+TEST(Pack, MoreFilesAndFoldersThanAProjectHasAreRefused) {
+    const auto folder = tar_header("a.interreflect/d/", 0, '5');
+    EXPECT_EQ(refusal_of_more(folder, 1000), "");
+    EXPECT_NE(refusal_of_more(folder, max_packed_files).find("holds more than 100000 files"),
+              std::string::npos);
+    std::string deep = "a.interreflect/";
+    for (int i = 0; i < 40; ++i) deep += "d/";
+    EXPECT_EQ(refusal_of_more(tar_header(deep + "f", 0, '0'), 1), "");
+    std::string record = " path=a.interreflect/";
+    for (int i = 0; i < 100; ++i) record += "d/";
+    record += "f\n";
+    record = std::to_string(record.size() + 3) + record;
+    const auto deeper = tar_header("x", record.size(), 'x') + in_blocks(record) + tar_header("f", 0, '0');
+    EXPECT_NE(refusal_of_more(deeper, 1).find("has more folders than a project"), std::string::npos);
+    std::ostringstream out;
+    ArchiveWriter writer(out);
+    for (int i = 0; i < max_packed_files; ++i) writer.add_text("a", "");
+    EXPECT_THROW(writer.add_text("a", ""), Error) << "nobody could unpack it";
+}
+
+TEST(Pack, PipesAreNotWaitedFor) {
+    TemporaryFolder here, there;
+    const auto pipe = here.path() / "a.tar";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(unpack_project(pipe, there.path()), InputError);
+}
+
+TEST(Pack, UnpackingOfFilesWithoutContentIsCancelled) {
+    TemporaryFolder here, there;
+    std::ofstream stream(here.path() / "a.tar", std::ios::binary);
+    ArchiveWriter writer(stream);
+    for (int i = 0; i < 10; ++i) writer.add_text("a.interreflect/" + std::to_string(i), "");
+    writer.finish();
+    stream.close();
+    CancelToken cancel;
+    cancel.cancel();
+    EXPECT_THROW(unpack_project(here.path() / "a.tar", there.path(), &cancel), Cancelled);
+    EXPECT_TRUE(fs::is_empty(there.path()));
 }
 
 }  // namespace
