@@ -1,8 +1,9 @@
 #include "widgets/image/tool_hint.h"
 
 namespace ir::widgets {
+namespace {
 
-QString tool_hint(ImageView::Tool tool) {
+QString hint_of(ImageView::Tool tool) {
     using Tool = ImageView::Tool;
     switch (tool) {
         case Tool::orbit:
@@ -20,12 +21,14 @@ QString tool_hint(ImageView::Tool tool) {
     return {};
 }
 
+}  // namespace
+
 QString tool_hint(ImageView::Tool tool, const CanvasState& state, QSize view) {
     constexpr QSize least(320, 170);
     const bool has_room =
         state.has_image() && view.width() >= least.width() && view.height() >= least.height();
     const bool is_told = state.marks.hinted && has_room && state.light_handle == LightHandle::none;
-    return is_told ? tool_hint(tool) : QString();
+    return is_told ? hint_of(tool) : QString();
 }
 
 }  // namespace ir::widgets

@@ -4,10 +4,8 @@
 
 namespace ir::widgets {
 
-/// How a tool is used; empty: it explains itself.
-QString tool_hint(ImageView::Tool tool);
-
-/// The same where it is to be told in a view, in logical pixels: a small one has no room.
+/// How the tool of a view is used, where that is to be told: a small view, in logical pixels, has no room.
+/// Empty: it is not, or the tool explains itself.
 QString tool_hint(ImageView::Tool tool, const CanvasState& state, QSize view);
 
 }  // namespace ir::widgets

@@ -111,8 +111,9 @@ void SearchList::open_at(const QWidget& control, int row) {
     list_->setCurrentIndex(model_->index(row, 0));
     const QRect room = control.screen()->availableGeometry();
     const int bar = list_->verticalScrollBar()->sizeHint().width() + 8;
-    const int height =
-        std::max(0, list_->sizeHintForRow(0)) * (model_->rowCount() + 1) + line_->sizeHint().height() + 8;
+    const int height = std::max(list_->sizeHintForRow(0), list_->sizeHintForRow(model_->rowCount() - 1)) *
+                           (model_->rowCount() + 1) +
+                       line_->sizeHint().height() + 8;
     QSize size(std::clamp(list_->sizeHintForColumn(0) + bar, std::max(min_width, control.width()),
                           std::max(max_width, control.width())),
                std::min(max_height, height));
