@@ -17,6 +17,7 @@ struct AnalysisKind {
     bool needs_one_method = false, needs_reference = false, takes_parameters = false;
     /// Of two machines, which the parameters name, and judged by no reference.
     bool compares_machines = false;
+    bool needs_stand_ins = false;  ///< the method names exact ones
 };
 
 /// All that this build can answer.
@@ -46,6 +47,9 @@ std::string why_not_analysed(const Project& project, const Analysis& analysis, c
 /// is none of them. Throws UsageError for an unknown kind or experiment.
 Analysis analysis_of(const Project& project, const std::string& kind, const std::string& experiment,
                      const Registry& registry);
+/// The same; where it cannot be carried out, about the first experiment with which it can.
+Analysis proposed_analysis(const Project& project, const std::string& kind, const std::string& experiment,
+                           const Registry& registry);
 
 /// Where the answer is kept: a folder relative to results/, '/' as separator, and what is in it.
 std::string analysis_path(const std::string& analysis);

@@ -196,7 +196,7 @@ void AnalysesDock::set_visible_to_user(bool seen) {
 QString AnalysesDock::why_not_run() const {
     if (!analysis()) return tr("There is no analysis.");
     const auto why = projects::why_not_analysed(session_.document(), *analysis(), session_.registry());
-    return why.empty() ? QString() : tr("Edit it: %1.").arg(text_of(why));
+    return why.empty() ? QString() : tr("It %1 (Edit).").arg(text_of(why));
 }
 
 void AnalysesDock::run() {

@@ -238,7 +238,7 @@ EditMaker add_analysis(const Registry& registry, const std::string& kind, const 
         if (experiment.empty() && project.experiments.empty())
             throw UsageError("an analysis needs an experiment; add one first");
         const auto& id = experiment.empty() ? project.experiments.front().id : experiment;
-        return projects::edits::add(project, projects::analysis_of(project, kind, id, registry));
+        return projects::edits::add(project, projects::proposed_analysis(project, kind, id, registry));
     };
 }
 

@@ -38,7 +38,8 @@ EditMaker add_part_motion(const std::string& scene = {}, int part = 0);
 EditMaker add_sweep(const std::string& experiment = {});
 /// Of the experiment, or of the first that has a reference, against its reference; over frames.
 EditMaker add_plot(const std::string& experiment = {});
-/// A question of this kind about the experiment, or about the first of all.
+/// A question of this kind about the experiment, or about the first of all; about another one where only that
+/// one can be asked about.
 EditMaker add_analysis(const Registry& registry, const std::string& kind, const std::string& experiment = {});
 EditMaker add_image(const std::string& name, const std::string& source);
 EditMaker set_image_source(const std::string& image, const std::string& source);

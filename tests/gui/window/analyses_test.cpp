@@ -209,9 +209,9 @@ TEST_F(AnalysesWindowTest, AnswersAreThereAgainAndGoStale) {
 TEST_F(AnalysesWindowTest, WhatCannotBeAskedIsEditedInTheProject) {
     ask("attribution");  // about two experiments, and there is one
     EXPECT_FALSE(find<QToolButton>("run")->isEnabled());
-    EXPECT_TRUE(find<QToolButton>("run")->toolTip().contains("takes 2 experiments"));
+    EXPECT_TRUE(find<QToolButton>("run")->toolTip().contains("choose two of one method"));
     auto& editor = window.document().editor();
-    EXPECT_TRUE(editor.findChild<QLabel*>("analysis-problem")->text().contains("takes 2 experiments"));
+    EXPECT_TRUE(editor.findChild<QLabel*>("analysis-problem")->text().contains("choose two of one method"));
     auto* parameters = editor.findChild<QWidget*>("parameters");
     ASSERT_TRUE(parameters);
     add_second_experiment(5);
