@@ -30,7 +30,7 @@ fs::file_time_type written(const fs::path& file) {
     return ignored ? fs::file_time_type{} : time;
 }
 
-AnswerPicture shown(const engine::AnalysisPicture& picture, const std::shared_ptr<const Image>& valid) {
+AnswerPicture as_shown(const engine::AnalysisPicture& picture, const std::shared_ptr<const Image>& valid) {
     AnswerPicture result;
     result.key = text_of(picture.key);
     result.label = text_of(picture.label);
@@ -51,11 +51,11 @@ AnswerPicture shown(const engine::AnalysisPicture& picture, const std::shared_pt
     return result;
 }
 
-std::vector<AnswerPicture> shown(const engine::AnalysisResult& result) {
+std::vector<AnswerPicture> as_shown(const engine::AnalysisResult& result) {
     std::shared_ptr<const Image> valid;
     if (!result.valid.empty()) valid = std::make_shared<const Image>(result.valid);
     std::vector<AnswerPicture> pictures;
-    for (const auto& picture : result.pictures) pictures.push_back(shown(picture, valid));
+    for (const auto& picture : result.pictures) pictures.push_back(as_shown(picture, valid));
     return pictures;
 }
 
@@ -81,7 +81,7 @@ AnalysesDock::AnalysesDock(Session& session, const Preferences& preferences, eng
     connect(&session_.files(), &ProjectFiles::files_changed, this, &AnalysesDock::look);
     connect(&preferences_, &Preferences::maps_changed, this, [this] {
         for (auto& [id, answer] : answers_)
-            if (answer.kept) answer.pictures = shown(answer.kept->result);
+            if (answer.kept) answer.pictures = as_shown(answer.kept->result);
         update();
     });
     update();
@@ -135,7 +135,7 @@ void AnalysesDock::connect_runs() {
 
 void AnalysesDock::take(const std::string& id, std::shared_ptr<const KeptAnalysis> kept) {
     auto& answer = answers_[id];
-    answer.pictures = kept ? shown(kept->result) : std::vector<AnswerPicture>();
+    answer.pictures = kept ? as_shown(kept->result) : std::vector<AnswerPicture>();
     answer.kept = std::move(kept);
     answer.problem.clear();
 }
@@ -217,6 +217,7 @@ void AnalysesDock::run() {
     fraction_ = 0;
     answers_[running_].problem.clear();
     runs_.start(std::move(request));
+    emit shown(text_of(running_));
     update();
 }
 
@@ -265,6 +266,7 @@ void AnalysesDock::load(const Json& memory) {
 
 void AnalysesDock::update() {
     panel_->set_fields(fields());
+    if (std::exchange(told_, chosen()) != chosen()) emit shown(text_of(chosen()));
     if (picture_.isEmpty() || panel_->fields().pictures.empty()) return;
     panel_->show_picture(std::exchange(picture_, {}));
 }

@@ -273,6 +273,7 @@ void MainWindow::make_toolbar() {
 void MainWindow::join_session() {
     connect(&session_, &Session::project_replaced, &joins_, [this] {
         if (!session_.has_project()) scenes_.clear();
+        notices_.forget_project();
         update_frame();  // before the views, which want to be seen and have the focus
         load_memory();
         project_banners_.update();
@@ -331,6 +332,10 @@ void MainWindow::join_panels() {
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
     connect(parameters_, &ParameterDock::page_wanted, &joins_,
             [this](const QString& file, const QString& key) { show_page(file, key); });
+    connect(parameters_, &ParameterDock::sweep_wanted, &joins_, [this](const std::string& key) {
+        docks_.raise("sweeps");
+        sweeps_->sweep_parameter(key);
+    });
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
     connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
     connect(&document_->tree(), &widgets::ProjectPanel::item_activated, &joins_,
@@ -357,6 +362,11 @@ void MainWindow::join_panels() {
     connect(plots_, &PlotsDock::edit_wanted, &joins_, edit(widgets::ItemKind::plot));
     connect(sweeps_, &SweepsDock::edit_wanted, &joins_, edit(widgets::ItemKind::sweep));
     connect(analyses_, &AnalysesDock::edit_wanted, &joins_, edit(widgets::ItemKind::analysis));
+    connect(analyses_, &AnalysesDock::shown, &joins_, [this](const QString& id) {
+        notices_.forget("analyses");  // it was about another one
+        const auto kind = widgets::ItemKind::analysis;
+        if (document_->editor().item().kind == kind && !id.isEmpty()) document_->select({kind, id});
+    });
     notices_.follow(*results_, "results");
     notices_.follow(*plots_, "plots");
     notices_.follow(*sweeps_, "sweeps");

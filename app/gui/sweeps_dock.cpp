@@ -64,6 +64,7 @@ void SweepsDock::connect_panel() {
     connect(panel_, &SweepPanel::sweep_chosen, this,
             [this](const QString& id) { show_sweep(id.toStdString()); });
     connect(panel_, &SweepPanel::new_wanted, this, &SweepsDock::add_sweep);
+    connect(panel_, &SweepPanel::axis_wanted, this, &SweepsDock::add_first_axis);
     connect(panel_, &SweepPanel::edit_wanted, this, [this] { emit edit_wanted(text_of(chosen())); });
     connect(panel_, &SweepPanel::run_wanted, this, &SweepsDock::run);
     connect(panel_, &SweepPanel::pause_wanted, this, &SweepsDock::pause);
@@ -210,6 +211,31 @@ void SweepsDock::add_sweep() {
     if (!session_.edit(widgets::makers::add_sweep(shown ? shown->id : std::string()))) return;
     session_.end_gesture();
     show_sweep(session_.document().sweeps.back().id);
+    emit edit_wanted(text_of(chosen()));
+}
+
+void SweepsDock::sweep_parameter(const std::string& key) {
+    const auto* shown = session_.experiment();
+    if (!shown) return;
+    const bool is_its = sweep() && sweep()->experiment == shown->id;
+    if (is_its && std::ranges::count(sweep()->axes, key, &projects::Sweep::Axis::key) > 0)
+        return emit edit_wanted(text_of(chosen()));
+    add_axis(is_its ? sweep()->id : std::string(), shown->id, key);
+}
+
+/// Another one is chosen in the form, which shows it then.
+void SweepsDock::add_first_axis() {
+    const auto* experiment = sweep() ? base() : nullptr;
+    const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
+    const bool has_one = method && !method->parameters.empty();
+    if (experiment) add_axis(sweep()->id, experiment->id, has_one ? method->parameters.front().key : "seed");
+}
+
+void SweepsDock::add_axis(const std::string& sweep, const std::string& experiment, const std::string& key) {
+    const bool is_new = sweep.empty();  // the edit makes other items
+    if (!session_.edit(widgets::makers::add_axis(sweep, experiment, key))) return;
+    session_.end_gesture();
+    if (is_new) show_sweep(session_.document().sweeps.back().id);
     emit edit_wanted(text_of(chosen()));
 }
 
@@ -423,6 +449,11 @@ widgets::SweepFields SweepsDock::fields() const {
     if (sheet_.table.rows.empty() && !sheet_.refused.empty())
         fields.empty =
             tr("This sweep has no variations.\n\n%1\n\nEdit it to mend that.").arg(text_of(sheet_.refused));
+    if (sweep()->axes.empty() && run_ == Run::none && count_done(sheet_) == 0) {
+        fields.empty = tr("This sweep varies nothing yet. Add a parameter, then the values that it takes.");
+        if (!fields.why_not_run.isEmpty()) fields.empty += QStringLiteral("\n\n") + fields.why_not_run;
+        if (!open.is_read_only()) fields.button = tr("Add a parameter …");
+    }
     fields.run_tip = count_done(sheet_) > 0
                          ? tr("Render the variations that are missing, that failed, and that would be other "
                               "pictures now")

@@ -5,6 +5,7 @@
 #include "projects/text.h"
 #include "projects/validate.h"
 #include "renderers/core/error.h"
+#include "widgets/document/axis_text.h"
 #include "widgets/document/edit_maker.h"
 #include "widgets/document/motion_target.h"
 #include "widgets/document/replaced.h"
@@ -214,6 +215,19 @@ EditMaker add_sweep(const std::string& experiment) {
         projects::Sweep sweep;
         sweep.experiment = experiment.empty() ? project.experiments.front().id : experiment;
         return added(project, sweep, "", "Sweep");
+    };
+}
+
+EditMaker add_axis(const std::string& sweep, const std::string& experiment, const std::string& key) {
+    return [=](const Project& project) {
+        projects::Sweep changed;
+        if (!sweep.empty()) changed = edits::item_of<projects::Sweep>(project, sweep);
+        if (sweep.empty()) changed.experiment = experiment;
+        const auto& base = projects::experiment_of(project, changed.experiment);
+        const auto value = present_value(projects::effective(base), key);
+        if (value.is_null()) throw UsageError("experiment '" + base.id + "' has no " + key + " to vary");
+        changed.axes.push_back({key, {value}});
+        return sweep.empty() ? added(project, changed, "", "Sweep") : edits::change(project, changed);
     };
 }
 
