@@ -22,17 +22,19 @@ bool is_seen_alike(const Experiment& a, const Experiment& b) {
     return one.scene == other.scene && one.camera == other.camera && one.size == other.size;
 }
 
-std::string count_text(std::size_t count) {
-    return count == 1 ? "1 experiment" : std::to_string(count) + " experiments";
+std::string count_word(std::size_t count) {
+    static const std::array<const char*, 3> words{"no", "one", "two"};
+    return count < words.size() ? words[count] : std::to_string(count);
 }
 
 std::string why_not_counted(const AnalysisKind& kind, std::size_t count) {
     if (count >= kind.min_experiments && count <= kind.max_experiments) return {};
     const auto wanted =
         kind.min_experiments == kind.max_experiments
-            ? count_text(kind.min_experiments)
-            : std::to_string(kind.min_experiments) + " to " + count_text(kind.max_experiments);
-    return "it is about " + count_text(count) + ", and takes " + wanted;
+            ? count_word(kind.min_experiments)
+            : std::to_string(kind.min_experiments) + " to " + std::to_string(kind.max_experiments);
+    return "it is about " + count_word(count) + (count > 1 ? " experiments" : " experiment") + "; choose " +
+           wanted + (kind.needs_one_method ? " of one method" : "");
 }
 
 std::string why_not_machines(const std::vector<std::string>& names) {
@@ -59,6 +61,24 @@ std::string why_not_parameters(const AnalysisKind& kind, const Analysis& analysi
     return {};
 }
 
+/// Whether one of these parameters names an exact stand-in; without keys: any.
+bool has_stand_in(const MethodDescription& method, const std::vector<std::string>& keys) {
+    return std::ranges::any_of(method.parameters, [&](const ParameterDescription& parameter) {
+        return !parameter.exact.empty() && (keys.empty() || std::ranges::count(keys, parameter.key) > 0);
+    });
+}
+
+std::string why_not_stand_ins(const Analysis& analysis, const MethodDescription& method,
+                              const Registry& registry) {
+    if (has_stand_in(method, analysis.parameters)) return {};
+    if (has_stand_in(method, {})) return "it names parameters without exact stand-ins; leave them out";
+    std::vector<std::string> others;
+    for (const auto* other : registry.methods())
+        if (has_stand_in(*other, {})) others.push_back(other->id);
+    return "it is about " + method.id + ", which names no exact stand-ins" +
+           (others.empty() ? "" : "; choose an experiment by one of " + listed(others));
+}
+
 }  // namespace
 
 const std::vector<AnalysisKind>& analysis_kinds() {
@@ -78,7 +98,7 @@ const std::vector<AnalysisKind>& analysis_kinds() {
         {"waterfall", "Error waterfall",
          "Which stage of a method owns the error: what is left of it when exact stand-ins take the place of "
          "one stage after another.",
-         1, 1, false, true, true},
+         1, 1, false, true, true, false, true},
         {"divergence", "Divergence",
          "The first buffer that two processors or drivers make differently, and by how much each of those "
          "behind it differs.",
@@ -148,12 +168,14 @@ std::string why_not_analysed(const Project& project, const Analysis& analysis, c
         return "the reference is one of the experiments; take it out";
     if (kind->takes_frames && !analysis.reference.empty() &&
         !is_main_output(project, analysis.experiments[0], analysis.output, registry))
-        return "is about '" + printable(analysis.output, 60) +
+        return "it is about '" + printable(analysis.output, 60) +
                "', and a reference shows the main result; take one of the two out";
     if (kind->needs_one_method && experiments[0]->method != experiments[1]->method)
         return "it asks about two experiments of one method, and '" + experiments[0]->id + "' is by " +
                experiments[0]->method + ", '" + experiments[1]->id + "' by " + experiments[1]->method;
-    return why_not_parameters(*kind, analysis, registry.at(experiments[0]->method));
+    const auto& method = registry.at(experiments[0]->method);
+    if (const auto why = why_not_parameters(*kind, analysis, method); !why.empty()) return why;
+    return kind->needs_stand_ins ? why_not_stand_ins(analysis, method, registry) : std::string();
 }
 
 Analysis analysis_of(const Project& project, const std::string& kind_key, const std::string& id,
@@ -184,6 +206,19 @@ Analysis analysis_of(const Project& project, const std::string& kind_key, const 
     add(true);
     if (!kind->needs_one_method) add(false);
     return analysis;
+}
+
+Analysis proposed_analysis(const Project& project, const std::string& kind, const std::string& experiment,
+                           const Registry& registry) {
+    const auto asked = analysis_of(project, kind, experiment, registry);
+    if (why_not_analysed(project, asked, registry).empty()) return asked;
+    for (const auto& other : project.experiments) {
+        const auto* method = registry.find(other.method);
+        if (!method || method->is_reference) continue;
+        const auto proposed = analysis_of(project, kind, other.id, registry);
+        if (why_not_analysed(project, proposed, registry).empty()) return proposed;
+    }
+    return asked;
 }
 
 std::string analysis_path(const std::string& analysis) {

@@ -19,6 +19,7 @@ struct AnalysisKind {
     bool compares_machines = false;
     /// Of an output of the experiment's last frames, as many as the analysis says.
     bool takes_frames = false;
+    bool needs_stand_ins = false;  ///< the method names exact ones
 };
 
 inline constexpr int min_analysis_frames = 2, max_analysis_frames = 64;
@@ -58,6 +59,9 @@ std::string why_not_analysed(const Project& project, const Analysis& analysis, c
 /// or experiment.
 Analysis analysis_of(const Project& project, const std::string& kind, const std::string& experiment,
                      const Registry& registry, const std::string& output = {});
+/// The same; where it cannot be carried out, about the first experiment with which it can.
+Analysis proposed_analysis(const Project& project, const std::string& kind, const std::string& experiment,
+                           const Registry& registry);
 
 /// Where the answer is kept: a folder relative to results/, '/' as separator, and what is in it.
 std::string analysis_path(const std::string& analysis);

@@ -57,7 +57,7 @@ void show_buffers_alike(std::vector<AnswerPicture>& pictures) {
 }
 
 /// The pixels stay those of the answer.
-std::vector<AnswerPicture> shown(const std::shared_ptr<const KeptAnalysis>& kept) {
+std::vector<AnswerPicture> as_shown(const std::shared_ptr<const KeptAnalysis>& kept) {
     const auto& result = kept->result;
     std::vector<AnswerPicture> pictures;
     for (const auto& picture : result.pictures) {
@@ -101,7 +101,7 @@ AnalysesDock::AnalysesDock(Session& session, const Preferences& preferences, eng
     connect(&session_.files(), &ProjectFiles::files_changed, this, &AnalysesDock::look);
     connect(&preferences_, &Preferences::maps_changed, this, [this] {
         for (auto& [id, answer] : answers_)
-            if (answer.kept) answer.pictures = shown(answer.kept);
+            if (answer.kept) answer.pictures = as_shown(answer.kept);
         update();
     });
     update();
@@ -155,7 +155,7 @@ void AnalysesDock::connect_runs() {
 
 void AnalysesDock::take(const std::string& id, std::shared_ptr<const KeptAnalysis> kept) {
     auto& answer = answers_[id];
-    answer.pictures = kept ? shown(kept) : std::vector<AnswerPicture>();
+    answer.pictures = kept ? as_shown(kept) : std::vector<AnswerPicture>();
     answer.kept = std::move(kept);
     answer.problem.clear();
 }
@@ -216,7 +216,10 @@ void AnalysesDock::set_visible_to_user(bool seen) {
 QString AnalysesDock::why_not_run() const {
     if (!analysis()) return tr("There is no analysis.");
     const auto why = projects::why_not_analysed(session_.document(), *analysis(), session_.registry());
-    return why.empty() ? QString() : tr("Edit it: %1.").arg(text_of(why));
+    if (why.empty()) return {};
+    auto sentence = text_of(why);
+    sentence[0] = sentence[0].toUpper();
+    return tr("%1 (Edit).").arg(sentence);
 }
 
 void AnalysesDock::run() {
@@ -237,6 +240,7 @@ void AnalysesDock::run() {
     fraction_ = 0;
     answers_[running_].problem.clear();
     runs_.start(std::move(request));
+    emit shown(text_of(running_));
     update();
 }
 
@@ -285,6 +289,7 @@ void AnalysesDock::load(const Json& memory) {
 
 void AnalysesDock::update() {
     panel_->set_fields(fields());
+    if (std::exchange(told_, chosen()) != chosen()) emit shown(text_of(chosen()));
     if (picture_.isEmpty() || panel_->fields().pictures.empty()) return;
     panel_->show_picture(std::exchange(picture_, {}));
 }

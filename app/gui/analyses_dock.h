@@ -51,6 +51,8 @@ class AnalysesDock : public QWidget {
     void failed(const QString& error);
     /// The analysis is to be edited by all its values.
     void edit_wanted(const QString& analysis);
+    /// Another one than before is shown, or this one is asked again; empty: none is shown.
+    void shown(const QString& analysis);
 
   private:
     /// What is known of an analysis.
@@ -81,6 +83,7 @@ class AnalysesDock : public QWidget {
     widgets::AnalysisPanel* panel_;
     QTimer redraw_;  ///< progress may come quicker than it can be drawn
     std::string chosen_, running_;
+    std::string told_;                        ///< which one is shown
     std::string running_key_, running_kind_;  ///< what is asked
     QString picture_;                         ///< that is shown once its answer is there; empty: any
     QString doing_;

@@ -17,6 +17,11 @@ class DocumentDock : public QWidget {
     widgets::ProjectPanel& tree() { return *tree_; }
     widgets::ItemEditor& editor() { return *editor_; }
     void select(const widgets::ItemRef& item) { tree_->select(item); }
+    /// Another analysis is shown: so it is in the form, where that shows one.
+    void follow_analysis(const QString& id) {
+        const auto kind = widgets::ItemKind::analysis;
+        if (editor().item().kind == kind && !id.isEmpty()) select({kind, id});
+    }
     /// A file of a scene, and one of its materials; empty: none.
     void show_surface(const widgets::ItemRef& part, const QString& material) {
         tree_->select(part);

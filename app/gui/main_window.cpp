@@ -274,6 +274,7 @@ void MainWindow::make_toolbar() {
 void MainWindow::join_session() {
     connect(&session_, &Session::project_replaced, &joins_, [this] {
         if (!session_.has_project()) scenes_.clear();
+        notices_.forget_project();
         update_frame();  // before the views, which want to be seen and have the focus
         load_memory();
         project_banners_.update();
@@ -332,6 +333,8 @@ void MainWindow::join_panels() {
     connect(&finder_, &Finder::page_wanted, &joins_, [this](const QString& file) { show_page(file); });
     connect(parameters_, &ParameterDock::page_wanted, &joins_,
             [this](const QString& file, const QString& key) { show_page(file, key); });
+    connect(parameters_, &ParameterDock::sweep_wanted, &joins_, [this] { docks_.raise("sweeps"); });
+    connect(parameters_, &ParameterDock::sweep_wanted, sweeps_, &SweepsDock::sweep_parameter);
     connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
     connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
     connect(&document_->tree(), &widgets::ProjectPanel::item_activated, &joins_,
@@ -345,10 +348,7 @@ void MainWindow::join_panels() {
     const auto select = [this](const QString& id) { session_.select_experiment(id.toStdString()); };
     connect(plots_, &PlotsDock::loaded, &joins_, select);
     connect(sweeps_, &SweepsDock::loaded, &joins_, select);
-    connect(sweeps_, &SweepsDock::report_wanted, &report_,
-            [this](const QString& folder, const QString& title) {
-                report_.ask_for_sweep(folder.toStdString(), title);
-            });
+    connect(sweeps_, &SweepsDock::report_wanted, &report_, &ReportController::ask_for_sweep);
     const auto edit = [this](widgets::ItemKind kind) {
         return [this, kind](const QString& id) {
             document_->select({kind, id});
@@ -359,6 +359,8 @@ void MainWindow::join_panels() {
     connect(sweeps_, &SweepsDock::edit_wanted, &joins_, edit(widgets::ItemKind::sweep));
     connect(analyses_, &AnalysesDock::edit_wanted, &joins_, edit(widgets::ItemKind::analysis));
     connect(&frames_, &FramesDock::analysis_added, &joins_, [this] { docks_.raise("analyses"); });
+    connect(analyses_, &AnalysesDock::shown, &notices_, [this] { notices_.forget("analyses"); });
+    connect(analyses_, &AnalysesDock::shown, document_, &DocumentDock::follow_analysis);
     notices_.follow(*results_, "results");
     notices_.follow(*plots_, "plots");
     notices_.follow(*sweeps_, "sweeps");

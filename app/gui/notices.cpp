@@ -27,4 +27,10 @@ bool Notices::attempt(const std::function<void()>& work, const QString& what) {
     }
 }
 
+void Notices::forget_project() {
+    for (const auto& dock : docks_) banners_.hide_banner(dock);
+    banners_.hide_banner(QLatin1String(processor_banner));
+    status_.forget();
+}
+
 }  // namespace ir::gui

@@ -96,6 +96,7 @@ void ParameterDock::connect_parameters() {
         if (!done) update_panels();  // a refused value leaves the editor again
     });
     connect(parameters_, &Panel::explanation_wanted, this, &ParameterDock::explain_parameter);
+    connect(parameters_, &Panel::sweep_wanted, this, &ParameterDock::sweep_wanted);
     connect(parameters_, &Panel::gesture_finished, this, [this] { session_.end_gesture(); });
     connect(parameters_, &Panel::reset_chosen, this, [this](const std::string& key) {
         edit([&](const Project& p, Id id) { return edits::reset_value(p, session_.registry(), id, key); });

@@ -29,6 +29,8 @@ class ParameterDock : public QScrollArea {
   signals:
     /// A page of the manual, and the parameter that it is opened for.
     void page_wanted(const QString& file, const QString& key);
+    /// The parameter is to vary in a sweep.
+    void sweep_wanted(const std::string& key);
 
   private:
     void explain_parameter(const std::string& key);

@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "app/gui/notices.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
 #include "renderers/image/colour_map.h"
@@ -229,7 +230,7 @@ void PreferencesController::follow(const widgets::ShaderPanel& shaders, const wi
 
 void PreferencesController::use_opengl(widgets::BannerStack& banners) {
     const std::string key = "processor";
-    const auto name = text_of(key);
+    const QString name = QLatin1String(processor_banner);
     const auto show = [&](const QString& text, const std::vector<widgets::BannerStack::Action>& actions) {
         banners.show_banner(name, widgets::BannerStack::Kind::note, text, actions);
     };

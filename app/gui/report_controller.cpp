@@ -172,10 +172,10 @@ QString ReportController::ask_for_file(const QString& title) {
     return ask_for_export(&window_, tr("Report"), title, tr("Web page (*.html)"), {QStringLiteral(".html")});
 }
 
-void ReportController::ask_for_sweep(const std::filesystem::path& folder, const QString& title) {
+void ReportController::ask_for_sweep(const QString& folder, const QString& title) {
     if (is_writing()) return notices_.say(tr("A report is being written."));
     const auto file = ask_for_file(title);
-    if (!file.isEmpty()) write_to(file, of_sweep(folder));
+    if (!file.isEmpty()) write_to(file, of_sweep(folder.toStdString()));
 }
 
 void ReportController::write_to(const QString& file) {

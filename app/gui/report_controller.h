@@ -37,7 +37,7 @@ class ReportController : public QObject {
     /// Of the lists and pictures that a sweep has left in a folder.
     static Maker of_sweep(const std::filesystem::path& folder);
     /// Asks where it is to be written.
-    void ask_for_sweep(const std::filesystem::path& folder, const QString& title);
+    void ask_for_sweep(const QString& folder, const QString& title);
 
   private:
     /// Empty: nowhere.

@@ -51,6 +51,8 @@ StatusLine::StatusLine(Session& session, LivePictures& live, QWidget* parent)
     row->addWidget(cancel_);
     connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancel_wanted);
     connect(&live_, &LivePictures::state_changed, this, &StatusLine::update_text);
+    said_.setSingleShot(true);
+    connect(&said_, &QTimer::timeout, this, &StatusLine::forget);
     later_.setSingleShot(true);
     connect(&later_, &QTimer::timeout, this, &StatusLine::update_text);
     connect(&live_, &LivePictures::progressed, this, &StatusLine::update_soon);
@@ -61,11 +63,13 @@ StatusLine::StatusLine(Session& session, LivePictures& live, QWidget* parent)
 
 void StatusLine::say(const QString& text) {
     saying_ = text;
-    said_.start();
-    QTimer::singleShot(said_ms, this, [this] {
-        if (said_.elapsed() >= said_ms) saying_.clear();
-        update_text();
-    });
+    said_.start(said_ms);
+    update_text();
+}
+
+void StatusLine::forget() {
+    said_.stop();
+    saying_.clear();
     update_text();
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -19,6 +18,7 @@ class StatusLine : public QWidget {
     StatusLine(Session& session, LivePictures& live, QWidget* parent = nullptr);
     /// For a moment, instead of the state: "Saved …".
     void say(const QString& text);
+    void forget();  ///< what is being said
 
   signals:
     void cancel_wanted();
@@ -33,8 +33,7 @@ class StatusLine : public QWidget {
     QLabel* state_;
     QProgressBar* progress_;
     QToolButton* cancel_;
-    QElapsedTimer said_;
-    QTimer later_;
+    QTimer said_, later_;
     QString saying_;
 };
 

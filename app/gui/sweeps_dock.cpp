@@ -37,6 +37,21 @@ std::size_t count_failed(const engine::SweepSheet& sheet) {
     return std::size_t(std::count_if(rows.begin(), rows.end(), std::mem_fn(&SweepRow::has_failed)));
 }
 
+bool varies(const projects::Sweep& sweep, const std::string& key) {
+    return std::ranges::count(sweep.axes, key, &projects::Sweep::Axis::key) > 0;
+}
+
+/// What varies first where nobody has chosen.
+std::string first_axis_of(const MethodDescription* method) {
+    return method && !method->parameters.empty() ? method->parameters.front().key : "seed";
+}
+
+QString nothing_varies(const QString& why_not_run) {
+    const auto text =
+        SweepsDock::tr("This sweep varies nothing yet. Add a parameter, then the values that it takes.");
+    return why_not_run.isEmpty() ? text : text + QStringLiteral("\n\n") + why_not_run;
+}
+
 }  // namespace
 
 SweepsDock::SweepsDock(Session& session, const Preferences& preferences, engine::SweepRunner runner,
@@ -64,6 +79,7 @@ void SweepsDock::connect_panel() {
     connect(panel_, &SweepPanel::sweep_chosen, this,
             [this](const QString& id) { show_sweep(id.toStdString()); });
     connect(panel_, &SweepPanel::new_wanted, this, &SweepsDock::add_sweep);
+    connect(panel_, &SweepPanel::axis_wanted, this, &SweepsDock::add_first_axis);
     connect(panel_, &SweepPanel::edit_wanted, this, [this] { emit edit_wanted(text_of(chosen())); });
     connect(panel_, &SweepPanel::run_wanted, this, &SweepsDock::run);
     connect(panel_, &SweepPanel::pause_wanted, this, &SweepsDock::pause);
@@ -210,6 +226,29 @@ void SweepsDock::add_sweep() {
     if (!session_.edit(widgets::makers::add_sweep(shown ? shown->id : std::string()))) return;
     session_.end_gesture();
     show_sweep(session_.document().sweeps.back().id);
+    emit edit_wanted(text_of(chosen()));
+}
+
+void SweepsDock::sweep_parameter(const std::string& key) {
+    const auto* shown = session_.experiment();
+    if (!shown) return;
+    const bool is_its = sweep() && sweep()->experiment == shown->id;
+    if (is_its && varies(*sweep(), key)) return emit edit_wanted(text_of(chosen()));
+    add_axis(is_its ? sweep()->id : std::string(), shown->id, key);
+}
+
+/// Another one is chosen in the form, which shows it then.
+void SweepsDock::add_first_axis() {
+    const auto* experiment = sweep() ? base() : nullptr;
+    if (!experiment) return;
+    add_axis(sweep()->id, experiment->id, first_axis_of(session_.registry().find(experiment->method)));
+}
+
+void SweepsDock::add_axis(const std::string& sweep, const std::string& experiment, const std::string& key) {
+    const bool is_new = sweep.empty();  // the edit makes other items
+    if (!session_.edit(widgets::makers::add_axis(sweep, experiment, key))) return;
+    session_.end_gesture();
+    if (is_new) show_sweep(session_.document().sweeps.back().id);
     emit edit_wanted(text_of(chosen()));
 }
 
@@ -423,6 +462,10 @@ widgets::SweepFields SweepsDock::fields() const {
     if (sheet_.table.rows.empty() && !sheet_.refused.empty())
         fields.empty =
             tr("This sweep has no variations.\n\n%1\n\nEdit it to mend that.").arg(text_of(sheet_.refused));
+    if (sweep()->axes.empty() && run_ == Run::none && count_done(sheet_) == 0) {
+        fields.empty = nothing_varies(fields.why_not_run);
+        if (!open.is_read_only()) fields.button = tr("Add a parameter …");
+    }
     fields.run_tip = count_done(sheet_) > 0
                          ? tr("Render the variations that are missing, that failed, and that would be other "
                               "pictures now")

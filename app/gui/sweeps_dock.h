@@ -31,6 +31,9 @@ class SweepsDock : public QWidget {
     std::string chosen() const;  ///< id of the sweep that is shown; empty: none
     void show_sweep(const std::string& id);
     void add_sweep();
+    /// A parameter of the experiment that is worked on varies in the shown sweep, or in a new one where that
+    /// is of another experiment.
+    void sweep_parameter(const std::string& key);
     /// Why the chosen sweep cannot run; empty: it can.
     QString why_not_run() const;
     void run();
@@ -66,6 +69,8 @@ class SweepsDock : public QWidget {
     engine::SweepJob job() const;
     void connect_panel();
     void connect_runs();
+    void add_first_axis();
+    void add_axis(const std::string& sweep, const std::string& experiment, const std::string& key);
     void forget_all();
     void end_run(const QString& problem);
     void take(engine::SweepSheet sheet);

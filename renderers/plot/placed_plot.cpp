@@ -13,7 +13,6 @@ namespace ir {
 namespace {
 
 constexpr int tick_width = 64, tick_height = 30;  ///< logical pixels that a label wants
-constexpr int bar_row = 15;                       ///< logical pixels that the name of a row wants
 constexpr double farthest_level = 30;             ///< below the least value, as a factor
 constexpr std::size_t marks_of_curve = 8;         ///< about
 
@@ -96,7 +95,7 @@ PlacedPlot place_plot(const PlotData& data, double width, double height) {
     if (shows_level && !heights.empty()) heights.push_back(data.level->y);
     auto widths = values_of(data, &PlotPoint::x);
     if (data.are_bars) std::ranges::copy(values_of(data, &PlotPoint::value), std::back_inserter(widths));
-    const int rows = data.are_bars ? std::max(1, int(height) / bar_row) : max_ticks(height, tick_height);
+    const int rows = data.are_bars ? std::max(1, int(data.y.names.size())) : max_ticks(height, tick_height);
     PlacedPlot plot{PlotScale(data.x, widths, max_ticks(width, tick_width)),
                     PlotScale(data.y, heights, rows),
                     {},

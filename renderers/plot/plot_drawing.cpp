@@ -19,6 +19,8 @@ constexpr double rough_margins = 90;  ///< beside the axes, before texts are mea
 // In lines of text.
 constexpr double title_row = 0.9, first_row = 0.7, rows_below_title = 2;
 constexpr double tick_row = 0.6, axis_title_row = 1.6, bottom_margin = 2.3, axes_keep = 4;
+constexpr double bar_row = 0.9, beside_bars = 5.5;  ///< a row of bars; title, legend and axis
+constexpr std::size_t title_lines = 2;
 constexpr double min_axes = 40;
 constexpr double bars_part = 0.76;  ///< of their row
 constexpr double min_bar = 1.5;     ///< logical pixels: what is nothing is seen, too
@@ -31,15 +33,34 @@ bool begins_letter(char c) {
 }
 
 /// As many letters as there is room for.
-std::string shortened(const PlotCanvas& measure, const std::string& words, double width) {
-    if (measure.width_of(words) <= width) return words;
+std::string shortened(const PlotCanvas& measure, const std::string& words, double width,
+                      Letters letters = Letters::plain) {
+    if (measure.width_of(words, letters) <= width) return words;
     std::string result;
     for (std::size_t end = 1; end <= words.size(); ++end) {
         if (end < words.size() && !begins_letter(words[end])) continue;
-        if (measure.width_of(words.substr(0, end) + "…") > width) break;
+        if (measure.width_of(words.substr(0, end) + "…", letters) > width) break;
         result = words.substr(0, end);
     }
     return result + "…";
+}
+
+/// Lines of a title, broken between words; what there is no room for is left out of the last one.
+std::vector<std::string> title_of(const PlotCanvas& measure, const std::string& words, double width) {
+    std::vector<std::string> lines;
+    std::string rest = words;
+    while (!rest.empty()) {
+        std::size_t end = rest.size();
+        while (end != std::string::npos && measure.width_of(rest.substr(0, end), Letters::title) > width)
+            end = end == 0 ? std::string::npos : rest.rfind(' ', end - 1);
+        if (end == std::string::npos || end == 0 || lines.size() + 1 == title_lines) {
+            lines.push_back(shortened(measure, rest, width, Letters::title));
+            break;
+        }
+        lines.push_back(rest.substr(0, end));
+        rest.erase(0, end == rest.size() ? end : end + 1);
+    }
+    return lines;
 }
 
 /// The middle of a text that would rather stand at `wanted`, such that all of it lies between the margins.
@@ -80,7 +101,7 @@ PlotDrawing::PlotDrawing(const PlotData& data, const PlotStyle& style, double wi
       style_(style),
       width_(width),
       height_(height),
-      has_title_(has_title && !data.title.empty()),
+      title_(has_title ? title_of(measure, data.title, width - 2 * margin) : std::vector<std::string>()),
       plot_(place_plot(data, width - rough_margins, height - rough_margins)) {
     lay_out_legend(measure);
     const double line = measure.line_height();
@@ -89,15 +110,22 @@ PlotDrawing::PlotDrawing(const PlotData& data, const PlotStyle& style, double wi
         widest = std::max(widest, std::min(measure.width_of(tick.text), name_room()));
     area_.left = line + widest + 2 * tick_gap + 2;
     area_.right = std::max(area_.left + min_axes, width - right_margin);
-    area_.top =
-        legend_.empty() ? line * (has_title_ ? rows_below_title : first_row) : legend_.back().at.y + line;
+    area_.top = legend_.empty() ? line * first_line() : legend_.back().at.y + line;
     area_.bottom = std::max(area_.top + min_axes, height - bottom_margin * line);
+}
+
+double PlotDrawing::height_of_rows(const PlotData& data, double line_height) {
+    return data.are_bars ? line_height * (beside_bars + bar_row * double(data.y.names.size())) : 0;
+}
+
+double PlotDrawing::first_line() const {
+    return title_.empty() ? first_row : rows_below_title + double(title_.size()) - 1;
 }
 
 /// Entries after one another, below the title, in as many rows as they need and the axes leave.
 void PlotDrawing::lay_out_legend(const PlotCanvas& measure) {
     const double line = measure.line_height(), last = height_ - (bottom_margin + axes_keep) * line;
-    double x = margin, y = line * (has_title_ ? rows_below_title : first_row);
+    double x = margin, y = line * first_line();
     int rest = 0;
     const auto add = [&](const std::string& words, int series) {
         const auto shown = shortened(measure, words, width_ - 2 * margin - mark_room);
@@ -146,7 +174,7 @@ Box PlotDrawing::box(const Mark& mark) const {
 }
 
 void PlotDrawing::draw(PlotCanvas& canvas) const {
-    if (has_title_) draw_title(canvas);
+    draw_title(canvas);
     plot_.heat ? draw_heat_legend(canvas) : draw_legend(canvas);
     draw_axes(canvas);
     draw_axis_titles(canvas);
@@ -166,8 +194,9 @@ void PlotDrawing::draw(PlotCanvas& canvas) const {
 }
 
 void PlotDrawing::draw_title(PlotCanvas& canvas) const {
-    canvas.text({margin, title_row * canvas.line_height()}, data_.title, Anchor::start, {style_.text, "text"},
-                Letters::title);
+    for (std::size_t i = 0; i < title_.size(); ++i)
+        canvas.text({margin, (title_row + double(i)) * canvas.line_height()}, title_[i], Anchor::start,
+                    {style_.text, "text"}, Letters::title);
 }
 
 void PlotDrawing::draw_axes(PlotCanvas& canvas) const {

@@ -79,6 +79,8 @@ class PlotDrawing {
     /// A point's mark with its ring, larger than among the others by that many pixels.
     void draw_mark(PlotCanvas& canvas, const Mark& mark, double growth = 0) const;
     double mark_radius() const { return ir::mark_radius(plot_.marks.size()); }
+    /// The height at which each row of bars has room for its name; 0 where points are no bars.
+    static double height_of_rows(const PlotData& data, double line_height);
 
   private:
     struct Entry {
@@ -88,6 +90,8 @@ class PlotDrawing {
     };
     double x_at(double place) const;
     double y_at(double place) const;
+    /// Where, in lines of text, what stands below the title begins.
+    double first_line() const;
     void lay_out_legend(const PlotCanvas& measure);
     void draw_title(PlotCanvas& canvas) const;
     void draw_axes(PlotCanvas& canvas) const;
@@ -106,7 +110,7 @@ class PlotDrawing {
     const PlotData& data_;
     const PlotStyle& style_;
     double width_, height_;
-    bool has_title_;
+    std::vector<std::string> title_;  ///< lines; none: it is not drawn
     PlacedPlot plot_;
     PlotCanvas::Box area_;
     std::vector<Entry> legend_;

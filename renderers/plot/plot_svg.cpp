@@ -13,7 +13,7 @@
 namespace ir {
 namespace {
 
-constexpr double font = 12, title_font = 14;
+constexpr double font = 12, title_font = 14, text_line = 20;
 constexpr double half_height = font / 3;  ///< of small letters, from their feet
 
 std::string number(double value) {
@@ -30,7 +30,7 @@ class SvgCanvas : public PlotCanvas {
   public:
     explicit SvgCanvas(Markup& out) : out_(out) {}
 
-    double line_height() const override { return 20; }
+    double line_height() const override { return text_line; }
     double width_of(const std::string& words, Letters letters) const override {
         return ir::width_of(words, letters == Letters::title ? title_font : font);
     }
@@ -106,8 +106,7 @@ class SvgCanvas : public PlotCanvas {
 }  // namespace
 
 int plot_svg_height_of(const PlotData& data) {
-    constexpr int row = 22, rest = 100;
-    return data.are_bars ? std::max(plot_svg_height / 2, rest + row * int(data.y.names.size()))
+    return data.are_bars ? std::max(plot_svg_height / 2, int(PlotDrawing::height_of_rows(data, text_line)))
                          : plot_svg_height;
 }
 

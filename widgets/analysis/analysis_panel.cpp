@@ -71,14 +71,14 @@ QWidget* AnalysisPanel::make_head() {
     new_ = add_icon_button(row, "new", "add", tr("New analysis"));
     new_->setPopupMode(QToolButton::InstantPopup);
     new_->setMenu(new QMenu(new_));
-    connect(empty_.button, &QPushButton::clicked, new_, &QToolButton::showMenu);
+    connect(empty_.button, &QPushButton::clicked, this, &AnalysisPanel::take_offer);
     edit_ = add_icon_button(row, "edit", "rename", tr("Edit what is asked"));
     connect(edit_, &QToolButton::clicked, this, &AnalysisPanel::edit_wanted);
     run_ = add_button(row, "run", "rerun", tr("Run"));
     connect(run_, &QToolButton::clicked, this,
             [this] { fields_.runs ? emit cancel_wanted() : emit run_wanted(); });
     progress_ = add_progress(row);
-    doing_ = make_cut_label("doing");
+    doing_ = make_cut_label("doing", Qt::ElideMiddle);
     row->addWidget(doing_, 3);
     files_ = add_button(row, "files", "export", tr("Export"));
     files_->setPopupMode(QToolButton::InstantPopup);
@@ -119,17 +119,9 @@ QWidget* AnalysisPanel::make_picture_column(ImageView::Surface surface) {
     return widget;
 }
 
-/// A person does: a bar that is about it is the chosen one then.
+/// A person does.
 void AnalysisPanel::choose_picture(const QString& key) {
     show_picture(key);
-    if (chart_->selected().section(QLatin1Char(':'), 0, 0) != key) {
-        for (const auto& [point, series] : fields_.data.in_reading_order())
-            if (const auto id = QString::fromStdString(point->id);
-                id.section(QLatin1Char(':'), 0, 0) == key) {
-                chart_->select(id);
-                break;
-            }
-    }
     emit picture_chosen(key);
 }
 
@@ -162,10 +154,8 @@ void AnalysisPanel::set_fields(const AnalysisFields& fields) {
     fields_ = fields;
     fill_kinds();
     show_options(analyses_, fields.analyses, fields.analysis);
-    const bool can_add = fields.analyses.empty() && fields.why_read_only.isEmpty();
-    empty_.show(fields.empty, can_add ? tr("New analysis …") : QString());
-    pages_->setCurrentIndex(fields.empty.isEmpty() ? 1 : 0);
-    chart_->show_data(fields.data, fields.waiting);
+    show_page();
+    chart_->show_data(fields.data, tr("The answer has no bars; the lines below say why."));
     if (has_other_pictures) {
         std::vector<Option> options;
         for (const auto& each : fields.pictures) options.push_back({each.key, each.label, each.doc});
@@ -173,6 +163,24 @@ void AnalysisPanel::set_fields(const AnalysisFields& fields) {
         show_chosen_picture();
     }
     show_run();
+}
+
+/// Before there is an answer: what may be done about it.
+void AnalysisPanel::show_page() {
+    if (!fields_.empty.isEmpty()) {
+        const bool can_add = fields_.analyses.empty() && fields_.why_read_only.isEmpty();
+        empty_.show(fields_.empty, can_add ? tr("New analysis …") : QString());
+    } else {
+        empty_.show(fields_.waiting, fields_.runs                    ? QString()
+                                     : fields_.why_not_run.isEmpty() ? tr("Run")
+                                                                     : tr("Edit"));
+    }
+    pages_->setCurrentIndex(fields_.empty.isEmpty() && has_answer() ? 1 : 0);
+}
+
+void AnalysisPanel::take_offer() {
+    if (!fields_.empty.isEmpty()) return new_->showMenu();
+    fields_.why_not_run.isEmpty() ? emit run_wanted() : emit edit_wanted();
 }
 
 void AnalysisPanel::show_run() {
@@ -234,6 +242,15 @@ void AnalysisPanel::show_chosen_picture() {
         view_->set_picture(chosen->picture);
     }
     view_->set_display(chosen->display);
+    show_bar(chosen->key);
+}
+
+/// Its own bar, unless one of those that are about it is chosen already.
+void AnalysisPanel::show_bar(const QString& key) {
+    const auto is_about = [&](const QString& id) { return id.section(QLatin1Char(':'), 0, 0) == key; };
+    if (is_about(chart_->selected())) return;
+    for (const auto& [point, series] : fields_.data.in_reading_order())
+        if (const auto id = QString::fromStdString(point->id); is_about(id)) return chart_->select(id);
 }
 
 void AnalysisPanel::show_value(QPoint pixel) {

@@ -31,13 +31,13 @@ struct AnswerPicture {
 struct AnalysisFields {
     std::vector<Option> analyses, kinds;
     QString analysis;       ///< id of the chosen one
-    QString empty;          ///< in place of an answer
+    QString empty;          ///< in place of all else
     QString why_read_only;  ///< nothing can be added
     QString why_not_run;    ///< empty: it can
     bool runs = false;
     QString doing;
     double fraction = 0;
-    QString waiting;  ///< over a chart without bars
+    QString waiting;  ///< in place of an answer
     PlotData data;
     std::vector<AnswerPicture> pictures;
     bool are_frames = false;  ///< of one thing after another
@@ -78,12 +78,16 @@ class AnalysisPanel : public QWidget {
 
   private:
     QWidget* make_head();
+    bool has_answer() const { return !(fields_.data == PlotData()); }
+    void show_page();
+    void take_offer();
     QWidget* make_picture_column(ImageView::Surface surface);
     QWidget* make_foot();
     void fill_kinds();
     void show_run();
     void show_chosen_picture();
     void choose_picture(const QString& key);
+    void show_bar(const QString& key);
     void show_value(QPoint pixel);
     const AnswerPicture* find(const QString& key) const;
 

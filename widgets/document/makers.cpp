@@ -5,6 +5,7 @@
 #include "projects/text.h"
 #include "projects/validate.h"
 #include "renderers/core/error.h"
+#include "widgets/document/axis_text.h"
 #include "widgets/document/edit_maker.h"
 #include "widgets/document/motion_target.h"
 #include "widgets/document/replaced.h"
@@ -217,6 +218,19 @@ EditMaker add_sweep(const std::string& experiment) {
     };
 }
 
+EditMaker add_axis(const std::string& sweep, const std::string& experiment, const std::string& key) {
+    return [=](const Project& project) {
+        projects::Sweep changed;
+        if (!sweep.empty()) changed = edits::item_of<projects::Sweep>(project, sweep);
+        if (sweep.empty()) changed.experiment = experiment;
+        const auto& base = projects::experiment_of(project, changed.experiment);
+        const auto value = present_value(projects::effective(base), key);
+        if (value.is_null()) throw UsageError("experiment '" + base.id + "' has no " + key + " to vary");
+        changed.axes.push_back({key, {value}});
+        return sweep.empty() ? added(project, changed, "", "Sweep") : edits::change(project, changed);
+    };
+}
+
 EditMaker add_plot(const std::string& experiment) {
     return [=](const Project& project) {
         const auto& list = project.experiments;
@@ -238,7 +252,7 @@ EditMaker add_analysis(const Registry& registry, const std::string& kind, const 
         if (experiment.empty() && project.experiments.empty())
             throw UsageError("an analysis needs an experiment; add one first");
         const auto& id = experiment.empty() ? project.experiments.front().id : experiment;
-        return projects::edits::add(project, projects::analysis_of(project, kind, id, registry));
+        return projects::edits::add(project, projects::proposed_analysis(project, kind, id, registry));
     };
 }
 

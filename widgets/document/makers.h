@@ -36,9 +36,13 @@ EditMaker add_light_motion(const std::string& set = {}, int light = 0);
 EditMaker add_part_motion(const std::string& scene = {}, int part = 0);
 /// Of the experiment, or of the first; no axes yet.
 EditMaker add_sweep(const std::string& experiment = {});
+/// An axis that begins with what the experiment has, of the sweep; without one, of a new one of the
+/// experiment.
+EditMaker add_axis(const std::string& sweep, const std::string& experiment, const std::string& key);
 /// Of the experiment, or of the first that has a reference, against its reference; over frames.
 EditMaker add_plot(const std::string& experiment = {});
-/// A question of this kind about the experiment, or about the first of all.
+/// A question of this kind about the experiment, or about the first of all; about another one where only that
+/// one can be asked about.
 EditMaker add_analysis(const Registry& registry, const std::string& kind, const std::string& experiment = {});
 EditMaker add_image(const std::string& name, const std::string& source);
 EditMaker set_image_source(const std::string& image, const std::string& source);

@@ -6,22 +6,43 @@
 #include <QItemSelectionModel>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStringList>
+#include <QStyle>
 #include <QToolButton>
 
 #include "widgets/panels/action_text.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
+namespace {
+
+class CutLabel : public QLabel {
+  public:
+    explicit CutLabel(Qt::TextElideMode cut) : cut_(cut) {}
+
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        const auto box = contentsRect();
+        style()->drawItemText(&painter, box, int(alignment()) | Qt::TextSingleLine, palette(), isEnabled(),
+                              fontMetrics().elidedText(text(), cut_, box.width()), foregroundRole());
+    }
+
+  private:
+    const Qt::TextElideMode cut_;
+};
+
+}  // namespace
 
 QString tip_with(const QString& tip, const QString& why_not) {
     return why_not.isEmpty() ? tip : QStringLiteral("%1.\n%2").arg(tip, why_not);
 }
 
-QLabel* make_cut_label(const char* name) {
-    auto* label = new QLabel;
+QLabel* make_cut_label(const char* name, Qt::TextElideMode cut) {
+    auto* label = new CutLabel(cut);
     label->setObjectName(QLatin1String(name));
     label->setTextFormat(Qt::PlainText);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -21,8 +21,8 @@ namespace ir::widgets {
 
 /// What a control does, and why it cannot.
 QString tip_with(const QString& tip, const QString& why_not);
-/// A label that is cut rather than widening the panel.
-QLabel* make_cut_label(const char* name);
+/// A label that is cut, with an ellipsis, rather than widening the panel.
+QLabel* make_cut_label(const char* name, Qt::TextElideMode cut = Qt::ElideRight);
 /// A button in a panel's row, with its text beside the drawing; without a drawing it is the text alone. Its
 /// tool tip is the text until another one is set.
 QToolButton* add_button(QBoxLayout* row, const char* name, const char* drawing, const QString& text);

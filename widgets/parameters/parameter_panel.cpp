@@ -141,8 +141,11 @@ void ParameterPanel::contextMenuEvent(QContextMenuEvent* event) {
     auto* explain = new QAction(tr("What it is"), menu);
     explain->setShortcut(explained_by_);
     connect(explain, &QAction::triggered, this, [this, key] { emit explanation_wanted(key); });
+    auto* sweep = new QAction(tr("Sweep this"), menu);
+    sweep->setEnabled(!read_only_);
+    connect(sweep, &QAction::triggered, this, [this, key] { emit sweep_wanted(key); });
     auto* first = menu->actions().value(0);
-    menu->insertAction(first, explain);
+    menu->insertActions(first, {explain, sweep});
     if (first) menu->insertSeparator(first);
     menu->popup(event->globalPos());
 }

@@ -47,6 +47,7 @@ class ParameterPanel : public QWidget {
     void gesture_finished();
     void reset_chosen(const std::string& key);
     void explanation_wanted(const std::string& key);
+    void sweep_wanted(const std::string& key);
 
   protected:
     void contextMenuEvent(QContextMenuEvent* event) override;

@@ -91,9 +91,7 @@ void PlotHeader::make_first_row(QBoxLayout* row) {
     progress_->setMinimumWidth(60);
     progress_->setMaximumHeight(16);
     row->addWidget(progress_, 1);
-    doing_ = new QLabel;
-    doing_->setObjectName(QStringLiteral("doing"));
-    doing_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    doing_ = make_cut_label("doing", Qt::ElideMiddle);
     row->addWidget(doing_, 2);
     export_ = add_tipped_button(row, "plot-export", "export", tr("Export"), tr("Write or copy the plot"));
     export_->setPopupMode(QToolButton::InstantPopup);

@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -21,6 +22,35 @@ namespace ir::widgets {
 namespace {
 
 constexpr int max_seen_lines = 4;  ///< that are seen at once
+
+/// Lines that are wrapped, as high as they need until they are too many.
+class Lines : public QListWidget {
+  public:
+    Lines() {
+        setFrameShape(NoFrame);
+        setIconSize(QSize(14, 14));
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // it would cover a single line
+        setWordWrap(true);
+        setTextElideMode(Qt::ElideNone);
+        setResizeMode(Adjust);
+        setVerticalScrollMode(ScrollPerPixel);
+        setSelectionMode(ExtendedSelection);
+    }
+    void fit() {
+        int wanted = 0;
+        for (int i = 0; i < count(); ++i) wanted += visualItemRect(item(i)).height();
+        const int line = fontMetrics().lineSpacing() + 4;
+        setFixedHeight(std::clamp(wanted, line, max_seen_lines * line) + 4);
+    }
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QListWidget::resizeEvent(event);
+        if (event->size().width() == event->oldSize().width()) return;
+        doItemsLayout();
+        fit();
+    }
+};
 
 void add_copy(QWidget* widget, std::function<void()> run) {
     auto* copy = new QAction(QObject::tr("Copy"), widget);
@@ -84,7 +114,12 @@ QWidget* PlotPanel::make_content() {
     auto* column = new QVBoxLayout(chart);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(view_, 1);
+    scroll_ = new QScrollArea;
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setWidget(view_);
+    scroll_->setWidgetResizable(true);
+    scroll_->setMinimumSize(PlotView::min_size);
+    column->addWidget(scroll_, 1);
     waiting_ = new QLabel(view_);
     waiting_->setObjectName(QStringLiteral("waiting"));
     waiting_->setAlignment(Qt::AlignCenter);
@@ -95,14 +130,9 @@ QWidget* PlotPanel::make_content() {
     point_->setContentsMargins(8, 2, 8, 3);
     point_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     column->addWidget(point_);
-    lines_ = new QListWidget;
+    lines_ = new Lines;
     lines_->setObjectName(QStringLiteral("lines"));
     lines_->setAccessibleName(tr("Points that could not be measured, and notes"));
-    lines_->setFrameShape(QFrame::NoFrame);
-    lines_->setIconSize(QSize(14, 14));
-    lines_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // it would cover a single line
-    lines_->setTextElideMode(Qt::ElideRight);
-    lines_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     add_copy(lines_, [this] {
         QStringList texts;
         for (const auto* item : lines_->selectedItems()) texts << item->text();
@@ -120,6 +150,7 @@ QWidget* PlotPanel::make_content() {
 void PlotPanel::link_selection() {
     connect(view_, &PlotView::selected_changed, this, [this](const QString& id) {
         select_row(id);
+        scroll_to_point();
         show_point();
         emit selected_changed(id);
     });
@@ -128,6 +159,7 @@ void PlotPanel::link_selection() {
             [this](const QModelIndex& row) {
                 if (linking_ || !row.isValid()) return;
                 view_->select(row.data(PlotTableModel::id_role).toString());
+                scroll_to_point();
                 show_point();
                 emit selected_changed(selected());
             });
@@ -151,7 +183,14 @@ void PlotPanel::select_row(const QString& id) {
 void PlotPanel::select(const QString& id) {
     view_->select(id);
     select_row(view_->selected());
+    scroll_to_point();
     show_point();
+}
+
+void PlotPanel::scroll_to_point() {
+    constexpr int around = 30;
+    const auto at = view_->position_of(selected()).toPoint();
+    if (!selected().isEmpty()) scroll_->ensureVisible(0, at.y(), 0, around);
 }
 
 void PlotPanel::show_point() {
@@ -177,8 +216,7 @@ void PlotPanel::show_lines() {
         }
     }
     lines_->setVisible(!lines.isEmpty());
-    const int line = std::max(lines_->sizeHintForRow(0), lines_->fontMetrics().lineSpacing() + 4);
-    lines_->setFixedHeight(std::clamp<int>(int(lines.size()), 1, max_seen_lines) * line + 4);
+    static_cast<Lines*>(lines_)->fit();
 }
 
 void PlotPanel::show_empty(const QString& text, const QString& button) {

@@ -10,6 +10,7 @@
 
 class QLabel;
 class QListWidget;
+class QScrollArea;
 class QSplitter;
 class QStackedWidget;
 
@@ -53,12 +54,14 @@ class PlotPanel : public QWidget {
     void select_row(const QString& id);
     void show_point();
     void show_lines();
+    void scroll_to_point();
 
     PlotHeader* header_;
     PlotView* view_;
     PlotTableModel* model_;
     QSortFilterProxyModel* sorted_;
     EmptyTreeView* table_;
+    QScrollArea* scroll_ = nullptr;  ///< of the plot: rows of bars may need more height than there is
     QSplitter* split_ = nullptr;
     QStackedWidget* pages_;
     const EmptyPage empty_ = make_empty_page();

@@ -29,7 +29,7 @@ bool is_before(const Mark& a, const Mark& b, bool are_bars) {
 PlotView::PlotView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(220, 180);  // title, a line of the legend, both axes
+    setMinimumSize(min_size);
     setAccessibleName(tr("Plot"));
     setAccessibleDescription(
         tr("Left and right walk along a series, up and down go to another one, Enter "
@@ -39,6 +39,7 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent) {
 
 void PlotView::set_data(const PlotData& data) {
     data_ = data;
+    fit_rows();
     lay_out();
     if (!mark(selected_)) selected_.clear();
     if (!mark(hovered_)) hovered_.clear();
@@ -49,6 +50,11 @@ void PlotView::lay_out() {
     update();
 }
 
+void PlotView::fit_rows() {
+    const double wanted = PlotDrawing::height_of_rows(data_, PlotPainter(font()).line_height());
+    setMinimumHeight(std::max(min_size.height(), int(std::ceil(wanted))));
+}
+
 void PlotView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     lay_out();
@@ -56,7 +62,9 @@ void PlotView::resizeEvent(QResizeEvent* event) {
 
 void PlotView::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange) lay_out();
+    if (event->type() != QEvent::FontChange) return;
+    fit_rows();
+    lay_out();
 }
 
 const Mark* PlotView::mark(const QString& id) const {

@@ -7,7 +7,8 @@
 
 namespace ir::widgets {
 
-/// A plot on the screen: tells which point lies under the cursor, is clicked, or walked to by keys.
+/// A plot on the screen, as high as rows of bars need: tells which point lies under the cursor, is clicked,
+/// or walked to by keys.
 class PlotView : public QWidget {
     Q_OBJECT
   public:
@@ -26,6 +27,7 @@ class PlotView : public QWidget {
     QPointF position_of(const QString& id) const;
     /// The point whose mark is under the place, or nearly; empty: none.
     QString point_at(const QPointF& place) const;
+    static constexpr QSize min_size{220, 180};  ///< title, a line of the legend, both axes
 
   signals:
     void selected_changed(const QString& id);
@@ -45,6 +47,7 @@ class PlotView : public QWidget {
   private:
     using Mark = PlotDrawing::Mark;
     void lay_out();
+    void fit_rows();
     const Mark* mark(const QString& id) const;
     void show_selected(const QString& id);
     void hover(const QString& id);

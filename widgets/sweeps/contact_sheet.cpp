@@ -268,6 +268,13 @@ void ContactSheet::select(const QModelIndex& index, Qt::KeyboardModifiers modifi
 }
 
 void ContactSheet::mousePressEvent(QMouseEvent* event) {
+    const auto under = indexAt(event->position().toPoint());
+    if (event->button() == Qt::RightButton && under.isValid()) {  // the menu is about what lies there
+        if (selectionModel()->isSelected(under))
+            selectionModel()->setCurrentIndex(under, QItemSelectionModel::NoUpdate);
+        else
+            select(under, {});
+    }
     if (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton) return event->ignore();
     pressed_ = dragged_ = event->position().toPoint();
     is_pressed_ = true;

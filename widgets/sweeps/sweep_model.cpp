@@ -86,7 +86,8 @@ QVariant SweepModel::data(const QModelIndex& index, int role) const {
     if (role == id_role) return line.id;
     if (role == Qt::ToolTipRole) {
         const auto state = line.problem.isEmpty() ? state_text(line.state) : line.problem;
-        return state.isEmpty() ? line.name : line.name + QLatin1Char('\n') + state;
+        return line.name + (state.isEmpty() ? QString() : QLatin1Char('\n') + state) + QLatin1Char('\n') +
+               tr("A click on its picture, or Enter, loads this setting");
     }
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
     if (index.column() == 0) {

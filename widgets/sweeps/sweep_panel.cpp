@@ -72,7 +72,8 @@ SweepPanel::SweepPanel(QWidget* parent)
     inner->addWidget(make_tools());
     inner->addWidget(tabs_pages_, 1);
     inner->addWidget(make_foot());
-    connect(empty_.button, &QPushButton::clicked, this, &SweepPanel::new_wanted);
+    connect(empty_.button, &QPushButton::clicked, this,
+            [this] { fields_.sweep.isEmpty() ? emit new_wanted() : emit axis_wanted(); });
     pages_->addWidget(empty_.page);
     pages_->addWidget(content);
     auto* column = new QVBoxLayout(this);
@@ -106,7 +107,7 @@ QWidget* SweepPanel::make_head() {
     connect(pause_, &QToolButton::clicked, this,
             [this] { emit pause_wanted(fields_.run == SweepFields::Run::running); });
     progress_ = add_progress(row);
-    doing_ = make_cut_label("doing");
+    doing_ = make_cut_label("doing", Qt::ElideMiddle);
     row->addWidget(doing_, 3);
     files_ = add_button(row, "files", "export", tr("Results"));
     files_->setPopupMode(QToolButton::InstantPopup);
@@ -290,13 +291,19 @@ void SweepPanel::make_table() {
     header->setMinimumSectionSize(36);
     header->setSortIndicator(0, Qt::AscendingOrder);
     table_->setSortingEnabled(true);
+    auto* load = new QAction(tr("&Load this setting"), this);
+    load->setObjectName(QStringLiteral("load"));
+    connect(load, &QAction::triggered, this, [this] {
+        const auto id = table_->currentIndex().data(SweepModel::id_role).toString();
+        if (!id.isEmpty()) emit variation_chosen(id);
+    });
     auto* copy = new QAction(icon("copy"), tr("&Copy as text"), this);
     copy->setObjectName(QStringLiteral("copy"));
     copy->setShortcut(QKeySequence::Copy);
     copy->setShortcutContext(Qt::WidgetShortcut);
     connect(copy, &QAction::triggered, this, [this] { QApplication::clipboard()->setText(text()); });
     for (QWidget* each : {static_cast<QWidget*>(table_), static_cast<QWidget*>(sheet_)}) {
-        each->addAction(copy);
+        each->addActions({load, copy});
         each->setContextMenuPolicy(Qt::ActionsContextMenu);
     }
     connect(header, &QHeaderView::sortIndicatorChanged, this, [this] {

@@ -83,6 +83,7 @@ class SweepPanel : public QWidget {
   signals:
     void sweep_chosen(const QString& id);
     void new_wanted();
+    void axis_wanted();
     void edit_wanted();
     void run_wanted();
     void pause_wanted(bool pause);

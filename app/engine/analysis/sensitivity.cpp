@@ -76,13 +76,13 @@ class Sensitivity {
             const bool is_wanted = wanted.empty() || std::ranges::find(wanted, parameter.key) != wanted.end();
             if (!is_wanted) continue;
             if (!is_numeric(parameter)) {
-                if (!wanted.empty()) problems_.push_back(parameter.key + ": is no number");
+                if (!wanted.empty()) problems_.push_back(parameter.label + ": is no number");
             } else if (parameter.effect == Effect::cost) {
-                costs.push_back(parameter.key);
+                costs.push_back(parameter.label);
             } else if (wanted.empty() && run_.has_reference() && is_transport_key(parameter.key)) {
-                transport.push_back(parameter.key);
+                transport.push_back(parameter.label);
             } else if (!is_active(parameter, base_.values)) {
-                inactive.push_back(parameter.key);
+                inactive.push_back(parameter.label);
             } else {
                 parameters.push_back(&parameter);
             }
@@ -112,11 +112,11 @@ class Sensitivity {
             } catch (const Error& error) {
                 if (run_.is_device_lost()) throw;
                 has_failed = true;
-                problems_.push_back(parameter.key + "=" + to_string(*value) + ": " +
+                problems_.push_back(parameter.label + " " + to_string(*value) + ": " +
                                     projects::printable(error.what(), 300));
             }
         }
-        if (!has_steps) problems_.push_back(parameter.key + ": has no range that says how long a step is");
+        if (!has_steps) problems_.push_back(parameter.label + ": has no range that says how long a step is");
         // Of what was not tried, or failed, nobody knows that it has no effect.
         if (!row.matters.empty() || (has_steps && !has_failed)) keep(std::move(row));
     }
@@ -146,7 +146,7 @@ class Sensitivity {
 
     void keep(NumberRow row) {
         if (row.matters.empty()) {
-            if (row.key != seed_key) without_effect_.push_back(row.key);
+            if (row.key != seed_key) without_effect_.push_back(row.label);
             return;
         }
         rows_.push_back(std::move(row));

@@ -4,7 +4,6 @@
 #include "app/engine/analysis/analysis_run.h"
 #include "app/engine/analysis/bars.h"
 #include "projects/text.h"
-#include "renderers/core/error.h"
 
 namespace ir::engine {
 namespace {
@@ -37,9 +36,6 @@ AnalysisResult waterfall(AnalysisRun& run) {
         stages.push_back(&parameter);
         stand_ins += parameter.exact.size();
     }
-    if (stages.empty())
-        throw UsageError(run.method().id + (wanted.empty() ? " names no" : " names for these parameters no") +
-                         " exact stand-ins, so no waterfall can be made of it");
     run.expect(2 + 2 * stand_ins);
     const auto error = run.error_title("");
     const auto& truth = run.reference();
@@ -93,7 +89,7 @@ AnalysisResult waterfall(AnalysisRun& run) {
             picture = next;
             before = now;
         }
-        if (!is_put) exact_already.push_back(stage->key);
+        if (!is_put) exact_already.push_back(stage->label);
     }
     if (!exact_already.empty())
         bars.add_problem("exact already, or without a meaning here: " + projects::listed(exact_already));

@@ -110,6 +110,18 @@ class AnalysesWindowTest : public WindowTest {
         return std::any_of(buttons.begin(), buttons.end(),
                            [](const QPushButton* button) { return button->isVisible(); });
     }
+    /// In place of an answer.
+    QString page_text() {
+        for (const auto* text : panel().findChildren<QLabel*>(QStringLiteral("empty")))
+            if (text->isVisible()) return text->text();
+        return {};
+    }
+    QString offer() {
+        for (const auto* button : panel().findChildren<QPushButton*>(QStringLiteral("empty-button")))
+            if (button->isVisible()) return button->text();
+        return {};
+    }
+    const widgets::ItemRef& item() { return window.document().editor().item(); }
     std::size_t bars() { return panel().chart().data().count(); }
     void click_bar(const char* id) {
         auto& view = panel().chart().view();
@@ -130,11 +142,15 @@ TEST_F(AnalysesWindowTest, AsksRunsAndShowsTheAnswer) {
     ASSERT_EQ(window.session().document().analyses.size(), 1u);
     EXPECT_EQ(analysis().experiments.front(), window.session().experiment()->id);
     EXPECT_EQ(bars(), 0u);
-    EXPECT_EQ(find<QLabel>("waiting")->text(), "Run the analysis to get its answer.");
+    EXPECT_EQ(page_text(), "Run the analysis to get its answer.");
+    EXPECT_EQ(offer(), "Run");
     press("run");
     ASSERT_TRUE(settle());
     EXPECT_EQ(bars(), 3u);
+    EXPECT_EQ(page_text(), "");
     EXPECT_EQ(panel().shown(), "level");
+    EXPECT_EQ(panel().chart().selected(), "level:down") << "the bar of the picture";
+    EXPECT_TRUE(panel().chart().table().currentIndex().isValid());
     EXPECT_EQ(panel().view().display().colour_map, "coolwarm");
     EXPECT_TRUE(find<QLabel>("foot")->text().contains("not kept: save the project first"));
     // A bar shows its picture, whose numbers are names here.
@@ -214,9 +230,11 @@ TEST_F(AnalysesWindowTest, AnswersAreThereAgainAndGoStale) {
 TEST_F(AnalysesWindowTest, WhatCannotBeAskedIsEditedInTheProject) {
     ask("attribution");  // about two experiments, and there is one
     EXPECT_FALSE(find<QToolButton>("run")->isEnabled());
-    EXPECT_TRUE(find<QToolButton>("run")->toolTip().contains("takes 2 experiments"));
+    EXPECT_TRUE(find<QToolButton>("run")->toolTip().contains("choose two of one method"));
+    EXPECT_EQ(page_text(), "It is about one experiment; choose two of one method (Edit).");
+    EXPECT_EQ(offer(), "Edit");
     auto& editor = window.document().editor();
-    EXPECT_TRUE(editor.findChild<QLabel*>("analysis-problem")->text().contains("takes 2 experiments"));
+    EXPECT_TRUE(editor.findChild<QLabel*>("analysis-problem")->text().contains("choose two of one method"));
     auto* parameters = editor.findChild<QWidget*>("parameters");
     ASSERT_TRUE(parameters);
     add_second_experiment(5);
@@ -230,6 +248,56 @@ TEST_F(AnalysesWindowTest, WhatCannotBeAskedIsEditedInTheProject) {
     });
     ASSERT_TRUE(settle());
     EXPECT_TRUE(find<QToolButton>("run")->isEnabled()) << find<QToolButton>("run")->toolTip().toStdString();
+}
+
+TEST_F(AnalysesWindowTest, TheProjectsFormAndTheBannerFollowTheOneThatIsShown) {
+    ask("sensitivity");
+    ask("divergence");
+    const auto& analyses = window.session().document().analyses;
+    const auto first = QString::fromStdString(analyses[0].id),
+               second = QString::fromStdString(analyses[1].id);
+    window.document().select({widgets::ItemKind::analysis, second});
+    auto* list = find<QComboBox>("analysis");
+    const auto choose = [&](const QString& id) {
+        list->setCurrentIndex(list->findData(id));
+        emit list->activated(list->currentIndex());
+        ASSERT_TRUE(settle());
+    };
+    choose(first);
+    EXPECT_EQ(item().id, first);
+    ask("sensitivity");
+    EXPECT_EQ(item().id.toStdString(), analyses.back().id) << "a new one, too";
+    fails = true;
+    press("run");
+    ASSERT_TRUE(settle());
+    EXPECT_NE(window.banners().text("analyses"), "");
+    choose(second);
+    EXPECT_EQ(window.banners().text("analyses"), "");
+    // Forms of other items stay.
+    const auto experiment = QString::fromStdString(window.session().experiment()->id);
+    window.document().select({widgets::ItemKind::experiment, experiment});
+    choose(first);
+    EXPECT_EQ(item().id, experiment);
+}
+
+TEST_F(AnalysesWindowTest, WhatIsSaidEnds) {
+    ask("sensitivity");
+    press("run");
+    ASSERT_TRUE(settle());
+    const std::string said = "The analysis has an answer";
+    EXPECT_EQ(label("state"), said);
+    fails = true;
+    press("run");
+    ASSERT_TRUE(settle());
+    window.banners().show_banner("processor", widgets::BannerStack::Kind::note, "Passes run on OpenGL now");
+    save();
+    window.session().files().close();
+    EXPECT_NE(label("state"), said) << "of a project that is gone";
+    EXPECT_FALSE(window.banners().names().contains("analyses"));
+    EXPECT_FALSE(window.banners().names().contains("processor"));
+    window.findChild<StatusLine*>()->say("for a moment");
+    EXPECT_EQ(label("state"), "for a moment");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return label("state") != "for a moment"; }, 60000));
 }
 
 TEST_F(AnalysesWindowTest, ADivergenceNamesMachinesAndNoReference) {

@@ -173,6 +173,63 @@ TEST_F(SweepsWindowTest, AClickLoadsTheSettingInOneStep) {
     EXPECT_EQ(level_now(), 4);
 }
 
+TEST_F(SweepsWindowTest, AMenuOfAVariationLoadsIt) {
+    save();
+    add_sweep();
+    run_to_end();
+    const auto index = sheet().model()->index(3, 0);
+    QTest::mousePress(sheet().viewport(), Qt::RightButton, {}, sheet().boxes(index).first.center());
+    EXPECT_EQ(panel().table().currentIndex().row(), 3) << "what lies under the cursor";
+    ASSERT_EQ(sheet().actions().first()->objectName(), "load");
+    EXPECT_NE(level_now(), 2);
+    sheet().actions().first()->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(level_now(), 2);
+    EXPECT_TRUE(index.data(Qt::ToolTipRole).toString().contains("loads this setting"));
+}
+
+TEST_F(SweepsWindowTest, AParameterIsSweptInOneStep) {
+    dock().add_sweep();
+    window.docks().raise("sweeps");
+    ASSERT_TRUE(settle());
+    auto* text = panel().findChild<QLabel*>("empty");
+    auto* button = panel().findChild<QPushButton*>("empty-button");
+    EXPECT_TRUE(text->isVisible() && text->text().contains("varies nothing yet"))
+        << text->text().toStdString();
+    EXPECT_TRUE(text->text().contains("Save the project first"));
+    EXPECT_EQ(button->text(), "Add a parameter …");
+    auto before = steps();
+    button->click();
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(sweep().axes.size(), 1u);
+    EXPECT_EQ(steps(), before + 1);
+    EXPECT_EQ(window.document().editor().item().id.toStdString(), sweep().id) << "where its values are typed";
+    trigger("undo");
+    // From the parameter's own menu: of the shown sweep.
+    auto* parameters = window.findChild<widgets::ParameterPanel*>();
+    emit parameters->sweep_wanted("level");
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(sweep().axes.size(), 1u);
+    EXPECT_EQ(sweep().axes[0].key, "level");
+    EXPECT_EQ(sweep().axes[0].values, (std::vector<projects::Json>{level_now()}));
+    before = steps();
+    emit parameters->sweep_wanted("level");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(steps(), before) << "it varies already";
+    // Of another experiment: a new one.
+    add_second_experiment(5);
+    const auto second = window.session().document().experiments[1].id;
+    window.session().select_experiment(second);
+    ASSERT_TRUE(settle());
+    before = steps();
+    emit parameters->sweep_wanted("level");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(steps(), before + 1);
+    ASSERT_EQ(window.session().document().sweeps.size(), 2u);
+    EXPECT_EQ(window.session().document().sweeps[1].experiment, second);
+    EXPECT_EQ(dock().chosen(), window.session().document().sweeps[1].id);
+}
+
 TEST_F(SweepsWindowTest, AnotherProjectEndsTheRun) {
     save();
     add_sweep();

@@ -217,7 +217,7 @@ TEST_F(AnalysisTest, ErrorsOfStepsAreThoseOfTheSettings) {
     EXPECT_GT(find(result, "max_distance").image.pixels.size(), 0u);
     // Ambient light is no part of the main result: no pixel changes, and that is said.
     bool is_said = false;
-    for (const auto& line : data.problems) is_said |= line.find("ambient") != std::string::npos;
+    for (const auto& line : data.problems) is_said |= line.find("Ambient radiance") != std::string::npos;
     EXPECT_TRUE(is_said);
     EXPECT_FALSE(data.find("ambient:up"));
 }

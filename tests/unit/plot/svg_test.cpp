@@ -117,6 +117,18 @@ TEST(PlotSvg, BarsLieInTheirRowsFromWhereTheyBegin) {
     for (const auto& name : data.y.names) EXPECT_NE(tall.find(">" + name + "</text>"), std::string::npos);
 }
 
+TEST(PlotSvg, LongTitlesAreBrokenAndThenEndInAnEllipsis) {
+    auto data = sample();
+    data.title = "From Horizon-based ambient occlusion to Horizon-based ambient occlusion 2";
+    auto svg = plot_svg(data, 400, 300, true);
+    EXPECT_NE(svg.find(">From Horizon-based ambient occlusion to</text>"), std::string::npos) << svg;
+    EXPECT_NE(svg.find(">Horizon-based ambient occlusion 2</text>"), std::string::npos);
+    data.title += ", which goes on and on and on and on";
+    svg = plot_svg(data, 400, 300, true);
+    EXPECT_NE(svg.find("…</text>"), std::string::npos);
+    EXPECT_EQ(svg.find("on and on and on</text>"), std::string::npos);
+}
+
 TEST(PlotStyle, SeriesDifferInColourOrShape) {
     for (int a = 0; a < 40; ++a)
         for (int b = 0; b < a; ++b)

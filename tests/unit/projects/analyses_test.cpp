@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "projects/check.h"
 #include "projects/document_json.h"
 #include "projects/edits.h"
@@ -44,7 +46,7 @@ TEST_F(AnalysesTest, AreWrittenAndReadAndOlderBuildsSeeNothingOfNone) {
 TEST_F(AnalysesTest, SayWhatIsWrongWithThem) {
     EXPECT_EQ(why_not(), "");
     analysis.experiments = {"copy"};
-    EXPECT_EQ(why_not(), "it is about 1 experiment, and takes 2 experiments");
+    EXPECT_EQ(why_not(), "it is about one experiment; choose two of one method");
     analysis.experiments = {"copy", "gone"};
     EXPECT_EQ(why_not(), "there is no experiment 'gone'; choose another");
     analysis.experiments = {"copy", project.experiments[0].id};
@@ -121,7 +123,7 @@ TEST_F(AnalysesTest, OfFramesNameAnOutputAndHowMany) {
     EXPECT_EQ(why_not_analysed(project, analysis, registry), "");
     analysis.output = "variance";
     EXPECT_EQ(why_not_analysed(project, analysis, registry),
-              "is about 'variance', and a reference shows the main result; take one of the two out");
+              "it is about 'variance', and a reference shows the main result; take one of the two out");
     analysis.output = "main";
     EXPECT_EQ(why_not_analysed(project, analysis, registry), "");
     project.experiments.back().reference = project.experiments[0].id;
@@ -129,6 +131,65 @@ TEST_F(AnalysesTest, OfFramesNameAnOutputAndHowMany) {
     const auto other = analysis_of(project, "frames", "copy", registry, "variance");
     EXPECT_EQ(other.reference, "");
     EXPECT_EQ(other.output, "variance");
+}
+
+/// Fog with an exact stand-in for its model.
+class StandInsTest : public AnalysesTest {
+  protected:
+    void SetUp() override {
+        AnalysesTest::SetUp();
+        exact = testing::registry().at("fog");
+        for (auto& parameter : exact.parameters)
+            if (parameter.key == "model") parameter.exact = {"thick"};
+    }
+    const projects::Experiment& by(const std::string& method) {
+        return *std::ranges::find(project.experiments, method, &Experiment::method);
+    }
+
+    MethodDescription exact;
+    Registry registry{{&exact, testing::registry().find("plain")}};
+};
+
+TEST_F(StandInsTest, WaterfallsAreAskedOfMethodsThatNameThem) {
+    for (auto& each : project.experiments) each.reference.clear();
+    project.experiments.push_back(by("plain"));
+    auto& truth = project.experiments.back();
+    truth.id = "truth";
+    analysis.kind = "waterfall";
+    analysis.reference = "truth";
+    analysis.experiments = {by("plain").id};
+    EXPECT_EQ(why_not_analysed(project, analysis, registry),
+              "it is about plain, which names no exact stand-ins; choose an experiment by one of fog");
+    analysis.experiments = {by("fog").id};
+    EXPECT_EQ(why_not_analysed(project, analysis, registry), "");
+    analysis.parameters = {"samples"};
+    EXPECT_EQ(why_not_analysed(project, analysis, registry),
+              "it names parameters without exact stand-ins; leave them out");
+}
+
+TEST_F(StandInsTest, WhatIsProposedCanBeCarriedOutWhereSomethingCan) {
+    auto& experiments = project.experiments;
+    experiments = {by("plain"), by("fog")};
+    auto truth = experiments[0];
+    truth.id = "truth";
+    experiments.push_back(truth);
+    experiments[0].reference = experiments[1].reference = "truth";
+    const auto plain = experiments[0].id, fog = experiments[1].id;
+    EXPECT_EQ(proposed_analysis(project, "waterfall", plain, registry).experiments,
+              (std::vector<std::string>{fog}));
+    EXPECT_EQ(analysis_of(project, "waterfall", plain, registry).experiments,
+              (std::vector<std::string>{plain}))
+        << "as it is told";
+    experiments[1].reference.clear();
+    EXPECT_EQ(proposed_analysis(project, "waterfall", plain, registry).experiments,
+              (std::vector<std::string>{plain}))
+        << "nothing can be asked about";
+    // Two of one method, neither of which is the experiment that is worked on.
+    auto other = experiments[1];
+    other.id = "other";
+    experiments.push_back(other);
+    EXPECT_EQ(proposed_analysis(project, "attribution", plain, registry).experiments,
+              (std::vector<std::string>{fog, "other"}));
 }
 
 TEST_F(AnalysesTest, KeepTheirExperimentsFromBeingRemoved) {

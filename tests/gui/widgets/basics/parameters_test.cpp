@@ -198,10 +198,10 @@ TEST_F(ParameterPanelTest, TheMenuOfARowAsksWhatItIsAlsoOfAnIdleOne) {
         return actions;
     };
     const auto ask = [&](QWidget& part) { return ask_at(part, part.rect().center()); };
-    EXPECT_EQ(ask(*in<QComboBox>("mode")), 1);
+    EXPECT_EQ(ask(*in<QComboBox>("mode")), 2);
     EXPECT_GT(ask(*in<NumberField>("count")), 4) << "and what its text can do";
-    EXPECT_EQ(ask(*in<QSlider>("count")), 1);
-    EXPECT_EQ(ask(*in<QCheckBox>("jitter")), 1);
+    EXPECT_EQ(ask(*in<QSlider>("count")), 2);
+    EXPECT_EQ(ask(*in<QCheckBox>("jitter")), 2);
     EXPECT_FALSE(in<NumberField>("radius")->isEnabled());
     EXPECT_GT(ask(*in<NumberField>("radius")), 0);
     EXPECT_EQ(keys, (std::vector<std::string>{"mode", "count", "count", "jitter", "radius"}));

@@ -101,6 +101,54 @@ TEST_F(PlotPanelTest, ProblemsRemarksAndNotesAreListed) {
     EXPECT_EQ(lines->item(2)->text().toStdString(), data.notes[0]);
 }
 
+TEST_F(PlotPanelTest, LongLinesAreWrapped) {
+    auto data = sample_plot();
+    data.notes = {"short",
+                  "the reference has an RMSE of about 0.00345 left of its own; smaller errors against it say "
+                  "nothing, and so on until no panel is wide enough for one line of text that holds it all"};
+    panel.show_data(data, {});
+    QApplication::processEvents();
+    auto* lines = find<QListWidget>("lines");
+    EXPECT_GE(lines->visualItemRect(lines->item(1)).height(),
+              lines->visualItemRect(lines->item(0)).height() + lines->fontMetrics().height());
+    EXPECT_TRUE(lines->viewport()->rect().contains(lines->visualItemRect(lines->item(1))))
+        << "nothing is cut";
+}
+
+/// Thirty rows, far more than the panel is high.
+TEST_F(PlotPanelTest, EachRowOfBarsHasItsNameAndIsScrolledTo) {
+    PlotData data;
+    data.title = "Bars";
+    data.are_bars = true;
+    data.headings = {"Row"};
+    data.series = {{"", {}}};
+    for (int row = 0; row < 30; ++row) {
+        data.y.names.push_back("row " + std::to_string(row));
+        auto& point = data.series[0].points.emplace_back(sample_point(data.y.names.back().c_str(), 1, row));
+        point.cells = {{data.y.names.back()}};
+    }
+    panel.show_data(data, {});
+    QApplication::processEvents();
+    const auto& plot = panel.view().drawing().plot();
+    ASSERT_EQ(plot.y.ticks().size(), 30u);
+    EXPECT_GE(panel.view().drawing().area().height() / 30, panel.fontMetrics().ascent());
+    for (const auto& tick : plot.y.ticks())
+        EXPECT_EQ(tick.text, "row " + std::to_string(int(tick.place))) << "at its own bar";
+    const auto is_seen = [&](const char* id) {
+        return panel.view().visibleRegion().contains(panel.view().position_of(QLatin1String(id)).toPoint());
+    };
+    EXPECT_FALSE(is_seen("row 2"));
+    panel.select("row 2");
+    QApplication::processEvents();
+    EXPECT_TRUE(is_seen("row 2"));
+    panel.table().setFocus();
+    QTest::keyClick(&panel.table(), Qt::Key_Home);
+    EXPECT_TRUE(is_seen("row 29"));
+    panel.show_data(sample_plot(), {});
+    QApplication::processEvents();
+    EXPECT_LE(panel.view().height(), panel.height()) << "what is no bars has the height that there is";
+}
+
 TEST_F(PlotPanelTest, AnEmptyPanelSaysWhatAPlotIsAndOffersOne) {
     panel.show_empty("What a plot is", "New plot");
     auto* button = find<QPushButton>("empty-button");
