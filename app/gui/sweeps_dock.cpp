@@ -231,10 +231,9 @@ void SweepsDock::add_sweep() {
 
 void SweepsDock::sweep_parameter(const std::string& key) {
     const auto* shown = session_.experiment();
-    if (!shown) return;
-    const bool is_its = sweep() && sweep()->experiment == shown->id;
+    const bool is_its = shown && sweep() && sweep()->experiment == shown->id;
     if (is_its && varies(*sweep(), key)) return emit edit_wanted(text_of(chosen()));
-    add_axis(is_its ? sweep()->id : std::string(), shown->id, key);
+    if (shown) add_axis(is_its ? sweep()->id : std::string(), shown->id, key);
 }
 
 /// Another one is chosen in the form, which shows it then.
