@@ -83,30 +83,42 @@ std::string why_not_stand_ins(const Analysis& analysis, const MethodDescription&
 
 const std::vector<AnalysisKind>& analysis_kinds() {
     static const std::vector<AnalysisKind> kinds{
-        {"disagreement", "Disagreement",
-         "Where experiments differ from each other, and which of them is nearest to the reference. Without a "
-         "reference: which is farthest from the others.",
-         2, max_disagreeing},
-        {"sensitivity", "Sensitivity",
-         "How much the error changes with each number of an experiment, a step down and a step up, and where "
-         "in the picture. Without a reference: how much the picture changes.",
-         1, 1, false, false, true},
-        {"attribution", "Attribution",
-         "Which of the settings in which two experiments of one method differ makes how much of the "
-         "difference between their pictures or, with a reference, between their errors.",
-         2, 2, true},
-        {"waterfall", "Error waterfall",
-         "Which stage of a method owns the error: what is left of it when exact stand-ins take the place of "
-         "one stage after another.",
-         1, 1, false, true, true, false, true},
-        {"divergence", "Divergence",
-         "The first buffer that two processors or drivers make differently, and by how much each of those "
-         "behind it differs.",
-         1, 1, false, false, false, true},
-        {"frames", "Time machine",
-         "The last frames of an experiment, of any of its images: as its samples add up, or as time passes. How "
-         "much each changes and, with a reference, how far it is from it.",
-         1, 1, false, false, false, false, true}};
+        {.key = "disagreement",
+         .label = "Disagreement",
+         .doc = "Where experiments differ from each other, and which of them is nearest to the reference. "
+                "Without a reference: which is farthest from the others.",
+         .min_experiments = 2,
+         .max_experiments = max_disagreeing},
+        {.key = "sensitivity",
+         .label = "Sensitivity",
+         .doc =
+             "How much the error changes with each number of an experiment, a step down and a step up, and "
+             "where in the picture. Without a reference: how much the picture changes.",
+         .takes_parameters = true},
+        {.key = "attribution",
+         .label = "Attribution",
+         .doc = "Which of the settings in which two experiments of one method differ makes how much of the "
+                "difference between their pictures or, with a reference, between their errors.",
+         .min_experiments = 2,
+         .max_experiments = 2,
+         .needs_one_method = true},
+        {.key = "waterfall",
+         .label = "Error waterfall",
+         .doc = "Which stage of a method owns the error: what is left of it when exact stand-ins take the "
+                "place of one stage after another.",
+         .needs_reference = true,
+         .takes_parameters = true,
+         .needs_stand_ins = true},
+        {.key = "divergence",
+         .label = "Divergence",
+         .doc = "The first buffer that two processors or drivers make differently, and by how much each of "
+                "those behind it differs.",
+         .compares_machines = true},
+        {.key = "frames",
+         .label = "Time machine",
+         .doc = "The last frames of an experiment, of any of its images: as its samples add up, or as time "
+                "passes. How much each changes and, with a reference, how far it is from it.",
+         .takes_frames = true}};
     return kinds;
 }
 

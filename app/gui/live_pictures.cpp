@@ -412,7 +412,7 @@ QString LivePictures::passes_on_host(const std::string& id) const {
     const auto* entry = find(id);
     const auto shown = result(id);
     if (!entry || !shown || entry->state == State::failed || shown->serial < entry->first_serial) return {};
-    return QString::fromStdString(listed(engine::host_bodies(shown->report)));
+    return QString::fromStdString(ir::listed(engine::host_bodies(shown->report)));
 }
 
 const std::string& LivePictures::computed_from(const std::string& id) const {

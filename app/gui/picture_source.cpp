@@ -96,7 +96,7 @@ QString written_text(const FrameReport& report, const std::string& pass) {
     for (const auto* buffer : engine::written_by(report, pass)) names.push_back(buffer->label);
     return names.empty() ? QString()
                          : QObject::tr("\nThat pass has written %1: click one in Pipeline.")
-                               .arg(text_of(listed(names)));
+                               .arg(text_of(ir::listed(names)));
 }
 
 QString asks_for_pixel(const ResourceReport& resource) {

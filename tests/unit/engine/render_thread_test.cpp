@@ -222,7 +222,7 @@ TEST(LiveSessionTest, ListsAreSeenAsAPassLeftThem) {
     request.tag = "a";
     request.experiment.scene = "builtin:cornell";
     request.experiment.method = "photon-mapping";
-    request.experiment.settings = {{"photons", std::int64_t{2000}}};
+    request.experiment.settings = {{"photons", std::int64_t{50000}}};
     request.experiment.width = request.experiment.height = 16;
     request.inspection.x = request.inspection.y = 8;
     const std::string key = "splat.explain.photons", sum = "splat.explain.sum";

@@ -46,7 +46,9 @@ TEST_P(LineTest, AHintStandsThereUntilALineIsDrawn) {
 TEST(ToolHints, StandInOnePictureThatHasRoom) {
     PaneBoard board(nullptr, ImageView::Surface::raster);
     for (int i = 0; i < 3; ++i) board.pane(i).set_picture(make_picture(ramp(64, 48), Semantic::radiance));
-    board.arrange({{{0, 0}}, {{1, 0}}, {{2, 0}}}, {3, 1}, false);
+    std::vector<PaneBoard::Cell> cells(3);
+    for (int i = 0; i < 3; ++i) cells[std::size_t(i)].place = {double(i), 0};
+    board.arrange(cells, {3, 1}, false);
     board.set_tool(Tool::line);
     const auto hinted = [&] {
         std::vector<int> panes;
