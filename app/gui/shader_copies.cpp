@@ -145,7 +145,10 @@ fs::path ShaderCopies::open(const std::string& experiment, const std::string& fi
     auto text = text_of(experiment, file);
     real_file_system().create_directories(path.parent_path());
     Copy copy{.experiment = experiment, .file = file, .text = text};
-    if (const auto known = copies_.find(path); known != copies_.end()) copy.bases = known->second.bases;
+    if (const auto known = copies_.find(path); known != copies_.end()) {
+        copy.bases = known->second.bases;
+        copy.text = known->second.text;  // what stands there, unless a person has changed it
+    }
     write(path, copy, std::move(text));
     copies_[path] = std::move(copy);
     return path;

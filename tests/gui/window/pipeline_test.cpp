@@ -213,13 +213,15 @@ TEST_F(ListStepsWindowTest, WhatIsNotWrittenByThenIsSaid) {
     click("paint");
     ASSERT_TRUE(QTest::qWaitFor([&] { return space.picture().moment == "after “paint”"; }));
     EXPECT_EQ(renderer.views.back().view.after, "paint");
-    EXPECT_EQ(space.picture().layers.at(0).note, "“Cloud” is not written yet when “paint” has run.");
+    const std::string reason =
+        "“Cloud” is not written yet when “paint” has run.\nThat pass has written Picture: click one in "
+        "Pipeline.";
+    EXPECT_EQ(space.picture().layers.at(0).note, reason);
     auto state = window.views().active_state();
     state.as_table = true;
     window.views().set_active_state(state);
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window.workspace().active_pane().table().reason(),
-              "“Cloud” is not written yet when “paint” has run.");
+    EXPECT_EQ(window.workspace().active_pane().table().reason().toStdString(), reason);
     press("pass-next");
     EXPECT_EQ(window.workspace().active_pane().table().model().buffer().elements, 6u);
 }
