@@ -31,7 +31,10 @@ struct LiveSession::SurfaceTree {
 
 const passes::Bvh& LiveSession::surface_tree(const Execution& execution, const scene::World& world) {
     const auto& scene = execution.scene();
-    const double time = scene.is_animated() ? execution.time() : 0;
+    // The world's own: the execution's may be that of a frame that has not run yet.
+    const double time = !scene.is_animated()       ? 0
+                        : execution.inputs().scene ? execution.inputs().time
+                                                   : execution.time();
     if (!surface_tree_ || surface_tree_->scene != scene.content_hash || surface_tree_->time != time) {
         surface_tree_.reset();  // makes room
         surface_tree_.reset(

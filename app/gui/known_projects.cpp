@@ -62,8 +62,10 @@ QImage small_picture(const QString& name, const QString& project, const char* fo
     auto wrapped = QByteArray::fromRawData(bytes.data(), qsizetype(bytes.size()));
     QBuffer buffer(&wrapped);
     QImageReader reader(&buffer, format);
+    reader.setAutoDetectImageFormat(false);
     const auto size = reader.size();
-    return size.width() <= max_small_side && size.height() <= max_small_side ? reader.read() : QImage();
+    return size.isValid() && size.width() <= max_small_side && size.height() <= max_small_side ? reader.read()
+                                                                                               : QImage();
 }
 
 QStringList saved_paths() {

@@ -54,7 +54,12 @@ class SweepReport {
             work_.tell("Reading " + row.id, 0.5 * double(there) / double(table_.rows.size()));
             try {
                 const auto file = engine::picture_of(row, folder_);
-                if (file.empty()) throw InputError(row.image, "", "is no picture of a sweep");
+                if (file.empty()) {
+                    report_.lacks.push_back("The picture of " + engine::name_of(row) +
+                                            " lies outside of the folders beside its list; --allow-outside "
+                                            "reads it.");
+                    continue;
+                }
                 auto picture = read_picture(engine::name_of(row), file);
                 picture.caption = caption_of(row);
                 const auto& image = picture.side.image;

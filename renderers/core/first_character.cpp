@@ -16,7 +16,9 @@ Character first_character(std::string_view text) {
     const bool is_longer_than_needed = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
     // Of no character: old terminals obey such a byte alone.
     if (!is_whole || is_longer_than_needed) return {1, lead < 0xa0};
-    return {length, code < 0xa0 || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069)};
+    const bool is_direction = code == 0x061c || code == 0x200e || code == 0x200f;
+    return {length, is_direction || code < 0xa0 || (code >= 0x2028 && code <= 0x202e) ||
+                        (code >= 0x2066 && code <= 0x2069)};
 }
 
 }  // namespace ir

@@ -48,7 +48,8 @@ std::string shortened(const PlotCanvas& measure, const std::string& words, doubl
 /// Lines of a title, broken between words; what there is no room for is left out of the last one.
 std::vector<std::string> title_of(const PlotCanvas& measure, const std::string& words, double width) {
     std::vector<std::string> lines;
-    std::string rest = words;
+    if (words.empty()) return lines;
+    auto rest = shortened(measure, words, double(title_lines) * width, Letters::title);
     while (!rest.empty()) {
         std::size_t end = rest.size();
         while (end != std::string::npos && measure.width_of(rest.substr(0, end), Letters::title) > width)

@@ -12,6 +12,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
 #include "renderers/image/channels.h"
+#include "renderers/image/colour_map.h"
 
 namespace ir::engine {
 namespace {
@@ -135,6 +136,10 @@ AnalysisPicture read_picture(ObjectReader& reader) {
         ObjectReader inner(*json, reader.file(), reader.pointer_to_member("buffer"));
         picture.buffer = {semantic_called(inner.text("semantic")), inner.text("unit"),
                           inner.text("colour_map")};
+        // One that another build has is as none.
+        const auto& maps = colour_map_names();
+        if (std::ranges::find(maps, picture.buffer->colour_map) == maps.end())
+            picture.buffer->colour_map.clear();
     }
     reader.each("categories", [&](const Json& json, const std::string& pointer) {
         ObjectReader inner(json, reader.file(), pointer);
@@ -152,7 +157,8 @@ void read_pixels(AnalysisResult& result, const fs::path& file) {
     for (auto& layer : read_exr(file)) {
         if (layer.name == valid_layer && layer.image.channels == 1) result.valid = std::move(layer.image);
         for (auto& picture : result.pictures)
-            if (picture.key == layer.name) picture.image = std::move(layer.image);
+            if (picture.key == layer.name && (picture.buffer || layer.image.channels == 1))
+                picture.image = std::move(layer.image);
     }
     std::erase_if(result.pictures, [](const AnalysisPicture& picture) { return picture.image.empty(); });
 }

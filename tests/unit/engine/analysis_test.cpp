@@ -465,6 +465,18 @@ TEST_F(AnalysisTest, AnswersAreKeptUntilSomethingElseIsAsked) {
     EXPECT_THROW(load_analysis(out), InputError);
 }
 
+TEST_F(AnalysisTest, AColourMapThatNobodyHasIsNone) {
+    const auto analysis = ask("frames", {"a"});
+    auto result = answer(analysis);
+    ASSERT_FALSE(result.pictures.empty());
+    ASSERT_TRUE(result.pictures[0].buffer);
+    result.pictures[0].buffer->colour_map = "of others";
+    keep_analysis(project, analysis, folder_, result);
+    const auto kept = load_analysis(analysis_folder(folder_, analysis.id));
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->result.pictures.at(0).buffer->colour_map, "");
+}
+
 TEST_F(AnalysisTest, ProgressGoesForwardAndCancelEndsIt) {
     double last = 0;
     CancelToken cancel;

@@ -127,6 +127,8 @@ TEST(PlotSvg, LongTitlesAreBrokenAndThenEndInAnEllipsis) {
     svg = plot_svg(data, 400, 300, true);
     EXPECT_NE(svg.find("…</text>"), std::string::npos);
     EXPECT_EQ(svg.find("on and on and on</text>"), std::string::npos);
+    for (int i = 0; i < 500'000; ++i) data.title += " on";  // a book takes no longer
+    EXPECT_NE(plot_svg(data, 400, 300, true).find("…</text>"), std::string::npos);
 }
 
 TEST(PlotStyle, SeriesDifferInColourOrShape) {
