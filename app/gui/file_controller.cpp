@@ -70,6 +70,7 @@ FileController::FileController(QWidget& window, Session& session, Workspace& wor
         recent_.remove(path);
         update_recent();
     });
+    const PatientFiles::Silence silence;  // no event finds half a window
     update_recent();
     update_actions();
 }
@@ -167,7 +168,7 @@ bool FileController::save() {
         }
     };
     if (notices_.attempt(work, tr("Cannot save"))) {
-        save_thumbnail();
+        show_as_saved(save_thumbnail());
         notices_.say(tr("Saved %1").arg(QString::fromStdString(session_.open_project().folder().string())));
         return true;
     }
@@ -210,9 +211,7 @@ bool FileController::save_as() {
 
 void FileController::close() {
     emit ending();
-    if (!may_discard()) return;
-    session_.files().close();
-    update_recent();  // saved since it was opened
+    if (may_discard()) session_.files().close();
 }
 
 bool FileController::may_discard() {
@@ -228,17 +227,17 @@ bool FileController::may_discard() {
     return answer == QMessageBox::Discard;
 }
 
-/// The picture by which the project is known on the start page.
-void FileController::save_thumbnail() {
+/// The picture by which the project is known on the start page; null: it stays the one before.
+QImage FileController::save_thumbnail() {
     const auto shown = workspace_.active_pane().picture_at(0);
-    if (shown && !shown->draft.isEmpty()) return;
+    if (shown && !shown->draft.isEmpty()) return {};
     const QImage picture = picture_of(workspace_.active_pane());
-    if (picture.isNull()) return;
+    if (picture.isNull()) return {};
     const auto folder = session_.open_project().folder();
     const auto name = thumbnail_file(QString::fromStdString(folder.string()));
     try {
-        const auto bytes =
-            encoded(picture.scaled(largest_thumbnail, Qt::KeepAspectRatio, Qt::SmoothTransformation), name);
+        const auto small = picture.scaled(largest_thumbnail, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        const auto bytes = encoded(small, name);
         patient_files().wait_for([&] {
             const std::filesystem::path file = name.toStdString();
             if (!lies_within(file.parent_path(), folder)) return;  // somebody else's link
@@ -246,18 +245,38 @@ void FileController::save_thumbnail() {
             files.create_directories(file.parent_path());
             write_atomically(files, file, {bytes.constData(), std::size_t(bytes.size())});
         });
+        return small;
     } catch (const Error&) {
-        // Nothing of value is lost with it.
+        return {};  // nothing of value is lost with it
     }
 }
 
+/// On the start page, without looking at the disk again: it may be slow.
+void FileController::show_as_saved(const QImage& thumbnail) {
+    const auto path = QString::fromStdString(session_.open_project().folder().string());
+    for (auto& each : listed_)
+        if (each.path == path) {
+            each.when = QDateTime::currentDateTime();
+            if (!thumbnail.isNull()) each.thumbnail = thumbnail;
+        }
+    welcome_.set_recent(listed_);
+}
+
 void FileController::update_recent() {
+    std::vector<widgets::RecentProject> listed;
+    std::vector<widgets::SampleProject> samples;
+    QStringList paths;
+    patient_files().wait_for([&] {
+        listed = recent_.all();
+        samples = samples_.all();
+        paths = recent_.paths();
+    });
+    listed_ = std::move(listed);
     recent_menu_->clear();
-    for (const QString& path : recent_.paths())
-        recent_menu_->addAction(path, this, [this, path] { go_to(path); });
+    for (const QString& path : paths) recent_menu_->addAction(path, this, [this, path] { go_to(path); });
     recent_menu_->setEnabled(!recent_menu_->isEmpty());
-    welcome_.set_recent(recent_.all());
-    welcome_.set_samples(samples_.all());
+    welcome_.set_recent(listed_);
+    welcome_.set_samples(samples);
 }
 
 }  // namespace ir::gui

@@ -43,7 +43,8 @@ class FileController : public QObject {
     void close();
     void new_project();
     void choose_project();
-    void save_thumbnail();
+    QImage save_thumbnail();
+    void show_as_saved(const QImage& thumbnail);
     void update_recent();
     void say_copy(const QString& sample, const projects::SampleCopy& copy);
     void begin_sample_afresh(const QString& sample, const projects::SampleCopy& copy);
@@ -56,6 +57,7 @@ class FileController : public QObject {
     Actions& actions_;
     widgets::WelcomePage& welcome_;
     RecentProjects recent_;
+    std::vector<widgets::RecentProject> listed_;  ///< on the start page
     Samples samples_;
     QMenu* recent_menu_;
 };

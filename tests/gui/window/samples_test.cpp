@@ -8,12 +8,14 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <chrono>
 #include <map>
 
 #include "app/gui/card_picture.h"
 #include "app/gui/dialog_folder.h"
 #include "app/gui/known_projects.h"
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/panels/cards.h"
 
 namespace ir::gui {
 namespace {
@@ -148,6 +150,9 @@ TEST_F(WindowTest, ARecentProjectIsFoundFromAnotherFolder) {
     open_scene();
     window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
     window.session().files().close();
+    std::filesystem::last_write_time(
+        (folder.path() + "/kept.interreflect/project.json").toStdString(),
+        std::filesystem::file_time_type::clock::now() - std::chrono::hours(9000));
     FakeRenderer other_renderer;
     MainWindow other(other_renderer, fake_registry(), {.remember = true, .surface = painted});
     const auto here = QDir::currentPath();
@@ -162,6 +167,17 @@ TEST_F(WindowTest, ARecentProjectIsFoundFromAnotherFolder) {
     });
     ASSERT_NE(recent, all.end());
     EXPECT_FALSE(recent->missing);
+    // The start page says when it was saved, not when it was opened.
+    const auto is_of_today = [&] {
+        return std::ranges::any_of(other.findChildren<widgets::ProjectCard*>(), [&](const auto* card) {
+            return card->toolTip() == recent->path && card->accessibleDescription().startsWith("today");
+        });
+    };
+    EXPECT_FALSE(is_of_today());
+    other.session().edit(
+        [](const projects::Project& project) { return projects::edits::set_project_name(project, "New"); });
+    other.action("save")->trigger();
+    EXPECT_TRUE(is_of_today());
     other.session().files().close();
     QSettings().remove("recent");
 }
