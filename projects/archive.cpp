@@ -3,6 +3,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fstream>
@@ -118,6 +119,9 @@ void ArchiveWriter::header(const std::string& name, std::uint64_t size) {
     if (++files_ > max_packed_files)
         throw Error("cannot be packed: a packed project holds at most " + std::to_string(max_packed_files) +
                     " files; remove old results by project --prune");
+    if (std::ranges::count(name, '/') > max_packed_depth + 1)  // the first ends the project's own
+        throw Error(printable(name) + ": cannot be packed: a packed project is at most " +
+                    std::to_string(max_packed_depth) + " folders deep; move the file");
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
                                                                          archive_entry_free);
     archive_entry_set_pathname(entry.get(), name.c_str());

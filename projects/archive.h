@@ -15,6 +15,8 @@ namespace ir::projects {
 
 /// That an archive may hold, folders included: what a project keeps is some files for each picture.
 inline constexpr int max_packed_files = 100'000;
+/// Folders within each other, below that of the project.
+inline constexpr int max_packed_depth = 64;
 
 /// Writes an uncompressed tar archive of plain files. Equal contents give equal bytes: no dates, no owners.
 class ArchiveWriter {

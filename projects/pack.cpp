@@ -75,7 +75,6 @@ class NewFolders {
     }
     /// `inside`: relative to the root.
     void make(const fs::path& inside) {
-        constexpr int max_depth = 64;
         if (inside == last_) return;
         auto folder = root_;
         int depth = 0;
@@ -83,7 +82,7 @@ class NewFolders {
         for (const auto& part : inside) {
             const bool is_there = fs::exists(folder /= part, ignored);
             made_ += !is_there;
-            if (++depth > max_depth || made_ > max_packed_files)
+            if (++depth > max_packed_depth || made_ > max_packed_files)
                 throw InputError(packed_.string(), printable(inside.string()),
                                  "has more folders than a project; ask for another copy");
             if (!is_there) real_file_system().create_directories(folder);

@@ -328,6 +328,11 @@ TEST(Pack, MoreFilesAndFoldersThanAProjectHasAreRefused) {
     ArchiveWriter writer(out);
     for (int i = 0; i < max_packed_files; ++i) writer.add_text("a", "");
     EXPECT_THROW(writer.add_text("a", ""), Error) << "nobody could unpack it";
+    ArchiveWriter deepest(out);
+    std::string place = "a.interreflect/";
+    for (int i = 0; i < max_packed_depth; ++i) place += "d/";
+    EXPECT_NO_THROW(deepest.add_text(place + "f", ""));
+    EXPECT_THROW(deepest.add_text(place + "d/f", ""), Error);
 }
 
 TEST(Pack, PipesAreNotWaitedFor) {
