@@ -7,22 +7,11 @@
 #include "app/gui/dialog_folder.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
+#include "renderers/core/pass_writes.h"
 #include "renderers/core/write_file.h"
 #include "renderers/plot/pipeline_svg.h"
 
 namespace ir::gui {
-namespace {
-
-/// Whether a pass up to that one writes it.
-bool is_written(const FrameReport& report, const std::string& key, const std::string& last_pass) {
-    for (const auto& pass : report.passes) {
-        if (!pass.culled && std::ranges::find(pass.writes, key) != pass.writes.end()) return true;
-        if (pass.name == last_pass) break;
-    }
-    return false;
-}
-
-}  // namespace
 
 PipelineDock::PipelineDock(Session& session, LivePictures& live, ViewModel& views, PixelInspector& inspector,
                            FrameLists& lists, Notices& notices, Actions& actions)
@@ -124,7 +113,7 @@ void PipelineDock::update() {
     fields.pictures = lists_.thumbnails();
     fields.step = step.after;
     fields.shown = views_.shown_key();
-    if (!step.after.empty() && !is_written(result->report, fields.shown, step.after))
+    if (!step.after.empty() && !is_written_by(result->report, fields.shown, step.after))
         for (const auto* buffer : engine::written_by(result->report, step.after))
             fields.written.emplace_back(text_of(buffer->label), text_of(buffer->key));
     if (step.traced) {

@@ -76,9 +76,10 @@ void FrameSteps::keep_versions(const Pass& pass, std::size_t index) {
 /// Whether there is room for so many bytes more; else the frame warns.
 bool FrameSteps::has_room(std::size_t pass, const std::string& label, std::uint64_t bytes) {
     if (frame_.cache.version_bytes + bytes <= frame_.options->versions_limit) return true;
-    frame_.cache.warnings.push_back("what '" + frame_.builder->passes()[pass].name + "' left of '" + label +
-                                    "' is not kept: steps may take " +
-                                    bytes_text(frame_.options->versions_limit));
+    const auto warning = "what '" + frame_.builder->passes()[pass].name + "' left of '" + label +
+                         "' is not kept: steps may take " + bytes_text(frame_.options->versions_limit);
+    auto& warnings = frame_.cache.warnings;  // of this attempt and those before it
+    if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     return false;
 }
 
