@@ -74,6 +74,8 @@ SweepLine sweep_line(const engine::SweepSheet& sheet, const SweepColumns& column
     for (const auto& quantity : columns.quantities)
         line.cells.push_back(number_cell(engine::value_of(row, quantity.key)));
     const auto picture = engine::picture_of(row, folder);
+    if (row.is_done() && picture.empty() && !row.image.empty())
+        line.problem = QObject::tr("The list names a picture elsewhere, which is not shown.");
     if (!row.is_done() || picture.empty()) return line;
     line.picture = text_of(picture.string());
     line.reference = text_of(engine::reference_of(row, folder).string());

@@ -129,7 +129,10 @@ void HistogramView::set_logarithmic(bool on) {
 QString HistogramView::summary() const {
     if (!picture_) return tr("No image");
     if (!counted_) return tr("Counting …");
-    QStringList parts{tr("%1 values").arg(histogram_.finite + histogram_.nan + histogram_.infinite)};
+    const auto values = histogram_.finite + histogram_.nan + histogram_.infinite;
+    const auto valid = valid_pixels(histogram_.valid, histogram_.pixels);
+    QStringList parts;
+    if (valid.isEmpty() || values != histogram_.valid) parts << tr("%1 values").arg(values);
     const auto add = [&parts](std::size_t count, const QString& what) {
         if (count > 0) parts << QStringLiteral("%1 %2").arg(count).arg(what);
     };
@@ -137,8 +140,7 @@ QString HistogramView::summary() const {
     add(histogram_.infinite, tr("Inf"));
     add(histogram_.negative, tr("negative"));
     add(histogram_.below + histogram_.above, tr("beyond the axis"));
-    if (const auto valid = valid_pixels(histogram_.valid, histogram_.pixels); !valid.isEmpty())
-        parts << valid;
+    if (!valid.isEmpty()) parts << valid;
     return parts.join(QStringLiteral(", "));
 }
 

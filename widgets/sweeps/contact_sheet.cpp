@@ -90,6 +90,31 @@ void ContactSheet::fit_grid() {
     viewport()->update();
 }
 
+/// How many of the cells that have room beside each other stand there; 0: all.
+int ContactSheet::columns(int room) const {
+    const int axes = model_.rows().axes, count = model() ? model()->rowCount() : 0;
+    if (axes < 2) return 0;
+    const auto are_beside = [&](int a, int b) {
+        const auto &of_a = line(model()->index(a, 0)).cells, &of_b = line(model()->index(b, 0)).cells;
+        return std::equal(of_a.begin(), of_a.begin() + axes - 1, of_b.begin());
+    };
+    int values = 1;  // of the last axis
+    while (values < count && are_beside(0, values)) ++values;
+    if (values < 2 || values >= room || count % values) return 0;
+    for (int row = 0; row < count; ++row)
+        if (!are_beside(row - row % values, row)) return 0;
+    const bool is_all_seen = count / values * gridSize().height() <= viewport()->height();
+    return is_all_seen ? values : room / values * values;
+}
+
+void ContactSheet::doItemsLayout() {
+    const int width = this->width() - 2 * frameWidth() - verticalScrollBar()->sizeHint().width();
+    const int cell = gridSize().width(), used = columns(width / cell);
+    const int margin = used > 0 ? std::max(0, width - used * cell - cell / 2) : 0;
+    if (margin != viewportMargins().right()) setViewportMargins(0, 0, margin, 0);
+    QListView::doItemsLayout();
+}
+
 const SweepLine& ContactSheet::line(const QModelIndex& index) const {
     return model_.line(static_cast<const QAbstractProxyModel*>(model())->mapToSource(index).row());
 }

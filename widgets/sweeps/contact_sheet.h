@@ -34,6 +34,8 @@ class ContactSheet : public QListView {
     std::pair<QRect, QRect> boxes(const QModelIndex& index) const;
 
     void paint_cell(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
+    /// Of two axes and more, values of the last stand below each other while rows have the sweep's order.
+    void doItemsLayout() override;
 
   signals:
     /// Clicked, or chosen with Enter.
@@ -54,6 +56,7 @@ class ContactSheet : public QListView {
     const SweepLine& line(const QModelIndex& index) const;
     std::vector<SheetRequest> requests(const SweepLine& line) const;
     void fit_grid();
+    int columns(int room) const;
     void ask_for_seen();
     void set_part(QRectF part);
     void select(const QModelIndex& index, Qt::KeyboardModifiers modifiers);

@@ -224,8 +224,7 @@ LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer
     plan.wanted = layer;
     plan.drawn.key = layer.key;
     if (!buffer) {
-        add_note(plan,
-                 "there is no buffer '" + layer.key + "': the method does not make it with these parameters");
+        add_note(plan, "there is no buffer '" + layer.key + "': no pass has made it with these parameters");
         return plan;
     }
     const auto& fields = buffer->desc.fields;

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/engine/sweep_job.h"
+#include "app/gui/sweep_rows.h"
 #include "tests/gui/window/sweeps_fixture.h"
 
 namespace ir::gui {
@@ -194,6 +196,21 @@ TEST_F(SweepsWindowTest, AReportIsWrittenOfWhatIsShown) {
     const std::string page(std::istreambuf_iterator<char>(stream), {});
     EXPECT_NE(page.find("level = 4, seed = 2"), std::string::npos);
     EXPECT_NE(page.find("over level and seed"), std::string::npos) << "the heat map";
+}
+
+TEST(SweepRows, APictureElsewhereIsNotShownAndSaidSo) {
+    engine::SweepSheet sheet;
+    engine::SweepRow row;
+    row.problem.clear();
+    row.image = "/etc/picture.exr";
+    sheet.table.rows = {row};
+    const auto line = sweep_line(sheet, {}, 0, fs::temp_directory_path(), false);
+    EXPECT_TRUE(line.picture.isEmpty());
+    EXPECT_TRUE(line.problem.contains("elsewhere")) << line.problem.toStdString();
+    EXPECT_EQ(line.state, widgets::SweepLine::State::done);
+    sheet.table.rows[0].image.clear();
+    EXPECT_TRUE(sweep_line(sheet, {}, 0, fs::temp_directory_path(), false).problem.isEmpty())
+        << "none was kept";
 }
 
 }  // namespace

@@ -99,6 +99,30 @@ TEST_F(SheetTest, ReadsOnlyWhatIsSeenOfAThousandVariations) {
     EXPECT_EQ(shown.sheet.pictures().read_count(), count);
 }
 
+TEST_F(SheetTest, TwoAxesAreAGridInTheSweepsOrder) {
+    auto two = rows(4, {});
+    two.axes = 2;
+    two.headings = QStringList{"level", "seed", "RMSE"};
+    two.docs = two.headings;
+    for (int i = 0; i < 4; ++i) {
+        auto& cells = two.lines[std::size_t(i)].cells;
+        cells.insert(cells.begin(), {QString::number(i / 2), double(i / 2)});
+        cells[1] = {QString::number(i % 2), double(i % 2)};
+        cells[2] = {{}, i * 3 % 4 / 10.0};
+    }
+    Shown shown(two);
+    ASSERT_TRUE(shown.settle());
+    const auto place = [&](int row) { return shown.sheet.visualRect(shown.order.index(row, 0)).topLeft(); };
+    const auto is_grid = [&] {
+        return place(0).x() == place(2).x() && place(1).x() == place(3).x() && place(0).y() < place(2).y() &&
+               place(0).y() == place(1).y();
+    };
+    EXPECT_TRUE(QTest::qWaitFor(is_grid));
+    // In the order of errors, three have room beside each other.
+    shown.order.sort(3);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return place(0).y() == place(2).y(); }));
+}
+
 TEST_F(SheetTest, KeepsNoMoreThanItsBytesAndAllThatIsSeen) {
     const auto picture = file("a.exr", 0.2f, 0.8f, 64, 64);
     constexpr std::size_t room = 32 * 64 * 64 * 4;
