@@ -375,7 +375,8 @@ void AnalysesDock::write_svg(const QString& file) const {
 
 template <class Write>
 void AnalysesDock::export_to(const QString& suffix, const QString& filter, Write write) {
-    const auto file = ask_for_export(this, tr("Export"), text_of(chosen()), filter, {suffix});
+    const auto name = analysis() && !analysis()->name.empty() ? analysis()->name : chosen();
+    const auto file = ask_for_export(this, tr("Export"), text_of(name), filter, {suffix});
     if (file.isEmpty()) return;
     try {
         (this->*write)(file);

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include "app/engine/camera_pose.h"
 #include "app/gui/dialog_folder.h"
 #include "app/gui/text_of.h"
 #include "projects/scene_files.h"
@@ -121,7 +122,10 @@ void DocumentDock::update_facts() {
     const auto* summary = scenes_.current();
     if (chosen && summary) {
         facts.scene = text_of(chosen->scene);
-        for (const auto& camera : summary->cameras) facts.cameras << text_of(camera);
+        for (const auto& camera : summary->camera_values) {
+            facts.cameras << text_of(camera.name);
+            facts.poses.emplace(text_of(camera.name), engine::pose_of(camera));
+        }
         for (const auto& variants : summary->variants) {
             auto& names = facts.variants.emplace_back();
             for (const auto& name : variants) names << text_of(name);

@@ -75,7 +75,9 @@ void ExportController::copy_view() {
 }
 
 void ExportController::export_to(const QString& suffix, const QString& filter, Save save) {
-    const auto file = ask_for_export(&window_, tr("Export"), exports_.title(), filter, {suffix});
+    const auto name =
+        save == &Exports::save_all_buffers ? exports_.owner_title() + tr(" buffers") : exports_.title();
+    const auto file = ask_for_export(&window_, tr("Export"), name, filter, {suffix});
     if (file.isEmpty()) return;
     if (!notices_.attempt([&] { (exports_.*save)(file); }, tr("Cannot export"))) return;
     if (save == &Exports::save_all_buffers)

@@ -59,9 +59,12 @@ std::shared_ptr<const widgets::Picture> Exports::picture() const {
 }
 
 QString Exports::title() const {
-    const auto& owner = workspace_.views().active_state().a.owner;
-    return QString::fromStdString(workspace_.views().pictures().owner_name(owner) + " " +
-                                  workspace_.views().shown_key());
+    return owner_title() + QLatin1Char(' ') + QString::fromStdString(workspace_.views().shown_key());
+}
+
+QString Exports::owner_title() const {
+    const auto& state = workspace_.views().active_state();
+    return QString::fromStdString(workspace_.views().pictures().owner_name(state.a.owner));
 }
 
 QImage Exports::view() const {

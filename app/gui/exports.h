@@ -27,6 +27,7 @@ class Exports {
     void save_all_buffers(const QString& file) const;
     /// What the active view shows, in a few words.
     QString title() const;
+    QString owner_title() const;  ///< of the experiment or file that it is of
 
   private:
     /// Throws Error where the active view shows a draft.

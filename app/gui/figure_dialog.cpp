@@ -151,7 +151,7 @@ QWidget* FigureDialog::make_insets() {
     remove_ = new QPushButton(tr("&Remove"));
     remove_->setObjectName(QStringLiteral("remove-inset"));
     insets_ = list("insets", tr("Rectangles that stand zoomed below each picture"), 4,
-                   tr("Draw a rectangle in a view (B), then add it."));
+                   tr("Add the rectangle that is drawn in a view (B)."));
     connect(add_, &QPushButton::clicked, this, [this] {
         add_inset({rectangle_.x(), rectangle_.y(), rectangle_.width(), rectangle_.height()});
         draw();

@@ -63,7 +63,6 @@ FileController::FileController(QWidget& window, Session& session, Workspace& wor
     follow(session_, this, &FileController::update_actions);
     using Page = widgets::WelcomePage;
     connect(&welcome_, &Page::new_chosen, this, &FileController::new_project);
-    connect(&welcome_, &Page::scene_chosen, this, &FileController::new_project);
     connect(&welcome_, &Page::open_chosen, this, &FileController::choose_project);
     connect(&welcome_, &Page::project_chosen, this, &FileController::open);
     connect(&welcome_, &Page::recent_removed, this, [this](const QString& path) {

@@ -99,7 +99,7 @@ void LayoutController::ask_for_name() {
     dialog->setObjectName(QStringLiteral("layout-name"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Keep this layout"));
-    dialog->setLabelText(tr("Name; one that is there is replaced"));
+    dialog->setLabelText(tr("Name (a layout that has it is replaced)"));
     dialog->setComboBoxEditable(true);
     dialog->setComboBoxItems(names());
     dialog->setTextValue({});

@@ -1,5 +1,6 @@
 #include "app/gui/light_mover.h"
 
+#include <QEvent>
 #include <algorithm>
 #include <utility>
 
@@ -56,7 +57,8 @@ void turn(LightSpec& light, const glm::dvec3& direction) {
 }  // namespace
 
 LightMover::LightMover(Session& session, Workspace& workspace, DocumentDock& document, Actions& actions)
-    : session_(session), workspace_(workspace) {
+    : session_(session), workspace_(workspace), document_(document) {
+    document_.installEventFilter(this);
     connect(&document.editor(), &widgets::ItemEditor::light_chosen, this,
             [this](const widgets::ItemRef& light) {
                 light_ = light;
@@ -85,6 +87,12 @@ LightMover::LightMover(Session& session, Workspace& workspace, DocumentDock& doc
     connect(&tools, &PictureTools::light_gesture_finished, this, &LightMover::finish);
 }
 
+/// *Project* is opened or closed.
+bool LightMover::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Show || event->type() == QEvent::Hide) update();
+    return QObject::eventFilter(watched, event);
+}
+
 void LightMover::update() {
     for (const int view : workspace_.area().open_views()) update_view(view);
 }
@@ -93,7 +101,7 @@ void LightMover::update_view(int view) {
     auto* pane = workspace_.pane(view);
     if (!pane || !session_.has_project()) return;
     auto light = placed();
-    if (light) light->tells = view == workspace_.area().active();
+    if (light) light->tells = document_.isVisible() && view == workspace_.area().active();
     const auto& state = workspace_.views().state(view);
     auto& board = pane->compare().panes();
     for (int i = 0; i < board.pane_count(); ++i) {

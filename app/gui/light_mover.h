@@ -19,6 +19,7 @@ class LightMover : public QObject {
         std::string field;
         projects::LightSet before;
     };
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void update();
     void update_view(int view);
     std::optional<widgets::PlacedLight> placed() const;
@@ -29,6 +30,7 @@ class LightMover : public QObject {
 
     Session& session_;
     Workspace& workspace_;
+    DocumentDock& document_;
     widgets::ItemRef light_;  ///< that is chosen; none: there is none
     bool shown_ = true;
     std::optional<Gesture> gesture_;

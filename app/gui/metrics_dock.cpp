@@ -164,8 +164,7 @@ void MetricsDock::update() {
     send_wants(now);
     if (!visible_ || now.empty()) {
         panel_->set_fields(
-            {.why_empty = tr("Choose two pictures: mode side by side, wipe, flip or difference "
-                             "(Alt+2 … Alt+5).")});
+            {.why_empty = tr("Choose two pictures: any mode of the menu Compare but one picture.")});
         return panel_->measure({});
     }
     widgets::MetricsFields fields;

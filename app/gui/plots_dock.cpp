@@ -456,8 +456,10 @@ void PlotsDock::write_numbers(const QString& file) const {
     write_file(file.toStdString(), engine::study_csv(study_with_front()));
 }
 
-QString PlotsDock::ask_for_file(const QString& suffix, const QString& filter) {
-    return ask_for_export(this, tr("Export"), text_of(chosen()), filter, {suffix});
+QString PlotsDock::ask_for_file(const QString& words, const QString& suffix, const QString& filter) {
+    const auto* drawn = plot(chosen());
+    const auto name = drawn && !drawn->name.empty() ? drawn->name : chosen();
+    return ask_for_export(this, tr("Export"), text_of(name) + words, filter, {suffix});
 }
 
 void PlotsDock::export_picture(int scale, bool on_paper, bool to_clipboard) {
@@ -467,7 +469,9 @@ void PlotsDock::export_picture(int scale, bool on_paper, bool to_clipboard) {
         QApplication::clipboard()->setImage(widgets::plot_picture(panel_->data(), size, scale, style));
         return emit said(tr("Copied the plot"));
     }
-    const auto file = ask_for_file(QStringLiteral(".png"), tr("PNG (*.png)"));
+    const auto words =
+        (on_paper ? tr(" on paper") : QString()) + (scale > 1 ? tr(" %1x").arg(scale) : QString());
+    const auto file = ask_for_file(words, QStringLiteral(".png"), tr("PNG (*.png)"));
     if (file.isEmpty()) return;
     try {
         write_picture(file, size, scale, on_paper);
@@ -483,7 +487,7 @@ void PlotsDock::export_numbers(bool to_clipboard) {
             QApplication::clipboard()->setText(text_of(engine::study_csv(study_with_front())));
             return emit said(tr("Copied the numbers"));
         }
-        const auto file = ask_for_file(QStringLiteral(".csv"), tr("Comma-separated values (*.csv)"));
+        const auto file = ask_for_file({}, QStringLiteral(".csv"), tr("Comma-separated values (*.csv)"));
         if (file.isEmpty()) return;
         write_numbers(file);
         emit said(tr("Wrote %1").arg(file));

@@ -91,7 +91,8 @@ class PlotsDock : public QWidget {
     void fail(const std::string& id, const QString& error, bool cancelled);
     void export_picture(int scale, bool on_paper, bool to_clipboard);
     void export_numbers(bool to_clipboard);
-    QString ask_for_file(const QString& suffix, const QString& filter);
+    /// `words`: what the proposed name says beside the plot's.
+    QString ask_for_file(const QString& words, const QString& suffix, const QString& filter);
     engine::ErrorStudy study_with_front() const;
 
     Session& session_;

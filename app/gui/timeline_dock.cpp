@@ -61,8 +61,11 @@ void TimelineDock::add_actions(Actions& actions) {
                 [this] { playback_.step(1); });
     actions.add("step-back", tr("One frame &back"), "step-back", {K(Qt::Key_Comma)},
                 [this] { playback_.step(-1); });
-    connect(&playback_, &Playback::changed, this,
-            [this, &actions] { actions.enable("play step-forward step-back", playback_.can_play()); });
+    const auto update = [this, &actions] {
+        actions.enable("play step-forward step-back", playback_.can_play());
+    };
+    connect(&playback_, &Playback::changed, this, update);
+    update();
 }
 
 std::vector<widgets::TimelineTrack> TimelineDock::tracks() const {

@@ -62,12 +62,25 @@ class SideBySide : public CompareMode {
             all, all.count(),
             ComparedPictures::tr("Render both at one size, or unlink the views to see both."));
     }
-    QSize grid(const ComparedPictures&, int panes, const SizeIn&) const override {
+    /// Two in a view that is clearly higher than wide stand one below the other.
+    QSize grid(const ComparedPictures& all, int panes, const SizeIn& size_in) const override {
+        const QSize row(2, 1), column(1, 2);
+        if (panes == 2) return zoom(all, size_in(column)) > clearly * zoom(all, size_in(row)) ? column : row;
         const int columns = panes <= 3 ? std::max(1, panes) : int(std::ceil(std::sqrt(double(panes))));
         return {columns, (panes + columns - 1) / columns};
     }
     bool holds_pictures() const override { return false; }
     bool keeps_first() const override { return true; }
+
+  protected:
+    static constexpr double clearly = 1.2;  ///< larger, for another order
+    /// By how much a picture that fills such a pane is enlarged.
+    static double zoom(const ComparedPictures& all, QSize pane) {
+        const QSizeF picture = all.pictures.front() ? all.pictures.front()->size() : QSize();
+        return picture.isEmpty() || pane.isEmpty()
+                   ? 0.0
+                   : std::min(pane.width() / picture.width(), pane.height() / picture.height());
+    }
 };
 
 /// Where the pictures of a row stand in columns and rows; the last one is that of the pair, if there is one.
@@ -114,13 +127,7 @@ class Stages : public SideBySide {
     }
     /// As few rows as can be, or more where these show pictures clearly larger, or all at once.
     QSize grid(const ComparedPictures& all, int, const SizeIn& size_in) const override {
-        const auto zoom = [&](QSize grid) {
-            const QSize pane = size_in(grid);
-            const QSizeF picture = all.pictures.front()->size();
-            return picture.isEmpty() || pane.isEmpty()
-                       ? 0.0
-                       : std::min(pane.width() / picture.width(), pane.height() / picture.height());
-        };
+        const auto zoom_in = [&](QSize grid) { return zoom(all, size_in(grid)); };
         int columns = std::max(1, all.count()) + all.has_pair();
         const int fewest = RowPlan(all, columns).rows;
         while (columns > 1 && RowPlan(all, columns - 1).rows == fewest) --columns;
@@ -128,7 +135,7 @@ class Stages : public SideBySide {
         QSize best = row;
         while (--columns > 0) {
             const QSize rows(columns, RowPlan(all, columns).rows);
-            if (zoom(rows) > (best == row ? clearly : 1) * zoom(best)) best = rows;
+            if (zoom_in(rows) > (best == row ? clearly : 1) * zoom_in(best)) best = rows;
         }
         return best;
     }
@@ -143,9 +150,6 @@ class Stages : public SideBySide {
     }
     bool is_row() const override { return true; }
     bool keeps_first() const override { return false; }
-
-  private:
-    static constexpr double clearly = 1.2;
 };
 
 }  // namespace

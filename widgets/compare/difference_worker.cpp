@@ -1,10 +1,12 @@
 #include "widgets/compare/difference_worker.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
 #include "renderers/core/error.h"
+#include "renderers/image/channels.h"
 #include "renderers/image/metrics.h"
 #include "widgets/compare/compare_view.h"
 #include "widgets/compare/one_size.h"
@@ -85,6 +87,19 @@ std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request
     picture.label = label_of(request.kind).arg(requested.name_a, requested.name_b);
     picture.atlas = request.a->atlas;
     picture.unit = unit_of(request.kind, request.a->unit);
+    const auto channels_of = [&](const Picture& each) {
+        return value_channels(requested.a->semantic, each.image->channels);
+    };
+    const int of_a = channels_of(*requested.a), of_b = channels_of(*requested.b);
+    if (of_a != of_b) {
+        picture.note =
+            QCoreApplication::translate("Difference",
+                                        "Channels differ: %1 has %2, %3 has %4. "
+                                        "Choose outputs of one kind.")
+                .arg(requested.name_a, QString::number(of_a), requested.name_b, QString::number(of_b));
+        result->picture = std::make_shared<const Picture>(std::move(picture));
+        return result;
+    }
     try {
         auto computed = computed_difference(requested);
         result->rmse = rmse_of(requested);

@@ -40,6 +40,10 @@ std::vector<double> with_colour(const std::vector<double>& old, const QColor& co
 QIcon patch_icon(const QColor& colour) {
     QPixmap picture(32, 32);
     picture.fill(colour);
+    QPainter painter(&picture);
+    painter.setPen(QPen(QColor(128, 128, 128), 2));  // white is seen on white
+    painter.drawRect(picture.rect().adjusted(1, 1, -1, -1));
+    painter.end();
     return picture;
 }
 

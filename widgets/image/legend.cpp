@@ -215,7 +215,7 @@ class Line {
         text(low);
         if (row_.width() < 40 * r_) return;
         const QRectF box(row_.left() + 6 * r_, row_.center().y() - 4 * r_,
-                         std::min(110 * r_, row_.width() / 2), 8 * r_);
+                         std::min(110 * r_, row_.width() / 3), 8 * r_);
         QImage colours(256, 1, QImage::Format_RGB32);
         for (int x = 0; x < 256; ++x) colours.setPixelColor(x, 0, bar_colour(display, x / 255.0));
         painter_.drawImage(box, colours);

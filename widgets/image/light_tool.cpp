@@ -141,7 +141,7 @@ QString LightTool::hint() const {
             break;
     }
     if (!is_active() || !state_.light->tells || seen_at(state_, state_.light->position)) return {};
-    return tr("%1 is at the camera or behind it  ·  Ctrl+↑ moves it ahead").arg(state_.light->name);
+    return tr("%1: at the camera or behind it  ·  Ctrl+↑ moves it ahead").arg(state_.light->name);
 }
 
 bool LightTool::takes(const QKeyEvent& event) const {

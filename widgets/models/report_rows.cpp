@@ -73,7 +73,7 @@ std::uint64_t bytes_written_by(const FrameReport& report, const PassReport& pass
 
 Row names_row(const char* key, const QString& label, const std::vector<std::string>& names,
               const std::string& prefix, const std::string& used = {}) {
-    Row group{std::string("group:") + key, {{label}, number_cell(QString::number(names.size()))}};
+    Row group{std::string("group:") + key, {{report_text("%1 (%2)").arg(label).arg(names.size())}, {}}};
     group.folded = names.size() > 12;
     for (std::size_t i = 0; i < names.size(); ++i) {
         // Names may repeat in a file; keys must not.
@@ -263,7 +263,7 @@ std::vector<Row> scene_rows(const SceneListing& scene) {
     const std::string short_name = scene.name.substr(scene.name.find_last_of('/') + 1);
     root.cells = {{text_of(short_name), text_of(scene.name) + QLatin1Char('\n') + tooltip},
                   number_cell(QString::number(scene.triangles))};
-    Row nodes{"group:nodes", {{report_text("Nodes")}, number_cell(QString::number(scene.nodes.size()))}};
+    Row nodes{"group:nodes", {{report_text("Nodes (%1)").arg(scene.nodes.size())}, {}}};
     nodes.folded = scene.nodes.size() > 12;
     add_nodes(scene, -1, nodes.children);
     std::vector<Row> rows;

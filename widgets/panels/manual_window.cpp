@@ -78,9 +78,14 @@ class Browser : public QTextBrowser {
         if (type != QTextDocument::ImageResource) return loaded;
         constexpr int beside = 64;  // logical pixels: margins and the scroll bar
         const int room = std::max(beside, window()->width() - beside);
-        const auto picture = QImage::fromData(loaded.toByteArray());
+        auto picture = QImage::fromData(loaded.toByteArray());
         if (picture.width() <= room) return loaded;
-        return picture.scaledToWidth(room, Qt::SmoothTransformation);
+        picture.convertTo(
+            QImage::Format_ARGB32_Premultiplied);  // one of a palette is dithered as it is scaled
+        const int width = std::min(picture.width(), int(room * devicePixelRatioF()));
+        picture = picture.scaledToWidth(width, Qt::SmoothTransformation);
+        picture.setDevicePixelRatio(double(width) / room);
+        return picture;
     }
 };
 

@@ -14,7 +14,7 @@ namespace ir::widgets {
 namespace {
 
 /// Of a panel's width that names take before values.
-constexpr double name_part = 0.6;
+constexpr double name_part = 0.45;
 
 }  // namespace
 
@@ -31,6 +31,7 @@ RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWi
     view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     view_->setExpandsOnDoubleClick(false);
+    view_->setIndentation(12);
     view_->header()->setStretchLastSection(false);
     view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view_->header()->setSectionResizeMode(0, QHeaderView::Interactive);
@@ -168,15 +169,18 @@ bool RowsPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 /// The first column is no wider than it needs: values stand beside their names in a wide panel. In a narrow
-/// one it has its part before the others, which are scrolled to; a name that is cut tells less.
+/// one it has its part, and what is left by the others that are seen whole. The rest is scrolled to.
 void RowsPanel::fit_columns() {
-    int others = 0;
-    for (int c = 1; c < model_->columnCount(); ++c) others += view_->header()->sectionSize(c);
     const QAbstractItemView* view = view_;
     const int needed = std::max(view->sizeHintForColumn(0), view_->header()->sectionSizeHint(0));
     const int room = view_->viewport()->width();
-    const int width = std::min(needed, std::max(room - others, int(name_part * room)));
-    view_->setColumnWidth(0, std::max(name_width_, width));
+    int beside = room - std::max(name_width_, std::min(needed, int(name_part * room)));
+    int width = room;
+    for (int c = 1; c < model_->columnCount() && view_->header()->sectionSize(c) <= beside; ++c) {
+        beside -= view_->header()->sectionSize(c);
+        width -= view_->header()->sectionSize(c);
+    }
+    view_->setColumnWidth(0, std::max(name_width_, std::min(needed, width)));
 }
 
 void RowsPanel::restore_folding(const QModelIndex& parent) {

@@ -13,7 +13,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction*>& actions,
                                  const QList<QPair<QString, QString>>& gestures, QWidget* parent)
     : QDialog(parent), tree_(new QTreeWidget(this)) {
     setWindowTitle(tr("Keyboard shortcuts"));
-    resize(560, 640);
+    resize(640, 640);
     auto* search_line = new QLineEdit(this);
     search_line->setPlaceholderText(tr("Search for an action or a key"));
     search_line->setClearButtonEnabled(true);

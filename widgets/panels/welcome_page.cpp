@@ -224,12 +224,10 @@ QWidget* WelcomePage::make_start() {
         connect(result, &QPushButton::clicked, this, chosen);
         row->addWidget(result);
     };
-    button("new", "new", tr("New project …"), tr("From a built-in scene or a file"),
+    button("new", "new", tr("New project from a scene …"), tr("A .gltf or .glb file"),
            &WelcomePage::new_chosen);
     button("open", "open", tr("Open a project …"), tr("A folder NAME.interreflect"),
            &WelcomePage::open_chosen);
-    button("scene", "add", tr("Open a scene …"), tr("A .gltf or .glb file, in a new project"),
-           &WelcomePage::scene_chosen);
     page->addLayout(row);
     page->addWidget(dim_text(tr("Or drop a project, a .gltf or a .glb file here.")));
     return start;

@@ -47,7 +47,6 @@ class WelcomePage : public QWidget {
   signals:
     void new_chosen();
     void open_chosen();
-    void scene_chosen();  ///< a .gltf or .glb file to start from
     void project_chosen(const QString& path);
     void recent_removed(const QString& path);
 

@@ -235,8 +235,9 @@ void PlotPanel::show_data(const PlotData& data, const QString& waiting) {
         linking_ = true;
         model_->set_data(data);
         linking_ = false;
-        if (column_widths_of_ != data.headings || model_->rowCount() <= 2) {
+        if (column_widths_of_ != data.headings || model_->rowCount() > fitted_rows_) {
             column_widths_of_ = data.headings;
+            fitted_rows_ = model_->rowCount();
             for (int c = 0; c < model_->columnCount(); ++c) table_->resizeColumnToContents(c);
         }
         select_row(view_->selected());

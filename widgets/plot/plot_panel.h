@@ -67,6 +67,7 @@ class PlotPanel : public QWidget {
     const EmptyPage empty_ = make_empty_page();
     QLabel *waiting_ = nullptr, *point_ = nullptr;
     QListWidget* lines_ = nullptr;
+    int fitted_rows_ = 0;
     std::vector<std::string> column_widths_of_;
     bool linking_ = false;
 };

@@ -39,7 +39,9 @@ QString count_text(std::uint64_t count) {
 }
 
 QString amount_text(OutputKind kind, std::uint64_t elements, std::uint64_t stride) {
-    const QString all = count_text(elements) + QLatin1Char(' ') + noun(kind);
+    auto word = noun(kind);
+    if (elements == 1) word.chop(1);
+    const QString all = count_text(elements) + QLatin1Char(' ') + word;
     return stride <= 1 ? all : QStringLiteral("every %1 of %2").arg(ordinal(stride), all);
 }
 

@@ -96,6 +96,7 @@ constexpr Drawing drawings[] = {
     {"down", "<path d='M8 3v10 M4 9l4 4 4-4'/>"},
     {"back", "<path d='M13 8H3 M7 4L3 8l4 4'/>"},
     {"forward", "<path d='M3 8h10 M9 4l4 4-4 4'/>"},
+    {"more", "<path d='M3.5 4.5L7 8l-3.5 3.5 M9 4.5L12.5 8 9 11.5'/>"},
     {"float", "<path d='M6 2.5h7.5V10H6z M6 6H2.5v7.5H10V10'/>"},
     {"rename", "<path d='M2 14l.8-3.5L10.5 2.8l2.7 2.7L5.5 13.2z M9 4.3l2.7 2.7'/>"},
     {"paste", "<path d='M3 3h10v11.5H3z M6 1.5h4v3H6z M5.5 8h5 M5.5 11h5'/>"},

@@ -18,7 +18,7 @@ namespace {
 /// What differs between themes; the rest is the same in both.
 struct Greys {
     QColor window, base, alternate, text, dim, button, tip, light, midlight, mid, dark, shadow, highlight,
-        dead_highlight, link;
+        dead_highlight, link, dead_button;
 };
 
 QPalette palette_of(const Greys& grey) {
@@ -45,6 +45,7 @@ QPalette palette_of(const Greys& grey) {
     p.setColor(QPalette::Shadow, grey.shadow);
     for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
         p.setColor(QPalette::Disabled, role, grey.dim);
+    p.setColor(QPalette::Disabled, QPalette::ButtonText, grey.dead_button);
     p.setColor(QPalette::Disabled, QPalette::Highlight, grey.dead_highlight);
     return p;
 }
@@ -73,7 +74,8 @@ const Look& look_of(Theme theme) {
                             grey(14),
                             {86, 112, 140},
                             grey(70),
-                            {140, 184, 230}},
+                            {140, 184, 230},
+                            grey(165)},
                            {{58, 58, 58},
                             {70, 88, 108},
                             {38, 38, 38},
@@ -104,7 +106,8 @@ const Look& look_of(Theme theme) {
                              grey(120),
                              {70, 112, 158},
                              grey(180),
-                             {20, 88, 160}},
+                             {20, 88, 160},
+                             grey(120)},
                             {{218, 218, 218},
                              {188, 208, 230},
                              {204, 204, 204},
@@ -145,12 +148,20 @@ void draw_header_section(const QStyleOption& option, QPainter& painter) {
     painter.fillRect(option.rect.adjusted(option.rect.width() - 1, 0, 0, 0), theme_colours().line);
 }
 
+/// Fusion's own is as dark as a dark ground.
+void draw_menu_separator(const QStyleOption& option, QPainter& painter) {
+    constexpr int margin = 5;
+    const QRect line(option.rect.left() + margin, option.rect.center().y(), option.rect.width() - 2 * margin,
+                     1);
+    painter.fillRect(line, theme_colours().tip_frame);
+}
+
 /// Of boxes that are checked: Fusion's own frames are as dark as a dark ground.
 void draw_check_frame(const QStyleOption& option, QPainter& painter, bool is_round) {
     const bool is_enabled = option.state & QStyle::State_Enabled;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(is_enabled ? theme_colours().dim : theme_colours().line);
+    painter.setPen(is_enabled ? theme_colours().dim : theme_colours().tip_frame);
     painter.setBrush(Qt::NoBrush);
     const auto frame = QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5);
     is_round ? painter.drawEllipse(frame) : painter.drawRoundedRect(frame, 2, 2);
@@ -252,6 +263,14 @@ void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         case PE_PanelButtonTool:
             if (option->state & State_On) return draw_pressed(*option, *painter);
             break;
+        case PE_IndicatorBranch:
+            if (const auto* row = qstyleoption_cast<const QStyleOptionViewItem*>(option);
+                row && row->state & State_Selected) {
+                auto shown = *row;  // the arrow is white as the words are
+                shown.palette.setColor(QPalette::WindowText, row->palette.color(QPalette::HighlightedText));
+                return QProxyStyle::drawPrimitive(element, &shown, painter, widget);
+            }
+            break;
         case PE_IndicatorCheckBox:
         case PE_IndicatorRadioButton:
             QProxyStyle::drawPrimitive(element, option, painter, widget);
@@ -273,6 +292,10 @@ void ThemeStyle::drawControl(ControlElement element, const QStyleOption* option,
         const auto elided = with_elided_text(*combo, *painter, room);
         return QProxyStyle::drawControl(element, &elided, painter, widget);
     }
+    if (const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+        item && element == CE_MenuItem && item->menuItemType == QStyleOptionMenuItem::Separator &&
+        item->text.isEmpty())
+        return draw_menu_separator(*option, *painter);
     const auto* dock = qstyleoption_cast<const QStyleOptionDockWidget*>(option);
     if (element != CE_DockWidgetTitle || !dock || dock->verticalTitleBar)
         return QProxyStyle::drawControl(element, option, painter, widget);
@@ -310,6 +333,7 @@ int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
 int ThemeStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                           QStyleHintReturn* data) const {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+    if (hint == SH_EtchDisabledText) return 0;  // a ghost of the letters on a dark ground
     return QProxyStyle::styleHint(hint, option, widget, data);
 }
 
@@ -325,6 +349,8 @@ QIcon ThemeStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
             return icon("warning");
         case SP_MessageBoxCritical:
             return icon("error");
+        case SP_ToolBarHorizontalExtensionButton:
+            return icon("more");
         case SP_TitleBarCloseButton:
             return icon("cancel");
         case SP_TitleBarNormalButton:
@@ -356,7 +382,10 @@ QRect ThemeStyle::subElementRect(SubElement element, const QStyleOption* option,
 QSize ThemeStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                                    const QWidget* widget) const {
     const auto result = QProxyStyle::sizeFromContents(type, option, size, widget);
-    return type == CT_ItemViewItem && qobject_cast<const QTreeView*>(widget) ? result + QSize(0, 4) : result;
+    const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
+    const bool has_box = item && item->features & QStyleOptionViewItem::HasCheckIndicator;
+    const bool is_spaced = type == CT_ItemViewItem && (has_box || qobject_cast<const QTreeView*>(widget));
+    return is_spaced ? result + QSize(0, 4) : result;
 }
 
 }  // namespace ir::widgets

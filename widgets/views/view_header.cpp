@@ -277,7 +277,7 @@ void ViewHeader::set_fields(const ViewFields& fields) {
         each->setVisible(!stages);
     if (stages) b_.part->hide();
     chain_->setChecked(state.chain);
-    pictures_->setText(tr("Pictures (%1)").arg(int(state.more.size()) + (stages ? 1 : 2)));
+    pictures_->setText(tr("Pictures (%1)  ").arg(int(state.more.size()) + (stages ? 1 : 2)));
     show_candidates();
     difference_->setCurrentIndex(difference_->findData(int(state.difference)));
     difference_->setToolTip(tr("Kind of difference: %1").arg(difference_doc(state.difference)));

@@ -11,8 +11,8 @@
 namespace ir::engine {
 namespace {
 
-constexpr std::array colours{tints::orange, tints::sky,       tints::green, tints::yellow,
-                             tints::blue,   tints::vermilion, tints::purple};
+constexpr std::array colours{tints::sky,  tints::orange,    tints::green, tints::yellow,
+                             tints::blue, tints::vermilion, tints::purple};
 /// One wins a pixel that is so much nearer, or farther, than the next: others are alike there.
 constexpr float margin = 1.05f;
 constexpr int alike = 0;  ///< category; those of the experiments count from 1
@@ -146,8 +146,8 @@ AnalysisResult disagreement(AnalysisRun& run) {
         if (has_winner) bar.colour = colours[i];  // as in the picture
     }
     if (has_winner)
-        run.note(percent_cell(double(won[alike]) / valid).text +
-                 " of the pixels have none that stands out by 5 %");
+        run.note(percent_cell(double(won[alike]) / valid).text + " of the pixels are alike: none is " +
+                 (is_judged ? "nearer" : "farther") + " than the next by 5 %");
     run.note("the mean spread is " + number_cell(mean_of(result.pictures.front().image, run)).text);
     result.data = std::move(bars).finish(run.notes());
     return result;

@@ -5,9 +5,25 @@
 #include "app/gui/status_line.h"
 #include "projects/motion.h"
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/parameters/number_field.h"
 
 namespace ir::gui {
 namespace {
+
+TEST_F(WindowTest, ACameraOfTheFileShowsItsPose) {
+    open_scene();
+    window.session().edit([](const projects::Project& project) {
+        projects::Camera camera;
+        camera.id = "aside";
+        camera.scene_camera = "side";
+        return projects::edits::add(project, camera);
+    });
+    window.document().select({widgets::ItemKind::camera, "aside"});
+    const auto* x = window.document().findChild<widgets::NumberField*>("eye.x");
+    ASSERT_TRUE(x);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return x->isVisible() && x->value() == 5; }));
+    EXPECT_FALSE(x->isEnabled()) << "it is the file's";
+}
 
 class CameraPathTest : public WindowTest {
   protected:

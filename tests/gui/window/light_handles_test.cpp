@@ -55,6 +55,11 @@ TEST_F(LightHandlesTest, OnlyTheActiveViewSaysThatALightIsOutOfSight) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return hint(active).contains("at the camera"); })) << active;
         EXPECT_EQ(hint(1 - active), QString());
     }
+    // Where nobody sees the values of the light, it says nothing.
+    window.docks().hide("project");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return hint(1).isEmpty(); }));
+    window.docks().raise("project");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return hint(1).contains("at the camera"); }));
 }
 
 TEST_F(LightHandlesTest, ADragIsShownAtOnceAndIsOneStep) {

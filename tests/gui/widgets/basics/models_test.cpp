@@ -140,6 +140,9 @@ TEST(SceneRows, FormATreeWithTriangleSums) {
     EXPECT_EQ(model.rowCount(root), 2);
     EXPECT_EQ(root.siblingAtColumn(1).data().toString(), "15");
     EXPECT_TRUE(model.index_of("camera:front").isValid());
+    EXPECT_EQ(model.index_of("group:cameras").data().toString(), "Cameras (2)");
+    EXPECT_TRUE(model.index_of("group:cameras").siblingAtColumn(1).data().toString().isEmpty())
+        << "no triangles";
 }
 
 TEST(MessagesModel, CountsRepeatedMessagesInsteadOfRepeatingThem) {

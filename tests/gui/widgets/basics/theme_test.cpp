@@ -66,14 +66,30 @@ TEST_P(ThemeTest, EmptyBoxesAreSeen) {
             QStyleOptionButton option;
             option.rect = {2, 2, 14, 14};
             option.palette = QApplication::palette();
-            option.state = QStyle::State_Enabled | QStyle::State_Off;
-            QImage drawn(18, 18, QImage::Format_RGB32);
-            const auto behind = option.palette.color(ground);
-            drawn.fill(behind);
-            QPainter painter(&drawn);
-            QApplication::style()->drawPrimitive(box, &option, &painter);
-            EXPECT_GT(contrast(drawn.pixelColor(9, 2), behind), 2.5) << int(box) << " " << int(ground);
+            for (const auto enabled : {QStyle::State_Enabled, QStyle::State_None}) {
+                option.state = enabled | QStyle::State_Off;
+                QImage drawn(18, 18, QImage::Format_RGB32);
+                const auto behind = option.palette.color(ground);
+                drawn.fill(behind);
+                QPainter painter(&drawn);
+                QApplication::style()->drawPrimitive(box, &option, &painter);
+                EXPECT_GT(contrast(drawn.pixelColor(9, 2), behind), enabled ? 2.5 : 1.5)
+                    << int(box) << " " << int(ground);
+            }
         }
+}
+
+TEST_P(ThemeTest, GroupsOfAMenuAreSeen) {
+    QStyleOptionMenuItem option;
+    option.rect = {0, 0, 60, 9};
+    option.menuItemType = QStyleOptionMenuItem::Separator;
+    option.palette = QApplication::palette();
+    const auto behind = option.palette.color(QPalette::Base);
+    QImage drawn(60, 9, QImage::Format_RGB32);
+    drawn.fill(behind);
+    QPainter painter(&drawn);
+    QApplication::style()->drawControl(QStyle::CE_MenuItem, &option, &painter);
+    EXPECT_GT(contrast(drawn.pixelColor(30, option.rect.center().y()), behind), 1.5);
 }
 
 /// Of lists that were made under the other one and are shown later.

@@ -109,7 +109,8 @@ TEST(Differences, PicturesOfOtherChannelsSayWhy) {
     view.set_pictures({flat(1), make_picture(Image(16, 12, 3), Semantic::radiance)});
     view.set_mode(Mode::difference);
     wait_for_differences(view);
-    EXPECT_TRUE(view.main_view().state().note.contains("channels differ"));
+    EXPECT_TRUE(view.main_view().state().note.startsWith("Channels differ: A has 1, B has 3."))
+        << view.main_view().state().note.toStdString();
     EXPECT_FALSE(view.difference_picture());
 }
 

@@ -219,6 +219,18 @@ TEST_P(CompareTest, StagesHaveTheirDifferencesBeneath) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return bar->maximum() > 0; }));
 }
 
+TEST_P(CompareTest, TwoStandBelowEachOtherInAHighView) {
+    CompareView view(nullptr, surface());
+    fill(view, two());
+    view.set_mode(Mode::side_by_side);
+    show(view, {640, 300});
+    ASSERT_EQ(view.views().size(), 2u);
+    EXPECT_GT(view.views()[1]->x(), view.views()[0]->geometry().right());
+    view.resize(300, 640);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.views()[1]->y() > view.views()[0]->geometry().bottom(); }));
+    EXPECT_EQ(view.views()[1]->x(), view.views()[0]->x());
+}
+
 TEST_P(CompareTest, FloatingAndDockingKeepsThePicture) {
     QMainWindow window;
     window.setCentralWidget(new QWidget);
