@@ -519,8 +519,7 @@ void SweepsDock::write_csv(const QString& file) const {
 }
 
 void SweepsDock::export_csv() {
-    const auto name = sweep() && !sweep()->name.empty() ? sweep()->name : chosen();
-    const auto file = ask_for_export(this, tr("Export"), text_of(name) + tr(" sweep"),
+    const auto file = ask_for_export(this, tr("Export"), text_of(sweep() ? sweep()->name : "") + tr(" sweep"),
                                      tr("Comma-separated values (*.csv)"), {QStringLiteral(".csv")});
     if (file.isEmpty()) return;
     try {

@@ -286,7 +286,7 @@ TEST_F(LightToolTest, ALightAtTheCameraSaysHowToBringItIntoSight) {
     auto light_of_camera = spot();
     light_of_camera.position = camera_in_front().eye;
     view.set_light(light_of_camera);
-    EXPECT_TRUE(view.state().hint.contains("Spot is at the camera"));
+    EXPECT_TRUE(view.state().hint.contains("Spot: at the camera"));
     EXPECT_TRUE(view.state().hint.contains(QStringLiteral("Ctrl+↑")));
     QTest::keyClick(&view, Qt::Key_Up, Qt::ControlModifier);
     EXPECT_TRUE(seen_at(view.state(), light().position)) << "as the hint promises";
