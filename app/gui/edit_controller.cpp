@@ -21,7 +21,7 @@ EditController::EditController(Session& session, DocumentDock& document, Actions
         document_.select({widgets::ItemKind::experiment, text_of(session_.experiment()->id)});
         emit edit_wanted();
     });
-    actions_.add("experiment-remove", tr("Re&move experiment"), "clear", {K(Qt::CTRL | Qt::Key_Delete)},
+    actions_.add("experiment-remove", tr("Remo&ve experiment"), "clear", {K(Qt::CTRL | Qt::Key_Delete)},
                  [this] { remove_experiment(); });
     actions_.add("scene-add", tr("Add s&cene …"), nullptr, {K(Qt::CTRL | Qt::ALT | Qt::Key_S)},
                  [this] { document_.add_scene(); });
