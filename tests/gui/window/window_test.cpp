@@ -526,6 +526,19 @@ TEST_F(WindowTest, NoTwoEntriesOfAMenuShareALetter) {
     EXPECT_EQ(shared(), "");
 }
 
+TEST_F(WindowTest, UndoNamesWhatItTakesBackInTheWindowsQuotes) {
+    open_scene();
+    window.session().edit([](const projects::Project& project) {
+        projects::Camera camera;
+        camera.id = "oak";
+        camera.name = "Oak & Ash's";
+        return projects::edits::add(project, camera);
+    });
+    EXPECT_EQ(window.action("undo")->text().toStdString(), "&Undo: Add camera “Oak && Ash's”");
+    trigger("undo");
+    EXPECT_EQ(window.action("redo")->text().toStdString(), "&Redo: Add camera “Oak && Ash's”");
+}
+
 TEST_F(WindowTest, KeysOfTheWindowWorkWhileANumberFieldHasTheFocus) {
     open_scene();
     QTest::mouseMove(&window.view(), window.view().rect().center());
