@@ -82,11 +82,11 @@ CameraPath::CameraPath(QObject& parent, Session& session, LivePictures& live, Pl
     add("camera-key-set", tr("Camera key at the &shown time"), K(Qt::SHIFT | Qt::Key_C),
         tr("The view becomes a key at the timeline's time, in place of one that is there"),
         [this] { set_key(); });
-    add("camera-key-remove", tr("&Remove the camera key"), K(Qt::ALT | Qt::Key_Delete),
+    add("camera-key-remove", tr("Remove the camera ke&y"), K(Qt::ALT | Qt::Key_Delete),
         tr("The key at the timeline's time; with the last one the path goes"), [this] { remove_key(); });
     add("camera-key-next", tr("Ne&xt camera key"), K(Qt::ALT | Qt::Key_PageDown),
         tr("Shows the camera as that key has it"), [this] { go(1); });
-    add("camera-key-previous", tr("Pre&vious camera key"), K(Qt::ALT | Qt::Key_PageUp),
+    add("camera-key-previous", tr("Previ&ous camera key"), K(Qt::ALT | Qt::Key_PageUp),
         tr("Shows the camera as that key has it"), [this] { go(-1); });
     follow(session_, this, &CameraPath::update);
     connect(&playback_, &Playback::changed, this, &CameraPath::update);

@@ -141,7 +141,7 @@ void DockLayout::follow_width() {
 }
 
 void DockLayout::add(const QString& name, const QString& title, QWidget* content, const QKeySequence& key) {
-    auto* dock = new QDockWidget(title, &window_);
+    auto* dock = new QDockWidget(QString(title).remove(QLatin1Char('&')), &window_);
     dock->setObjectName(name);
     dock->setWidget(content);
     window_.addDockWidget(Qt::RightDockWidgetArea, dock);

@@ -37,7 +37,7 @@ class DockLayout : public QObject {
     Q_OBJECT
   public:
     DockLayout(QMainWindow& window, widgets::ViewArea& views, Actions& actions);
-    /// With an action "dock-NAME" that shows and hides it.
+    /// With an action "dock-NAME" that shows and hides it; menus underline the letter behind the title's "&".
     void add(const QString& name, const QString& title, QWidget* content, const QKeySequence& key);
     /// Shown, and neither hidden nor covered by another tab.
     bool is_seen(const QString& name) const;

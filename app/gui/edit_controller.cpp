@@ -1,12 +1,23 @@
 #include "app/gui/edit_controller.h"
 
 #include <QAction>
+#include <QRegularExpression>
 
 #include "app/gui/text_of.h"
 
 namespace ir::gui {
 
 using K = QKeySequence;
+
+namespace {
+
+/// What an edit is called, as a menu shows it: with the window's quotes, and no letter underlined.
+QString entry_of(const std::string& label) {
+    static const QRegularExpression quoted(QStringLiteral(" '(.*)'"));
+    return text_of(label).replace(quoted, QStringLiteral(" “\\1”")).replace('&', "&&");
+}
+
+}  // namespace
 
 EditController::EditController(Session& session, DocumentDock& document, Actions& actions)
     : session_(session), document_(document), actions_(actions) {
@@ -21,7 +32,7 @@ EditController::EditController(Session& session, DocumentDock& document, Actions
         document_.select({widgets::ItemKind::experiment, text_of(session_.experiment()->id)});
         emit edit_wanted();
     });
-    actions_.add("experiment-remove", tr("Re&move experiment"), "clear", {K(Qt::CTRL | Qt::Key_Delete)},
+    actions_.add("experiment-remove", tr("Remo&ve experiment"), "clear", {K(Qt::CTRL | Qt::Key_Delete)},
                  [this] { remove_experiment(); });
     actions_.add("scene-add", tr("Add s&cene …"), nullptr, {K(Qt::CTRL | Qt::ALT | Qt::Key_S)},
                  [this] { document_.add_scene(); });
@@ -55,7 +66,7 @@ void EditController::update() {
     const auto set = [&](const char* name, const QString& text, bool possible, const auto& label) {
         auto* action = actions_.find(QLatin1String(name));
         action->setEnabled(writable && possible);
-        action->setText(possible ? QStringLiteral("%1: %2").arg(text, text_of(label())) : text);
+        action->setText(possible ? QStringLiteral("%1: %2").arg(text, entry_of(label())) : text);
     };
     const auto* stack = open ? &session_.open_project().undo_stack() : nullptr;
     set("undo", tr("&Undo"), stack && stack->can_undo(), [&] { return stack->undo_label(); });

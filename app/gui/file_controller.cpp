@@ -49,7 +49,7 @@ FileController::FileController(QWidget& window, Session& session, Workspace& wor
       welcome_(welcome),
       recent_(remember),
       samples_(remember),
-      recent_menu_(new QMenu(tr("Open &recent"), &window)) {
+      recent_menu_(new QMenu(tr("Open recen&t"), &window)) {
     using K = QKeySequence;
     actions_.add("new", tr("&New project from a scene …"), "new", {K(Qt::CTRL | Qt::Key_N)},
                  [this] { new_project(); });
@@ -272,7 +272,8 @@ void FileController::update_recent() {
     });
     listed_ = std::move(listed);
     recent_menu_->clear();
-    for (const QString& path : paths) recent_menu_->addAction(path, this, [this, path] { go_to(path); });
+    for (const QString& path : paths)
+        recent_menu_->addAction(QString(path).replace('&', "&&"), this, [this, path] { go_to(path); });
     recent_menu_->setEnabled(!recent_menu_->isEmpty());
     welcome_.set_recent(listed_);
     welcome_.set_samples(samples);

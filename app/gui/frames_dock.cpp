@@ -74,14 +74,14 @@ FramesDock::FramesDock(QWidget& window, Session& session, LivePictures& live, Wo
                          const QString& help, auto run) {
         actions.add(name, text, icon, {QKeySequence(Qt::ALT | key)}, run)->setData(help);
     };
-    add("past-older", tr("Frame &before (of the last frames)"), "step-back", Qt::Key_Comma,
+    add("past-older", tr("Frame be&fore (of the last frames)"), "step-back", Qt::Key_Comma,
         tr("All views go back by one of the frames that are kept"),
         [this] { choose(int(past_.place()) - 1); });
-    add("past-newer", tr("Frame aft&er (of the last frames)"), "step-forward", Qt::Key_Period,
+    add("past-newer", tr("Frame af&ter (of the last frames)"), "step-forward", Qt::Key_Period,
         tr("All views go on by one of the frames that are kept"), [this] { choose(int(past_.place()) + 1); });
     add("past-now", tr("&Newest frame"), nullptr, Qt::Key_N, tr("All views show what is newest again"),
         [this] { past_.show_now(); });
-    add("past-keep", tr("&Keep the last frames"), "keep", Qt::Key_K,
+    add("past-keep", tr("Keep the &last frames"), "keep", Qt::Key_K,
         tr("An analysis of the project that renders as many frames, and keeps their pictures"),
         [this] { keep_frames(); });
     using Panel = widgets::FramesPanel;

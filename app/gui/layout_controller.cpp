@@ -48,7 +48,7 @@ LayoutController::LayoutController(QMainWindow& window, DockLayout& docks, Works
              [this] { ask_for_name(); })
         ->setData(tr("Panels and views as they stand, for all projects"));
     alone_ =
-        actions_.add_switch("pictures-alone", tr("Pictures a&lone"), nullptr, {QKeySequence(Qt::Key_F11)},
+        actions_.add_switch("pictures-alone", tr("Pictures alon&e"), nullptr, {QKeySequence(Qt::Key_F11)},
                             false, [this](bool on) { show_pictures_alone(on); });
     if (remember_) {
         QSettings settings;

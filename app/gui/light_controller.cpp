@@ -27,9 +27,9 @@ LightController::LightController(Session& session, LivePictures& live, Renderer&
     };
     add("light-here", tr("&Light here"), K(Qt::SHIFT | Qt::Key_L),
         tr("A point light just before the surface under the cursor"), Place::surface);
-    add("light-camera", tr("Light &from the camera"), K(Qt::CTRL | Qt::Key_L),
+    add("light-camera", tr("Light from &the camera"), K(Qt::CTRL | Qt::Key_L),
         tr("A spot where the camera stands, aimed at what the cursor points at"), Place::camera);
-    add("headlight", tr("&Headlight"), K(Qt::CTRL | Qt::ALT | Qt::Key_L),
+    add("headlight", tr("Headli&ght"), K(Qt::CTRL | Qt::ALT | Qt::Key_L),
         tr("A point light where the camera stands"), Place::headlight);
     follow(session_, this, &LightController::update_actions);
     update_actions();

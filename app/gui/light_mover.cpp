@@ -64,7 +64,7 @@ LightMover::LightMover(Session& session, Workspace& workspace, DocumentDock& doc
                 light_ = light;
                 update();
             });
-    auto* action = actions.add_switch("light-handles", tr("H&andles of the chosen light"), nullptr,
+    auto* action = actions.add_switch("light-handles", tr("Handles of the chosen light"), nullptr,
                                       {QKeySequence(Qt::ALT | Qt::Key_L)}, shown_, [this](bool on) {
                                           shown_ = on;
                                           update();

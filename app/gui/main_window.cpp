@@ -160,24 +160,24 @@ void MainWindow::make_centre(bool wants_opengl) {
 void MainWindow::make_docks() {
     using K = QKeySequence;
     display_->setMinimumWidth(300);
-    docks_.add("parameters", tr("Parameters"), parameters_, K(Qt::CTRL | Qt::Key_1));
-    docks_.add("project", tr("Project"), document_, K(Qt::CTRL | Qt::Key_2));
-    docks_.add("display", tr("Display"), new DisplayDock(display_, workspace_, views()),
+    docks_.add("parameters", tr("&Parameters"), parameters_, K(Qt::CTRL | Qt::Key_1));
+    docks_.add("project", tr("Pro&ject"), document_, K(Qt::CTRL | Qt::Key_2));
+    docks_.add("display", tr("&Display"), new DisplayDock(display_, workspace_, views()),
                K(Qt::CTRL | Qt::Key_3));
-    docks_.add("scene", tr("Scene"), scene_, K(Qt::CTRL | Qt::Key_4));
+    docks_.add("scene", tr("&Scene"), scene_, K(Qt::CTRL | Qt::Key_4));
     docks_.add("buffers", tr("Buffers"), &lists_.buffers(), K(Qt::CTRL | Qt::Key_5));
-    docks_.add("inspector", tr("Inspector"), &inspector_.panel(), K(Qt::CTRL | Qt::Key_6));
-    docks_.add("explain", tr("Explain"), &inspector_.explain_panel(), K(Qt::CTRL | Qt::Key_7));
-    docks_.add("metrics", tr("Metrics"), &metrics_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_M));
-    docks_.add("timings", tr("Timings"), &lists_.timings(), K(Qt::CTRL | Qt::Key_8));
+    docks_.add("inspector", tr("&Inspector"), &inspector_.panel(), K(Qt::CTRL | Qt::Key_6));
+    docks_.add("explain", tr("E&xplain"), &inspector_.explain_panel(), K(Qt::CTRL | Qt::Key_7));
+    docks_.add("metrics", tr("&Metrics"), &metrics_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_M));
+    docks_.add("timings", tr("Timin&gs"), &lists_.timings(), K(Qt::CTRL | Qt::Key_8));
     docks_.add("messages", tr("Messages"), messages_, K(Qt::CTRL | Qt::Key_9));
-    docks_.add("results", tr("Results"), results_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
+    docks_.add("results", tr("&Results"), results_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
     docks_.add("plots", tr("Plots"), scrolled(plots_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
-    docks_.add("sweeps", tr("Sweeps"), sweeps_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
-    docks_.add("analyses", tr("Analyses"), analyses_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_Y));
+    docks_.add("sweeps", tr("S&weeps"), sweeps_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
+    docks_.add("analyses", tr("Anal&yses"), analyses_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_Y));
     docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     docks_.add("frames", tr("Last frames"), &frames_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_J));
-    docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
+    docks_.add("benchmarks", tr("Benchmar&ks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
     docks_.add("profile", tr("Profile"), &profile_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     docks_.add("pipeline", tr("Pipeline"), &pipeline_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_F));
     docks_.add("shaders", tr("Shaders"), shaders_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_O));

@@ -45,7 +45,7 @@ PipelineDock::PipelineDock(Session& session, LivePictures& live, ViewModel& view
     using K = QKeySequence;
     enable_with_experiment(
         session_,
-        {actions.add("trace-pixel", tr("What &passes did to the pixel"), "stages", {K(Qt::CTRL | Qt::Key_H)},
+        {actions.add("trace-pixel", tr("What passes did to the pixel"), "stages", {K(Qt::CTRL | Qt::Key_H)},
                      [this] {
                          if (!inspector_.says_none()) trace(inspector_.pointed());
                      }),

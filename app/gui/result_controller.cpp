@@ -21,7 +21,7 @@ ResultController::ResultController(Session& session, LivePictures& live, Playbac
 }
 
 void ResultController::add_actions(Actions& actions) {
-    compare_ = actions.add("comparison-add", tr("Keep the view as a com&parison"), nullptr,
+    compare_ = actions.add("comparison-add", tr("Keep the vie&w as a comparison"), nullptr,
                            {K(Qt::CTRL | Qt::Key_K)}, [this] { document_.add_comparison(); });
     match_ = actions.add("match", tr("&Match reference"), "match", {K(Qt::CTRL | Qt::Key_M)},
                          [this] { references_.match(references_.shown()); });

@@ -34,7 +34,7 @@ SetUpController::SetUpController(QWidget& window, Session& session, LivePictures
                                       [this, paths] { show_methods(paths); }));
         adding_.back()->setData(doc);
     };
-    add("set-up-occlusion", tr("Occlusion: all &methods and the truth"), Qt::Key_O, "ao",
+    add("set-up-occlusion", tr("&Occlusion: all methods and the truth"), Qt::Key_O, "ao",
         tr("An experiment of each method at its defaults, and their reference, side by side"));
     add("set-up-light", tr("&Light: all methods and the truth"), Qt::Key_G, "full",
         tr("An experiment of each method at its defaults, and their reference, side by side"));

@@ -191,10 +191,10 @@ void SurfacePicker::update_actions() {
     if (why_not.isEmpty() && !pixel) why_not = live_.past().why_not_now();
     if (why_not.isEmpty() && !pixel) why_not = tr("Point at a surface in a picture, or click it.");
     if (why_not.isEmpty() && is_known && !point) why_not = tr("There is no surface under the cursor.");
-    QString material = tr("Edit &material"), object = tr("Edit &object");
+    QString material = tr("&Edit material"), object = tr("Edit ob&ject");
     if (point) {
-        material = tr("Edit &material “%1”").arg(in_menu(text_of(point->material)));
-        object = tr("Edit &object “%1”").arg(in_menu(object_text()));
+        material = tr("&Edit material “%1”").arg(in_menu(text_of(point->material)));
+        object = tr("Edit ob&ject “%1”").arg(in_menu(object_text()));
     }
     material_->setText(material);
     object_->setText(object);

@@ -63,18 +63,18 @@ void ViewController::add_view_actions() {
     });
     add("actual", tr("&Actual pixels, 1:1"), "actual", {K(Qt::CTRL | Qt::Key_0)},
         [this] { workspace_.active_pane().compare().active_view().actual_pixels(); });
-    add("zoom-in", tr("Zoom &in"), "zoom-in", {K(Qt::CTRL | Qt::Key_Plus), K(Qt::CTRL | Qt::Key_Equal)},
+    add("zoom-in", tr("&Zoom in"), "zoom-in", {K(Qt::CTRL | Qt::Key_Plus), K(Qt::CTRL | Qt::Key_Equal)},
         zoom(1));
-    add("zoom-out", tr("Zoom &out"), "zoom-out", {K(Qt::CTRL | Qt::Key_Minus)}, zoom(-1));
+    add("zoom-out", tr("Zoom o&ut"), "zoom-out", {K(Qt::CTRL | Qt::Key_Minus)}, zoom(-1));
     all_ << actions_.add_switch("grid", tr("Pixel &grid and numbers"), "grid", {K(Qt::Key_G)}, true,
                                 [this](bool on) { workspace_.tools().set_pixel_grid(on); });
-    all_ << actions_.add_switch("legend", tr("&Legend"), nullptr, {K(Qt::SHIFT | Qt::Key_G)}, true,
+    all_ << actions_.add_switch("legend", tr("L&egend"), nullptr, {K(Qt::SHIFT | Qt::Key_G)}, true,
                                 [this](bool on) { workspace_.tools().set_legend(on); });
     add("buffer-main", tr("Show the main &result"), nullptr, {K(Qt::Key_R)},
         [this] { views_.show_output(""); });
-    add("buffer-next", tr("Show the &next buffer"), nullptr, {K(Qt::Key_PageDown)},
+    add("buffer-next", tr("Show the ne&xt buffer"), nullptr, {K(Qt::Key_PageDown)},
         [this] { step_output(1); });
-    add("buffer-previous", tr("Show the &previous buffer"), nullptr, {K(Qt::Key_PageUp)},
+    add("buffer-previous", tr("Show the pre&vious buffer"), nullptr, {K(Qt::Key_PageUp)},
         [this] { step_output(-1); });
 }
 
@@ -102,12 +102,21 @@ void ViewController::add_display_actions() {
         [expose] { expose(0.5); });
     add("darker", tr("&Darker by half a stop"), nullptr, {K(Qt::Key_BracketLeft)},
         [expose] { expose(-0.5); });
-    add("display-reset", tr("Colours and range by &themselves"), "range", {K(Qt::Key_Backslash)},
+    add("display-reset", tr("Au&tomatic colours and range"), "range", {K(Qt::Key_Backslash)},
         [this] { views_.choose_display({}); });
-    add("marks", tr("&Mark NaN, Inf and negative values"), "marks", {K(Qt::Key_M)},
-        [this] { change_display([](Display& display) { display.mark_bad = !display.mark_bad; }); });
-    add("zebra", tr("&Zebra where values leave the range"), nullptr, {K(Qt::Key_Z)},
-        [this] { change_display([](Display& display) { display.zebra = !display.zebra; }); });
+    // Called as in the panel.
+    const auto add_switch = [this](const char* name, const QString& text, const char* icon, Qt::Key key,
+                                   bool Display::*member) {
+        auto* action = add(name, text, icon, {K(key)}, [this, member] {
+            change_display([member](Display& display) { display.*member = !(display.*member); });
+            update_switches();  // also where nothing has changed
+        });
+        action->setCheckable(true);
+        action->setChecked(Display().*member);
+        switches_.emplace_back(action, member);
+    };
+    add_switch("marks", tr("&Mark NaN and Inf"), "marks", Qt::Key_M, &Display::mark_bad);
+    add_switch("zebra", tr("Stripes beyond the range"), nullptr, Qt::Key_Z, &Display::zebra);
 }
 
 void ViewController::add_arrangement_actions() {
@@ -132,13 +141,13 @@ void ViewController::add_arrangement_actions() {
     add("view-close", tr("&Close the view"), nullptr, {K(Qt::CTRL | Qt::SHIFT | Qt::Key_W)},
         [&area] { area.close_view(area.active()); });
     add("view-next", tr("&Next view"), nullptr, {K(Qt::Key_F6)}, [&area] { area.step_active(1); });
-    add("view-previous", tr("&Previous view"), nullptr, {K(Qt::SHIFT | Qt::Key_F6)},
+    add("view-previous", tr("Pre&vious view"), nullptr, {K(Qt::SHIFT | Qt::Key_F6)},
         [&area] { area.step_active(-1); });
 }
 
 void ViewController::add_compare_actions() {
     const auto add_mode = [this](const char* name, ViewMode mode, Qt::Key key) {
-        add(name, widgets::mode_name(mode), nullptr, {K(Qt::ALT | key)},
+        add(name, widgets::mode_entry(mode), nullptr, {K(Qt::ALT | key)},
             [this, mode] { workspace_.set_mode(mode); });
     };
     add_mode("mode-single", ViewMode::single, Qt::Key_1);
@@ -171,7 +180,7 @@ void ViewController::show_stages() {
 void ViewController::add_inspect_actions() {
     add("explain", tr("&How did this pixel come about?"), "explain", {K(Qt::Key_H)},
         [this] { inspector_.explain_cursor(); });
-    add("explain-nothing", tr("&Explain nothing any longer"), nullptr, {K(Qt::SHIFT | Qt::Key_H)},
+    add("explain-nothing", tr("Stop explaining"), nullptr, {K(Qt::SHIFT | Qt::Key_H)},
         [this] { inspector_.explain_nothing(); });
     add("pin", tr("&Pin the pixel under the cursor"), nullptr, {K(Qt::Key_P)},
         [this] { inspector_.pin_cursor(); });
@@ -201,11 +210,17 @@ void ViewController::add_tool_actions() {
 
 void ViewController::update_display() {
     if (!session_.has_project() || !workspace_.pane(workspace_.area().active())) return;
+    update_switches();
     const bool picture = workspace_.active_pane().content() == widgets::ViewPane::Content::picture;
     const auto shown = picture ? workspace_.display_picture() : nullptr;
     if (shown && !shown->draft.isEmpty()) return;  // its values are not those of the picture
     display_.set_picture(shown);
     if (shown && shown->has_image()) display_.set_display(workspace_.display(), workspace_.is_automatic());
+}
+
+void ViewController::update_switches() {
+    const auto display = workspace_.display();
+    for (const auto& [action, member] : switches_) action->setChecked(display.*member);
 }
 
 void ViewController::update_stages() {

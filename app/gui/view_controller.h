@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <utility>
 
 #include "app/gui/actions.h"
 #include "app/gui/pixel_inspector.h"
@@ -32,6 +33,7 @@ class ViewController : public QObject {
     void show_stages();  ///< the chain that the method names, in a row
     void change_display(const std::function<void(widgets::Display&)>& change);
     void update_display();
+    void update_switches();
     void update_stages();
     void update_cameras();
 
@@ -43,6 +45,7 @@ class ViewController : public QObject {
     widgets::DisplayPanel& display_;
     Actions& actions_;
     QList<QAction*> all_;
+    QList<std::pair<QAction*, bool widgets::Display::*>> switches_;
 };
 
 }  // namespace ir::gui

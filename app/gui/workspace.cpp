@@ -20,6 +20,31 @@ using widgets::ViewPane;
 using widgets::ViewSource;
 using widgets::ViewState;
 
+namespace {
+
+/// "Nave · Accessibility − Reference": what is shown of A, how, and what it is compared with.
+QString title_of(const PictureSource& pictures, const widgets::ViewFields& fields, bool is_picture) {
+    const auto name = [&](const ViewSource& source) {
+        return QString::fromStdString(pictures.owner_name(source.owner));
+    };
+    const auto& shown = fields.state;
+    const auto* a = pictures.find(fields.outputs_a, shown.a.output);
+    if (!a) return {};
+    const QString title = QStringLiteral("%1 · %2").arg(name(shown.a), a->label);
+    if (!is_picture || !widgets::compares(shown.mode)) return title;
+    const bool is_difference = shown.mode == ViewMode::difference;
+    const QString how =
+        is_difference ? widgets::difference_name(shown.difference) : widgets::mode_name(shown.mode);
+    const auto* b = pictures.find(fields.outputs_b, shown.b.output);
+    const QString other = shown.b.owner != shown.a.owner ? name(shown.b) : b ? b->label : QString();
+    if (widgets::takes_many(shown.mode) || other.isEmpty()) return QStringLiteral("%1 · %2").arg(title, how);
+    if (is_difference && shown.difference == DifferenceKind::signed_)
+        return QStringLiteral("%1 − %2").arg(title, other);
+    return Workspace::tr("%1 · %2, B: %3").arg(title, how, other);
+}
+
+}  // namespace
+
 Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, ImageLoader& images,
                      KeptResults& kept, widgets::ImageView::Surface surface)
     : session_(session),
@@ -208,9 +233,8 @@ void Workspace::update_header(int view) {
     if (widgets::compares(shown.mode)) fields.warning = pictures.warning(shown.a, shown.b);
     if (shown.mode == ViewMode::stages) fields.warning = views_.rules().missing_stages(shown);
     pane(view)->header().set_fields(fields);
-    const auto* output = pictures.find(fields.outputs_a, shown.a.output);
-    const QString owner = QString::fromStdString(pictures.owner_name(shown.a.owner));
-    area_->set_title(view, output ? QStringLiteral("%1 · %2").arg(owner, output->label) : QString());
+    const bool is_picture = views_.rules().content_of(shown) == ViewPane::Content::picture;
+    area_->set_title(view, title_of(pictures, fields, is_picture));
 }
 
 void Workspace::update_table(int view) {

@@ -48,7 +48,7 @@ DisplayPanel::DisplayPanel(QWidget* parent) : QWidget(parent) {
     make_colours(grid);
     make_range(grid);
     make_marks(grid);
-    reset_ = new QPushButton(icon("reset"), tr("Reset to automatic"));
+    reset_ = new QPushButton(icon("reset"), tr("Automatic colours and range"));
     reset_->setObjectName(QStringLiteral("automatic"));
     connect(reset_, &QPushButton::clicked, this, &DisplayPanel::automatic_chosen);
     page->addWidget(reset_);

@@ -55,11 +55,11 @@ RectangleFields::RectangleFields(QWidget* parent) : QWidget(parent) {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(3);
     const char* const names[] = {"rectangle-x", "rectangle-y", "rectangle-width", "rectangle-height"};
-    const QString letters[] = {tr("x"), tr("y"), QString(), QStringLiteral("×")};
+    const QString words[] = {tr("x"), tr("y"), tr("size"), QStringLiteral("×")};
     const QString tips[] = {tr("Left edge of the rectangle, pixels"), tr("Upper edge, pixels from the top"),
                             tr("Width, pixels"), tr("Height, pixels")};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
-        if (!letters[i].isEmpty()) row->addWidget(new QLabel(letters[i], this));
+        row->addWidget(new QLabel(words[i], this));
         auto* field = fields_[i] = new ClickedField(this);
         field->setObjectName(QLatin1String(names[i]));
         field->setToolTip(tips[i]);

@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QPixmap>
 
+#include "widgets/models/heading.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/rich_text.h"
 #include "widgets/style/theme.h"
@@ -136,6 +137,7 @@ QVariant RowsModel::data(const QModelIndex& index, int role) const {
 
 QVariant RowsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || section >= headings_.size()) return {};
+    if (role == Qt::TextAlignmentRole) return heading_alignment(*this, section);
     return role == Qt::DisplayRole ? QVariant(headings_[section]) : QVariant();
 }
 

@@ -102,9 +102,12 @@ class NumberEditor final : public ParameterEditor {
         field_->set_whole(whole_);
         field_->setMinimum(std::max(parameter.hard.min, whole_ ? -9e15 : -field_->max_value));
         field_->setMaximum(std::min(parameter.hard.max, whole_ ? 9e15 : field_->max_value));
-        if (const auto suffix = suffix_text(parameter); !suffix.isEmpty()) {
-            field_->setSuffix(suffix);
-            field_->setMinimumWidth(field_->minimumWidth() + field_->fontMetrics().horizontalAdvance(suffix));
+        suffix_ = suffix_text(parameter);
+        suffix_of_one_ = suffix_text(parameter, 1);
+        if (!suffix_.isEmpty()) {
+            field_->setSuffix(suffix_);
+            field_->setMinimumWidth(field_->minimumWidth() +
+                                    field_->fontMetrics().horizontalAdvance(suffix_));
         }
         layout->addWidget(field_, slider_ ? 0 : 1);
         setFocusProxy(field_);
@@ -119,7 +122,7 @@ class NumberEditor final : public ParameterEditor {
         if (!real && !whole) return;
         const double number = real ? *real : double(*whole);
         showing_ = true;
-        field_->show_value(number);
+        show_number(number);
         // A slider in the hand is not pulled back by rounding.
         if (slider_ && !slider_->isSliderDown())
             slider_->setValue(int(std::lround(slider_position(range_, number) * slider_->maximum())));
@@ -128,11 +131,16 @@ class NumberEditor final : public ParameterEditor {
 
   private:
     int whole_steps() const { return int(std::min(range_.max - range_.min, 100000.0)); }
+    void show_number(double value) {
+        field_->show_value(value);
+        const auto& suffix = value == 1 ? suffix_of_one_ : suffix_;
+        if (field_->suffix() != suffix) field_->setSuffix(suffix);
+    }
     void slide(int position) {
         if (showing_) return;
         double value = slider_value(range_, position / double(slider_->maximum()));
         value = whole_ ? std::round(value) : std::stod(QString::number(value, 'g', 4).toStdString());
-        field_->show_value(value);
+        show_number(value);
         report(value);
         if (!slider_->isSliderDown()) emit finished();
     }
@@ -141,6 +149,7 @@ class NumberEditor final : public ParameterEditor {
     }
 
     Range range_;
+    QString suffix_, suffix_of_one_;
     bool whole_, showing_ = false;
     QSlider* slider_ = nullptr;
     NumberField* field_ = nullptr;

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "widgets/style/rich_text.h"
 
@@ -56,6 +57,16 @@ QString tooltip_of(const ParameterDescription& parameter) {
     return text + QStringLiteral("</p>");
 }
 
+/// " texel" behind 1, " texels" behind all else.
+QString unit_behind(double value, const std::string& unit) {
+    static const std::map<std::string, const char*> of_one{{"degrees", "degree"}, {"frames", "frame"},
+                                                           {"pixels", "pixel"},   {"quanta", "quantum"},
+                                                           {"radii", "radius"},   {"texels", "texel"}};
+    if (unit.empty()) return {};
+    const auto found = value == 1 ? of_one.find(unit) : of_one.end();
+    return QLatin1Char(' ') + QString::fromStdString(found == of_one.end() ? unit : found->second);
+}
+
 constexpr std::size_t longest_suffix = 12;  ///< bytes; "W/(m² sr)" fits
 
 }  // namespace
@@ -66,9 +77,8 @@ QString label_text(const ParameterDescription& parameter) {
     return QString::fromStdString(text);
 }
 
-QString suffix_text(const ParameterDescription& parameter) {
-    if (parameter.unit.empty() || parameter.unit.size() > longest_suffix) return {};
-    return QLatin1Char(' ') + QString::fromStdString(parameter.unit);
+QString suffix_text(const ParameterDescription& parameter, double value) {
+    return parameter.unit.size() > longest_suffix ? QString() : unit_behind(value, parameter.unit);
 }
 
 QString value_text(const ParameterDescription& parameter, const Value& value) {
@@ -79,9 +89,9 @@ QString value_text(const ParameterDescription& parameter, const Value& value) {
         return QString::fromStdString(*key);
     }
     const auto* real = std::get_if<double>(&value);
-    QString text = real ? number_text(*real) : QString::number(std::get<std::int64_t>(value));
-    if (!parameter.unit.empty()) text += QLatin1Char(' ') + QString::fromStdString(parameter.unit);
-    return text;
+    const double number = real ? *real : double(std::get<std::int64_t>(value));
+    const QString text = real ? number_text(*real) : QString::number(std::get<std::int64_t>(value));
+    return text + unit_behind(number, parameter.unit);
 }
 
 RowState row_state(const ParameterDescription& parameter, const std::vector<ParameterDescription>& all,

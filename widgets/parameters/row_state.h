@@ -27,7 +27,7 @@ double slider_value(const Range& range, double position);
 /// The label, with the unit where that is too long to stand behind the number in a narrow field.
 QString label_text(const ParameterDescription& parameter);
 /// What stands behind the number in the field: the unit that the label does not name, or nothing.
-QString suffix_text(const ParameterDescription& parameter);
+QString suffix_text(const ParameterDescription& parameter, double value = 2);
 /// The value as people read it: choice labels, units.
 QString value_text(const ParameterDescription& parameter, const Value& value);
 

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include "widgets/models/heading.h"
 #include "widgets/plot/plot_painter.h"
 
 namespace ir::widgets {
@@ -86,6 +87,7 @@ QVariant PlotTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant PlotTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || std::size_t(section) >= headings_.size()) return {};
+    if (role == Qt::TextAlignmentRole) return heading_alignment(*this, section);
     const auto& heading = headings_[std::size_t(section)];
     return role == Qt::DisplayRole ? QVariant(QString::fromStdString(heading)) : QVariant();
 }

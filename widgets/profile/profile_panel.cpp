@@ -287,8 +287,13 @@ void ProfilePanel::take(const std::shared_ptr<const RegionNumbers>& numbers) {
     within_ = numbers;
     const QStringList headings = {tr("Picture"), tr("Channel"), tr("Mean"),   tr("Deviation"), tr("Min"),
                                   tr("Median"),  tr("Max"),     tr("Pixels"), tr("Skipped")};
+    const auto align = [](QStandardItem& item, qsizetype column) {
+        item.setTextAlignment((column < 2 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    };
     rows_->clear();
     rows_->setHorizontalHeaderLabels(headings);
+    for (int column = 0; column < rows_->columnCount(); ++column)
+        align(*rows_->horizontalHeaderItem(column), column);
     for (const auto& row : numbers->rows) {
         QList<QStandardItem*> items;
         for (const auto& text :
@@ -297,7 +302,7 @@ void ProfilePanel::take(const std::shared_ptr<const RegionNumbers>& numbers) {
               QString::number(row.pixels), QString::number(row.skipped)}) {
             items << new QStandardItem(text);
             items.back()->setToolTip(text);
-            if (items.size() > 2) items.back()->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            align(*items.back(), items.size() - 1);
         }
         rows_->appendRow(items);
     }

@@ -5,6 +5,7 @@
 #include <QPalette>
 #include <algorithm>
 
+#include "widgets/models/heading.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
@@ -186,6 +187,7 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
 
 QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || section >= column_count) return {};
+    if (role == Qt::TextAlignmentRole) return heading_alignment(*this, section);
     if (role == Qt::DisplayRole)
         return QStringList{tr("Experiment"), tr("Method"), tr("State"),  tr("Samples"), tr("Frames"),
                            tr("Kept"),       tr("Size"),   tr("Device"), tr("Build")}

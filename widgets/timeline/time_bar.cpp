@@ -13,6 +13,8 @@ namespace ir::widgets {
 namespace {
 
 constexpr double margin = 12, ruler_height = 22, lane_height = 16, key_radius = 4;
+/// Of names on lines: how far they stay from keys, and how wide they are at least.
+constexpr double name_gap = key_radius + 5, least_name = 32;
 /// Further ones are not told apart by eye anyway.
 constexpr std::size_t max_tracks = 8;
 
@@ -125,12 +127,39 @@ void TimeBar::paint_tracks(QPainter& painter) const {
             painter.setPen(QPen(line, 1, Qt::DotLine));
             painter.drawLine(QPointF(position_of(last), y), QPointF(width() - margin, y));
         }
+        paint_name(painter, i);
         painter.setPen(QPen(palette().color(QPalette::Base), 1));
         painter.setBrush(key);
         for (const double time : track.keys)
             if (time >= 0 && time <= state_.end)
                 painter.drawPath(diamond({position_of(time), y}, key_radius));
     }
+}
+
+/// In the first stretch of the line that has room between its keys.
+void TimeBar::paint_name(QPainter& painter, std::size_t track) const {
+    const auto& named = state_.tracks[track];
+    double left = margin, right = width() - margin;
+    for (const double time : named.keys) {
+        if (time < 0 || time > state_.end) continue;
+        const double key = position_of(time);
+        if (key - name_gap - left >= least_name) {
+            right = key - name_gap;
+            break;
+        }
+        left = key + name_gap;
+    }
+    if (right - left < least_name) return;
+    auto small = font();
+    small.setPixelSize(int(lane_height) - 5);
+    painter.setFont(small);
+    const auto text = painter.fontMetrics().elidedText(named.name, Qt::ElideRight, int(right - left));
+    const QRectF place(left, line_of(track) - lane_height / 2, painter.fontMetrics().horizontalAdvance(text),
+                       lane_height);
+    painter.fillRect(place.adjusted(-2, 0, 2, 0), palette().color(QPalette::Base));
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter.setFont(font());
 }
 
 void TimeBar::paint_needle(QPainter& painter) const {

@@ -6,9 +6,9 @@
 
 namespace ir::widgets {
 
-/// Seconds from left to right, a line for each thing that moves with its keys as marks, and the time as a
-/// needle that is dragged. It snaps to frames. Left and Right step a frame, with Shift ten; Home and End go
-/// to the ends; Space plays.
+/// Seconds from left to right, a line for each thing that moves with its name and its keys as marks, and the
+/// time as a needle that is dragged. It snaps to frames. Left and Right step a frame, with Shift ten; Home
+/// and End go to the ends; Space plays.
 class TimeBar : public QWidget {
     Q_OBJECT
   public:
@@ -37,6 +37,7 @@ class TimeBar : public QWidget {
   private:
     void paint_ruler(QPainter& painter) const;
     void paint_tracks(QPainter& painter) const;
+    void paint_name(QPainter& painter, std::size_t track) const;
     void paint_needle(QPainter& painter) const;
     double line_of(std::size_t track) const;
     QString tip_at(const QPointF& place) const;

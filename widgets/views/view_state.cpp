@@ -8,16 +8,16 @@ namespace {
 
 struct ModeText {
     ViewMode mode;
-    const char *key, *name;
+    const char *key, *name;  ///< name: with the letter that menus underline
 };
 constexpr ModeText modes[] = {
-    {ViewMode::single, "single", QT_TRANSLATE_NOOP("ViewMode", "One picture")},
-    {ViewMode::side_by_side, "side-by-side", QT_TRANSLATE_NOOP("ViewMode", "Side by side")},
-    {ViewMode::wipe, "wipe", QT_TRANSLATE_NOOP("ViewMode", "Wipe")},
-    {ViewMode::lens, "lens", QT_TRANSLATE_NOOP("ViewMode", "Lens")},
-    {ViewMode::flip, "flip", QT_TRANSLATE_NOOP("ViewMode", "Flip")},
-    {ViewMode::difference, "difference", QT_TRANSLATE_NOOP("ViewMode", "Difference")},
-    {ViewMode::stages, "stages", QT_TRANSLATE_NOOP("ViewMode", "Stages")},
+    {ViewMode::single, "single", QT_TRANSLATE_NOOP("ViewMode", "&One picture")},
+    {ViewMode::side_by_side, "side-by-side", QT_TRANSLATE_NOOP("ViewMode", "Side &by side")},
+    {ViewMode::wipe, "wipe", QT_TRANSLATE_NOOP("ViewMode", "Wi&pe")},
+    {ViewMode::lens, "lens", QT_TRANSLATE_NOOP("ViewMode", "L&ens")},
+    {ViewMode::flip, "flip", QT_TRANSLATE_NOOP("ViewMode", "&Flip")},
+    {ViewMode::difference, "difference", QT_TRANSLATE_NOOP("ViewMode", "&Difference")},
+    {ViewMode::stages, "stages", QT_TRANSLATE_NOOP("ViewMode", "S&tages")},
 };
 
 }  // namespace
@@ -50,6 +50,10 @@ bool takes_many(ViewMode mode) {
 }
 
 QString mode_name(ViewMode mode) {
+    return mode_entry(mode).remove(QLatin1Char('&'));
+}
+
+QString mode_entry(ViewMode mode) {
     for (const auto& each : modes)
         if (each.mode == mode) return QCoreApplication::translate("ViewMode", each.name);
     return {};

@@ -51,6 +51,7 @@ void swap_first(ViewState& state);
 bool compares(ViewMode mode);    ///< needs B
 bool takes_many(ViewMode mode);  ///< flip and stages
 QString mode_name(ViewMode mode);
+QString mode_entry(ViewMode mode);  ///< the name with the letter that a menu underlines
 QString difference_name(DifferenceKind difference);
 QString difference_doc(DifferenceKind difference);  ///< what it shows, for a tooltip
 /// As files and the command line call them: "side-by-side". Unknown ones are single, signed.

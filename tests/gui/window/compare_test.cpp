@@ -46,6 +46,23 @@ TEST_F(CompareWindowTest, TheKindOfDifferenceIsChosenInTheHeader) {
     EXPECT_FLOAT_EQ(compare().difference_picture()->image->at(0, 0), 0.5f);
 }
 
+TEST_F(CompareWindowTest, TitlesSayWhatIsComparedWithWhat) {
+    const auto title = [this] { return workspace().area().dock(workspace().area().active())->windowTitle(); };
+    const auto& experiments = window.session().document().experiments;
+    const auto other = QString::fromStdString(views().pictures().owner_name(experiments[1].id));
+    const auto alone = title();
+    trigger("mode-difference");
+    EXPECT_EQ(title(), alone + " − " + other);
+    choose(header("difference"), "|A − B|");
+    EXPECT_EQ(title(), alone + " · |A − B|, B: " + other);
+    trigger("mode-wipe");
+    EXPECT_EQ(title(), alone + " · Wipe, B: " + other);
+    trigger("mode-flip");
+    EXPECT_EQ(title(), alone + " · Flip");
+    trigger("mode-single");
+    EXPECT_EQ(title(), alone);
+}
+
 TEST_F(CompareWindowTest, LinkedDifferencesOfOneKindHaveOneRange) {
     add_second_experiment(0.5);
     trigger("views-2");

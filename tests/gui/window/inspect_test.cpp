@@ -1,9 +1,11 @@
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
@@ -17,6 +19,8 @@
 #include "tests/gui/events.h"
 #include "tests/gui/window/inspect_fixture.h"
 #include "tests/unit/scarce_disk.h"
+#include "widgets/inspect/display_panel.h"
+#include "widgets/panels/action_text.h"
 
 namespace ir::gui {
 namespace {
@@ -175,12 +179,35 @@ TEST_F(InspectWindowTest, DisplayIsRememberedByBuffer) {
 }
 
 TEST_F(InspectWindowTest, ZebraAndMarksAreSwitchedByKeys) {
+    const auto *marks = window.action("marks"), *zebra = window.action("zebra");
+    EXPECT_TRUE(marks->isChecked());
+    EXPECT_FALSE(zebra->isChecked());
     QTest::keyClick(&window.view(), Qt::Key_Z);
     EXPECT_TRUE(window.view().display().zebra);
+    EXPECT_TRUE(zebra->isChecked());
     QTest::keyClick(&window.view(), Qt::Key_M);
     EXPECT_FALSE(window.view().display().mark_bad);
+    EXPECT_FALSE(marks->isChecked());
     QTest::keyClick(&window.view(), Qt::Key_M);
     EXPECT_TRUE(window.view().display().mark_bad);
+    EXPECT_TRUE(marks->isChecked());
+}
+
+TEST_F(InspectWindowTest, TheMenuCallsSwitchesOfTheDisplayAsThePanelDoesAndFollowsIt) {
+    raise("display");
+    for (const char* name : {"marks", "zebra"}) {
+        auto* box = window.findChild<widgets::DisplayPanel*>()->findChild<QCheckBox*>(name);
+        const auto* action = window.action(name);
+        EXPECT_EQ(widgets::plain_text(action->text()), box->text());
+        const bool before = action->isChecked();
+        EXPECT_EQ(box->isChecked(), before) << name;
+        box->click();
+        EXPECT_EQ(action->isChecked(), !before) << name;
+        trigger("display-reset");
+        EXPECT_EQ(action->isChecked(), before) << name;
+    }
+    auto* reset = window.findChild<widgets::DisplayPanel*>()->findChild<QPushButton*>("automatic");
+    EXPECT_EQ(widgets::plain_text(window.action("display-reset")->text()), reset->text());
 }
 
 TEST_F(InspectWindowTest, WhatIsShownIsExported) {

@@ -48,9 +48,9 @@ TEST_F(SurfaceWindowTest, TheMenuOfAPictureLeadsToTheMaterialThatWasClicked) {
     auto* edit = window.action("edit-material");
     EXPECT_TRUE(menu->actions().contains(edit));
     EXPECT_TRUE(menu->actions().contains(window.action("edit-object")));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return edit->text() == "Edit &material “oak && ash”"; }))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return edit->text() == "&Edit material “oak && ash”"; }))
         << edit->text().toStdString();
-    EXPECT_EQ(window.action("edit-object")->text(), "Edit &object “Chair”");
+    EXPECT_EQ(window.action("edit-object")->text(), "Edit ob&ject “Chair”");
     menu->close();
     const auto asked = renderer.surfaces.size();
     trigger("edit-material");
@@ -121,7 +121,7 @@ TEST_F(SurfaceWindowTest, WithoutASurfaceTheMenuSaysSo) {
     ASSERT_TRUE(QApplication::activePopupWidget());
     EXPECT_TRUE(QTest::qWaitFor([&] { return !edit->isEnabled(); }));
     EXPECT_TRUE(why_disabled(*edit).contains("no surface under the cursor"));
-    EXPECT_EQ(edit->text(), "Edit &material");
+    EXPECT_EQ(edit->text(), "&Edit material");
     EXPECT_FALSE(window.action("edit-object")->isEnabled());
     QApplication::activePopupWidget()->close();
 }

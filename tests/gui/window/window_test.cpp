@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QSignalSpy>
@@ -29,6 +30,22 @@
 
 namespace ir::gui {
 namespace {
+
+/// Entries of a menu and of its submenus that have the letter of one before them.
+QStringList shared_letters(QMenu& menu) {
+    emit menu.aboutToShow();
+    QStringList shared;
+    QHash<QString, QString> texts;
+    for (const auto* action : menu.actions()) {
+        if (!action->isVisible()) continue;
+        const auto letter = QKeySequence::mnemonic(action->text()).toString();
+        if (!letter.isEmpty() && texts.contains(letter))
+            shared << menu.title() + ": " + texts[letter] + " and " + action->text();
+        texts[letter] = action->text();
+        if (auto* submenu = action->menu()) shared << shared_letters(*submenu);
+    }
+    return shared;
+}
 
 TEST_F(WindowTest, StartsEmptyWithDocksAsideAndNamesTheDevice) {
     ASSERT_TRUE(settle());
@@ -489,6 +506,37 @@ TEST_F(WindowTest, EveryMenuEntryHasKeysExceptAbout) {
             EXPECT_FALSE(seen.contains(key.toString())) << key.toString().toStdString();
             seen.insert(key.toString());
         }
+}
+
+TEST_F(WindowTest, NoTwoEntriesOfAMenuShareALetter) {
+    const auto shared = [this] {
+        QStringList all;
+        QSet<QString> titles;
+        for (const auto* action : window.menuBar()->actions()) {
+            const auto letter = QKeySequence::mnemonic(action->text()).toString();
+            if (letter.isEmpty() || titles.contains(letter)) all << action->text();
+            titles.insert(letter);
+            if (action->menu()) all << shared_letters(*action->menu());
+        }
+        return all.join('\n').toStdString();
+    };
+    EXPECT_EQ(shared(), "");
+    open_scene();
+    add_second_experiment(0.75);  // there is something to undo
+    EXPECT_EQ(shared(), "");
+}
+
+TEST_F(WindowTest, UndoNamesWhatItTakesBackInTheWindowsQuotes) {
+    open_scene();
+    window.session().edit([](const projects::Project& project) {
+        projects::Camera camera;
+        camera.id = "oak";
+        camera.name = "Oak & Ash's";
+        return projects::edits::add(project, camera);
+    });
+    EXPECT_EQ(window.action("undo")->text().toStdString(), "&Undo: Add camera “Oak && Ash's”");
+    trigger("undo");
+    EXPECT_EQ(window.action("redo")->text().toStdString(), "&Redo: Add camera “Oak && Ash's”");
 }
 
 TEST_F(WindowTest, KeysOfTheWindowWorkWhileANumberFieldHasTheFocus) {

@@ -89,6 +89,23 @@ TEST(RowsModel, FindsRowsAtAnyDepthAndTheirParents) {
     EXPECT_FALSE(model.index_of("nothing").isValid());
 }
 
+TEST(RowsModel, HeadingsOfNumbersStandAtTheRightAsTheNumbersDo) {
+    RowsModel model(buffer_headings());
+    const auto stands_right = [&](int column) {
+        const auto role = Qt::TextAlignmentRole;
+        return bool(model.headerData(column, Qt::Horizontal, role).toInt() & Qt::AlignRight);
+    };
+    EXPECT_FALSE(stands_right(2));
+    model.set_rows(buffer_rows(report(), {}, ""));
+    const QModelIndex radiance = model.index_of("radiance");
+    for (int column = 0; column < model.columnCount(); ++column) {
+        const auto alignment = radiance.siblingAtColumn(column).data(Qt::TextAlignmentRole).toInt();
+        EXPECT_EQ(stands_right(column), bool(alignment & Qt::AlignRight)) << column;
+    }
+    EXPECT_FALSE(stands_right(0));
+    EXPECT_TRUE(stands_right(2)) << "memory";
+}
+
 TEST(BufferRows, StandUnderTheirPassesAndSayWhatWasNotComputed) {
     const auto rows = buffer_rows(report(), {}, "radiance");
     ASSERT_EQ(rows.size(), 3u);

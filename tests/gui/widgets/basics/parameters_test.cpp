@@ -213,6 +213,21 @@ TEST_F(ParameterPanelTest, TheMenuOfARowAsksWhatItIsAlsoOfAnIdleOne) {
     EXPECT_TRUE(panel.findChild<QWidget*>("editor:mode")->toolTip().contains("Shift+F1"));
 }
 
+TEST_F(ParameterPanelTest, OneIsSaidInTheSingular) {
+    for (auto& each : parameters)
+        if (each.key == "count") each.unit = "texels";
+    panel.set_parameters("in texels", parameters);
+    panel.set_values(values);
+    auto* field = in<NumberField>("count");
+    type(field, "1");
+    EXPECT_EQ(field->text(), "1 texel");
+    type(field, "3");
+    EXPECT_EQ(field->text(), "3 texels");
+    const auto& count = *find(parameters, "count");
+    EXPECT_EQ(value_text(count, Value(std::int64_t(1))), "1 texel");
+    EXPECT_EQ(value_text(count, Value(std::int64_t(0))), "0 texels");
+}
+
 TEST(RowState, TooltipNamesKeyRangeDefaultAndSource) {
     const auto parameters = sample_parameters();
     const auto state = row_state(*find(parameters, "radius"), parameters, defaults(parameters));

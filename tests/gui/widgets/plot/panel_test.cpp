@@ -79,6 +79,14 @@ TEST_F(PlotPanelTest, TheTableIsSortedByNumbersAndKeepsTheSelection) {
     EXPECT_EQ(panel.table().currentIndex().data(PlotTableModel::id_role).toString(), "f2");
 }
 
+TEST_F(PlotPanelTest, HeadingsStandAsTheirCells) {
+    const auto& model = *panel.table().model();
+    for (int column = 0; column < model.columnCount(); ++column)
+        EXPECT_EQ(model.headerData(column, Qt::Horizontal, Qt::TextAlignmentRole),
+                  model.index(0, column).data(Qt::TextAlignmentRole))
+            << column;
+}
+
 TEST_F(PlotPanelTest, RowsAreCopiedAsText) {
     panel.select("f1");
     panel.table().setFocus();

@@ -99,6 +99,10 @@ TEST_F(ProfilePanelTest, TheRectanglesNumbersAreThoseOfItsPixels) {
         EXPECT_EQ(cell(row, 7), "90");
         EXPECT_EQ(cell(row, 8), "0");
     }
+    for (int column = 0; column < model.columnCount(); ++column)
+        EXPECT_EQ(model.headerData(column, Qt::Horizontal, Qt::TextAlignmentRole),
+                  model.index(0, column).data(Qt::TextAlignmentRole))
+            << column;
     EXPECT_EQ(cell(0, 1), "G");
     choose("Each channel");
     EXPECT_EQ(find<QTableView>("numbers")->model()->rowCount(), 6);

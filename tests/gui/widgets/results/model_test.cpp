@@ -46,6 +46,18 @@ TEST(ResultsModel, KeepsTheModelsContractThroughEveryChange) {
     EXPECT_EQ(model.rowCount(), 0);
 }
 
+TEST(ResultsModel, HeadingsStandAsTheirCells) {
+    ResultsModel model;
+    model.set_rows(three());
+    for (int column = 0; column < model.columnCount(); ++column) {
+        const auto cell = model.index(0, column);
+        if (cell.data().toString().isEmpty()) continue;
+        EXPECT_EQ(model.headerData(column, Qt::Horizontal, Qt::TextAlignmentRole),
+                  cell.data(Qt::TextAlignmentRole))
+            << column;
+    }
+}
+
 TEST(ResultsModel, RowsThatStayAreNotTouched) {
     ResultsModel model;
     model.set_rows(three());

@@ -57,6 +57,21 @@ TEST_F(TimelineTest, TheBarSnapsToFramesWithinTheRange) {
     EXPECT_NEAR(chosen.at(0).at(0).toDouble(), 3, 0.02);
 }
 
+TEST_F(TimelineTest, NamesStandOnTheirLinesWhereKeysLeaveRoom) {
+    auto& bar = panel.bar();
+    const auto shot = [&](const QString& name, std::vector<double> keys) {
+        state.tracks[0].name = name;
+        state.tracks[0].keys = std::move(keys);
+        panel.show_state(state);
+        return bar.grab().toImage();
+    };
+    EXPECT_NE(shot("Walk", {0, 2, 4}), shot({}, {0, 2, 4}));
+    EXPECT_NE(shot("Walk", {}), shot({}, {}));
+    std::vector<double> dense;
+    for (int i = 0; i <= 120; ++i) dense.push_back(i / 30.0);
+    EXPECT_EQ(shot("Walk", dense), shot({}, dense));
+}
+
 TEST_F(TimelineTest, KeysDoWhatTheMouseDoes) {
     QSignalSpy steps(&panel, &TimelinePanel::step_wanted), plays(&panel, &TimelinePanel::play_wanted),
         times(&panel, &TimelinePanel::time_chosen);
