@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/style/theme.h"
+
 namespace ir::widgets {
 namespace {
 
@@ -115,7 +117,7 @@ void TimeBar::paint_ruler(QPainter& painter) const {
 }
 
 void TimeBar::paint_tracks(QPainter& painter) const {
-    const QColor line(120, 120, 120), key(232, 179, 74);
+    const QColor line(120, 120, 120), key = theme_colours().warning;
     for (std::size_t i = 0; i < std::min(state_.tracks.size(), max_tracks); ++i) {
         const auto& track = state_.tracks[i];
         const double y = line_of(i);
