@@ -52,6 +52,17 @@ const std::vector<std::string>& general_axis_keys() {
     return projects::general_keys();
 }
 
+std::string axis_label(const projects::Project& project, const Registry& registry,
+                       const std::vector<std::string>& experiments, const std::string& key) {
+    for (const auto& id : experiments) {
+        const auto* experiment = projects::find_item(project.experiments, id);
+        const auto* method = experiment ? registry.find(experiment->method) : nullptr;
+        if (const auto* parameter = method ? ir::find(method->parameters, key) : nullptr)
+            return parameter->label;
+    }
+    return key;
+}
+
 Json present_value(const projects::Experiment& experiment, const std::string& key) {
     if (key == "size") return Json::array({experiment.size.x, experiment.size.y});
     if (key == "seed") return experiment.seed;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "projects/document.h"
+#include "renderers/core/method.h"
 
 namespace ir::widgets {
 
@@ -15,6 +16,9 @@ std::vector<projects::Json> parse_axis(const std::string& key, const std::string
 
 /// Keys that every experiment has besides its method's parameters.
 const std::vector<std::string>& general_axis_keys();
+/// What people call a key: the label of the parameter of the first experiment whose method has it, or itself.
+std::string axis_label(const projects::Project& project, const Registry& registry,
+                       const std::vector<std::string>& experiments, const std::string& key);
 /// What the experiment has now for a key; null where it has nothing such.
 projects::Json present_value(const projects::Experiment& experiment, const std::string& key);
 

@@ -1,10 +1,13 @@
 #include "widgets/document/project_nodes.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "projects/analyses.h"
 #include "projects/document_fields.h"
 #include "renderers/core/line_diff.h"
+#include "renderers/image/metrics.h"
+#include "widgets/document/axis_text.h"
 #include "widgets/document/motion_target.h"
 #include "widgets/document/short_forms.h"
 #include "widgets/style/number_text.h"
@@ -199,31 +202,38 @@ void add_images(Node& root, const Project& project) {
                               q(image.source)));
 }
 
-void add_sweeps(Node& root, const Project& project) {
+void add_sweeps(Node& root, const Project& project, const Registry& registry) {
     Node& group = add_group(root, ItemKind::sweep, node_text("Sweeps"), project.sweeps.size(),
                             node_text("No sweeps yet. Add one with Ins."));
     for (const auto& sweep : project.sweeps) {
         std::size_t count = 1;
-        QStringList keys;
+        QStringList labels;
         for (const auto& axis : sweep.axes) {
             count *= axis.values.size();
-            keys << q(axis.key);
+            labels << q(axis_label(project, registry, {sweep.experiment}, axis.key));
         }
         add_child(group, made(ItemKind::sweep, q(sweep.id), q(sweep.name),
                               node_text("%1 · %2").arg(name_in(project.experiments, sweep.experiment),
-                                                       counted(count, "1 point", "%1 points")),
-                              "sweep", node_text("Varies %1").arg(keys.join(QStringLiteral(", ")))));
+                                                       counted(count, "1 variation", "%1 variations")),
+                              "sweep", node_text("Varies %1").arg(labels.join(QStringLiteral(", ")))));
     }
 }
 
-void add_plots(Node& root, const Project& project) {
+/// As people know a metric; its name where this build has none such.
+QString metric_label(const std::string& name) {
+    const auto known = std::ranges::find(metrics(), name, &MetricDescription::name);
+    return q(known == metrics().end() ? name : known->label);
+}
+
+void add_plots(Node& root, const Project& project, const Registry& registry) {
     Node& group = add_group(root, ItemKind::plot, node_text("Plots"), project.plots.size(),
                             node_text("No plots of the error yet. Add one with Ins."));
     for (const auto& plot : project.plots) {
         const QString against =
             plot.reference.empty() ? node_text("no reference") : picture_name(project, plot.reference);
+        const QString over = q(axis_label(project, registry, plot.experiments, plot.over));
         add_child(group, made(ItemKind::plot, q(plot.id), q(plot.name),
-                              node_text("%1 · %2 · %3").arg(q(plot.metric), q(plot.over), against), "plot",
+                              node_text("%1 · %2 · %3").arg(metric_label(plot.metric), over, against), "plot",
                               node_text("Error of %1 against %2")
                                   .arg(counted(plot.experiments.size(), "1 experiment", "%1 experiments"),
                                        against)));
@@ -287,8 +297,8 @@ std::unique_ptr<Node> project_nodes(const Project& project, const Registry& regi
     add_lights(*root, project);
     add_motions(*root, project);
     add_images(*root, project);
-    add_sweeps(*root, project);
-    add_plots(*root, project);
+    add_sweeps(*root, project, registry);
+    add_plots(*root, project, registry);
     add_analyses(*root, project);
     return root;
 }

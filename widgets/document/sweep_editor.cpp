@@ -203,7 +203,7 @@ void SweepEditor::show_axis() {
 void SweepEditor::show_count(const ShownProject& shown) {
     try {
         const auto count = projects::check_sweep(shown.project, sweep_, shown.registry);
-        count_->setText(count == 1 ? tr("1 point") : tr("%1 points").arg(count));
+        count_->setText(count == 1 ? tr("1 variation") : tr("%1 variations").arg(count));
     } catch (const Error& error) {
         count_->setText(QString::fromUtf8(error.what()));
     }

@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 
 #include "tests/gui/widgets/document/harness.h"
+#include "widgets/document/project_nodes.h"
 
 namespace ir::widgets {
 namespace {
@@ -103,6 +104,26 @@ TEST(ProjectModel, KeepsIndexesWhereOnlyTextsChange) {
     model.set_project(project, sample_registry());
     ASSERT_TRUE(nave.isValid());
     EXPECT_EQ(nave.data().toString(), "Choir");
+}
+
+TEST(ProjectNodes, CallMetricsAndParametersByTheirLabels) {
+    auto method = *sample_registry().find("layers");
+    ParameterDescription directions;
+    directions.key = "directions";
+    directions.label = "Directions";
+    method.parameters = {directions};
+    const Registry registry({&method, sample_registry().find("paths")});
+    auto project = sample_project();
+    project.plots[0].over = "directions";
+    project.sweeps[0].axes[0] = {"directions", {16, 64}};
+    const auto root = project_nodes(project, registry);
+    QStringList details;
+    for (const auto& group : root->children)
+        for (const auto& item : group->children) details << item->detail << item->tooltip;
+    const auto all = details.join('\n').toStdString();
+    EXPECT_TRUE(details.contains("RMSE · Directions · Paths")) << all;
+    EXPECT_TRUE(details.contains("Layers · 2 variations")) << all;
+    EXPECT_NE(all.find("Varies Directions"), std::string::npos) << all;
 }
 
 }  // namespace

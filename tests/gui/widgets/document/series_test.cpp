@@ -27,7 +27,7 @@ class SeriesTest : public DocumentTest {
 TEST_F(SeriesTest, SweepsAreEditedByAxes) {
     select("sweep:sizes");
     EXPECT_EQ(field<QLineEdit>("axis-values")->text(), "1, 2, 4");
-    EXPECT_EQ(count(), "3 points");
+    EXPECT_EQ(count(), "3 variations");
     list_key("axes", Qt::Key_Insert);
     ASSERT_EQ(sweep().axes.size(), 2u);
     EXPECT_EQ(QApplication::focusWidget(), field<QLineEdit>("axis-values"));
@@ -35,7 +35,7 @@ TEST_F(SeriesTest, SweepsAreEditedByAxes) {
     choose("axis-key", "size");
     type_text("axis-values", "64x64, 128x96");
     EXPECT_EQ(sweep().axes[1].values, (std::vector<projects::Json>{{64, 64}, {128, 96}}));
-    EXPECT_EQ(count(), "6 points");
+    EXPECT_EQ(count(), "6 variations");
     list_key("axes", Qt::Key_Up, Qt::AltModifier);
     EXPECT_EQ(sweep().axes[0].key, "size");
     choose("experiment", "paths");
@@ -62,7 +62,7 @@ TEST_F(SeriesTest, ValuesThatTheExperimentRefusesAreRefused) {
     EXPECT_EQ(values->text(), "1, 2, 4");
     type_text("axis-values", "1, 8");
     EXPECT_EQ(sweep().axes[0].values, (std::vector<projects::Json>{1, 8}));
-    EXPECT_EQ(count(), "2 points");
+    EXPECT_EQ(count(), "2 variations");
 }
 
 TEST_F(SeriesTest, ASweepSaysByWhichCommandItIsRun) {
