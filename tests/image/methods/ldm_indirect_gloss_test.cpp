@@ -88,7 +88,7 @@ struct StillLife {
     std::optional<Image> material;  ///< "gbuffer.material"; the reference has none
 };
 
-StillLife still_life(const std::string& method, const Settings& settings) {
+StillLife glossy_still_life(const std::string& method, const Settings& settings) {
     engine::Experiment e;
     e.scene = "builtin:still-life";
     e.camera_name = "table";
@@ -124,14 +124,15 @@ double light_of_metals(const Image& picture, const Image& material) {
 // Metals reflect what they see, with several bounces: exact rays are unbiased, and maps are near. Without
 // gloss they are black.
 TEST(LdmIndirectGlossPicture, MetalsAreAsBrightAsTheReferenceSays) {
-    const auto by_rays = still_life("ldm-indirect", gloss("lobe", "rays", 32));
+    const auto by_rays = glossy_still_life("ldm-indirect", gloss("lobe", "rays", 32));
     ASSERT_TRUE(by_rays.material);
     const auto light = [&](const StillLife& picture) {
         return light_of_metals(picture.radiance, *by_rays.material);
     };
-    const auto rays = light(by_rays), maps = light(still_life("ldm-indirect", gloss("lobe", "maps", 32))),
-               none = light(still_life("ldm-indirect", gloss("none", "maps"))),
-               truth = light(still_life("reference", {{"samples", std::int64_t{128}}}));
+    const auto rays = light(by_rays),
+               maps = light(glossy_still_life("ldm-indirect", gloss("lobe", "maps", 32))),
+               none = light(glossy_still_life("ldm-indirect", gloss("none", "maps"))),
+               truth = light(glossy_still_life("reference", {{"samples", std::int64_t{128}}}));
     std::printf("light of metals over the reference's: rays %.3f, maps %.3f, none %.3f\n", rays / truth,
                 maps / truth, none / truth);
     EXPECT_NEAR(rays / truth, 1, 0.08);

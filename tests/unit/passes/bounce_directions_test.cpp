@@ -13,7 +13,7 @@ namespace {
 using bounce::Distribution;
 using bounce::Spread;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int rings = 10, sectors = 16;
 
 using Density = std::function<double(glm::vec3)>;  // 1/sr, of a world-space direction

@@ -14,7 +14,7 @@ using scene::Camera;
 using scene::Light;
 using scene::LightType;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The metallic-roughness BRDF once more, in double precision and from angles.
 struct Brdf {

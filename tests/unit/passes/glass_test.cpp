@@ -10,7 +10,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int size = 9, middle = size / 2, corner = 0;
+constexpr int side = 9, middle = side / 2, edge = 0;
 
 /// A wall at z = 0 that fills the picture, seen along -z from 4 m before it; panes may stand before its
 /// middle.
@@ -44,7 +44,7 @@ class GlassTest : public PassTest {
         camera.target = {0, 0, 0};
         camera.orthographic = orthographic;
         camera.height = 2;
-        return {scene_, camera, size, size};
+        return {scene_, camera, side, side};
     }
     glm::vec3 transmittance() const { return rgb(read("gbuffer.glass"), middle, middle); }
 
@@ -71,14 +71,14 @@ TEST_F(GlassTest, IsLeftOutOfTheGBufferAndNotValid) {
     EXPECT_EQ(read("gbuffer.albedo").pixels, colours.pixels);
     EXPECT_EQ(read("gbuffer.velocity").pixels, velocity.pixels);
     EXPECT_EQ(read("valid").at(middle, middle), 0);
-    EXPECT_EQ(read("valid").at(corner, corner), 1);
+    EXPECT_EQ(read("valid").at(edge, edge), 1);
     const auto glass = read("gbuffer.glass");
     EXPECT_EQ(glass.at(middle, middle, 3), 1);
-    EXPECT_EQ(glass.at(corner, corner, 3), 0);
-    EXPECT_EQ(rgb(glass, corner, corner), glm::vec3(1));
+    EXPECT_EQ(glass.at(edge, edge, 3), 0);
+    EXPECT_EQ(rgb(glass, edge, edge), glm::vec3(1));
     int pixels = 0;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) pixels += glass.at(x, y, 3) > 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) pixels += glass.at(x, y, 3) > 0;
     EXPECT_GT(pixels, 0);
     EXPECT_EQ(report.counters.at("gbuffer.glass_pixels"), pixels);
 }
