@@ -21,16 +21,16 @@ ExportController::ExportController(QWidget& window, Session& session, Renderer& 
                            [=, this] { export_to(suffix, filter, save); });
     };
     const auto exr = tr("OpenEXR (*.exr)");
-    all << actions.add("copy-view", tr("&Copy the view as shown"), "copy",
+    all << actions.add("copy-view", tr("Copy the view as sho&wn"), "copy",
                        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)}, [this] { copy_view(); });
-    add("export-view", tr("View as shown, with labels and legend (&PNG) …"), "export", Qt::Key_P, ".png",
+    add("export-view", tr("View as shown, with labels and legen&d (PNG) …"), "export", Qt::Key_P, ".png",
         tr("PNG (*.png)"), &Exports::save_view);
-    add("export-buffer", tr("Buffer (&EXR) …"), nullptr, Qt::Key_E, ".exr", exr, &Exports::save_buffer);
+    add("export-buffer", tr("Buffer (E&XR) …"), nullptr, Qt::Key_E, ".exr", exr, &Exports::save_buffer);
     add("export-values", tr("&Values (CSV) …"), nullptr, Qt::Key_V, ".csv",
         tr("Comma-separated values (*.csv)"), &Exports::save_values);
     add("export-all", tr("&All buffers in one file (EXR) …"), nullptr, Qt::Key_A, ".exr", exr,
         &Exports::save_all_buffers);
-    all << actions.add("show-in-tev", tr("Show the buffer in &tev"), nullptr,
+    all << actions.add("show-in-tev", tr("&Show the buffer in tev"), nullptr,
                        {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_T)}, [this] { show_in_tev(tev_address); });
     all.back()->setData(tr("Sends the values to the viewer tev, which must be running"));
     enable_with_experiment(session, all);

@@ -172,7 +172,8 @@ bool FileController::save() {
         return true;
     }
     const auto overwrite = [this] {
-        notices_.attempt([this] { session_.files().save(true); }, tr("Cannot save"));
+        if (notices_.attempt([this] { session_.files().save(true); }, tr("Cannot save")))
+            show_as_saved(save_thumbnail());
     };
     std::vector<widgets::BannerStack::Action> ways{{tr("Save as …"), [this] { save_as(); }}};
     if (overwriting_helps) ways.push_back({tr("Overwrite"), overwrite});
@@ -255,7 +256,9 @@ void FileController::show_as_saved(const QImage& thumbnail) {
     const auto path = QString::fromStdString(session_.open_project().folder().string());
     for (auto& each : listed_)
         if (each.path == path) {
+            each.name = QString::fromStdString(session_.document().name);
             each.when = QDateTime::currentDateTime();
+            each.missing = false;
             if (!thumbnail.isNull()) each.thumbnail = thumbnail;
         }
     welcome_.set_recent(listed_);

@@ -1,6 +1,5 @@
 #include "app/gui/light_mover.h"
 
-#include <QEvent>
 #include <algorithm>
 #include <utility>
 
@@ -56,9 +55,10 @@ void turn(LightSpec& light, const glm::dvec3& direction) {
 
 }  // namespace
 
-LightMover::LightMover(Session& session, Workspace& workspace, DocumentDock& document, Actions& actions)
-    : session_(session), workspace_(workspace), document_(document) {
-    document_.installEventFilter(this);
+LightMover::LightMover(Session& session, Workspace& workspace, DocumentDock& document, DockLayout& docks,
+                       Actions& actions)
+    : session_(session), workspace_(workspace), docks_(docks) {
+    connect(&docks_, &DockLayout::seen_changed, this, &LightMover::update);
     connect(&document.editor(), &widgets::ItemEditor::light_chosen, this,
             [this](const widgets::ItemRef& light) {
                 light_ = light;
@@ -87,12 +87,6 @@ LightMover::LightMover(Session& session, Workspace& workspace, DocumentDock& doc
     connect(&tools, &PictureTools::light_gesture_finished, this, &LightMover::finish);
 }
 
-/// *Project* is opened or closed.
-bool LightMover::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Show || event->type() == QEvent::Hide) update();
-    return QObject::eventFilter(watched, event);
-}
-
 void LightMover::update() {
     for (const int view : workspace_.area().open_views()) update_view(view);
 }
@@ -101,7 +95,7 @@ void LightMover::update_view(int view) {
     auto* pane = workspace_.pane(view);
     if (!pane || !session_.has_project()) return;
     auto light = placed();
-    if (light) light->tells = document_.isVisible() && view == workspace_.area().active();
+    if (light) light->tells = docks_.is_seen("project") && view == workspace_.area().active();
     const auto& state = workspace_.views().state(view);
     auto& board = pane->compare().panes();
     for (int i = 0; i < board.pane_count(); ++i) {

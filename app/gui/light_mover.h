@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/gui/actions.h"
+#include "app/gui/dock_layout.h"
 #include "app/gui/document_dock.h"
 
 namespace ir::gui {
@@ -12,14 +13,14 @@ namespace ir::gui {
 class LightMover : public QObject {
     Q_OBJECT
   public:
-    LightMover(Session& session, Workspace& workspace, DocumentDock& document, Actions& actions);
+    LightMover(Session& session, Workspace& workspace, DocumentDock& document, DockLayout& docks,
+               Actions& actions);
 
   private:
     struct Gesture {
         std::string field;
         projects::LightSet before;
     };
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void update();
     void update_view(int view);
     std::optional<widgets::PlacedLight> placed() const;
@@ -30,7 +31,7 @@ class LightMover : public QObject {
 
     Session& session_;
     Workspace& workspace_;
-    DocumentDock& document_;
+    DockLayout& docks_;
     widgets::ItemRef light_;  ///< that is chosen; none: there is none
     bool shown_ = true;
     std::optional<Gesture> gesture_;

@@ -96,7 +96,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       project_banners_(*this, session_, live_, *banners_),
       surfaces_(session_, live_, renderer_, workspace_, inspector_, *document_, docks_, notices_, actions_),
       lights_(session_, live_, renderer_, scenes_, workspace_, inspector_, actions_),
-      light_mover_(session_, workspace_, *document_, actions_),
+      light_mover_(session_, workspace_, *document_, docks_, actions_),
       light_offer_(session_, scenes_, lights_, *banners_),
       finder_(*this, session_, scenes_, workspace_, *document_, *parameters_, docks_, layouts_, files_,
               actions_),

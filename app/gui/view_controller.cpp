@@ -210,12 +210,13 @@ void ViewController::add_tool_actions() {
 
 void ViewController::update_display() {
     if (!session_.has_project() || !workspace_.pane(workspace_.area().active())) return;
-    update_switches();
     const bool picture = workspace_.active_pane().content() == widgets::ViewPane::Content::picture;
     const auto shown = picture ? workspace_.display_picture() : nullptr;
     if (shown && !shown->draft.isEmpty()) return;  // its values are not those of the picture
     display_.set_picture(shown);
-    if (shown && shown->has_image()) display_.set_display(workspace_.display(), workspace_.is_automatic());
+    if (!shown || !shown->has_image()) return;
+    display_.set_display(workspace_.display(), workspace_.is_automatic());
+    update_switches();
 }
 
 void ViewController::update_switches() {

@@ -36,7 +36,10 @@ QString title_of(const PictureSource& pictures, const widgets::ViewFields& field
     const QString how =
         is_difference ? widgets::difference_name(shown.difference) : widgets::mode_name(shown.mode);
     const auto* b = pictures.find(fields.outputs_b, shown.b.output);
-    const QString other = shown.b.owner != shown.a.owner ? name(shown.b) : b ? b->label : QString();
+    QStringList of_b;
+    if (shown.b.owner != shown.a.owner) of_b << name(shown.b);
+    if (b && (of_b.isEmpty() || b->label != a->label)) of_b << b->label;
+    const QString other = of_b.join(QStringLiteral(" · "));
     if (widgets::takes_many(shown.mode) || other.isEmpty()) return QStringLiteral("%1 · %2").arg(title, how);
     if (is_difference && shown.difference == DifferenceKind::signed_)
         return QStringLiteral("%1 − %2").arg(title, other);

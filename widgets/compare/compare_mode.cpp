@@ -62,9 +62,10 @@ class SideBySide : public CompareMode {
             all, all.count(),
             ComparedPictures::tr("Render both at one size, or unlink the views to see both."));
     }
-    /// Two in a view that is clearly higher than wide stand one below the other.
+    /// Two in a view that is higher than wide stand one below the other where that shows them clearly larger.
     QSize grid(const ComparedPictures& all, int panes, const SizeIn& size_in) const override {
-        const QSize row(2, 1), column(1, 2);
+        const QSize row(2, 1), column(1, 2), whole = size_in(QSize(1, 1));
+        if (panes == 2 && whole.height() <= whole.width()) return row;
         if (panes == 2) return zoom(all, size_in(column)) > clearly * zoom(all, size_in(row)) ? column : row;
         const int columns = panes <= 3 ? std::max(1, panes) : int(std::ceil(std::sqrt(double(panes))));
         return {columns, (panes + columns - 1) / columns};

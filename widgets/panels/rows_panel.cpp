@@ -169,18 +169,21 @@ bool RowsPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 /// The first column is no wider than it needs: values stand beside their names in a wide panel. In a narrow
-/// one it has its part, and what is left by the others that are seen whole. The rest is scrolled to.
+/// one it has its part, and what is left by the others that are seen whole. The rest is scrolled to, and what
+/// has no room as a whole although it is the first is seen in part.
 void RowsPanel::fit_columns() {
     const QAbstractItemView* view = view_;
     const int needed = std::max(view->sizeHintForColumn(0), view_->header()->sectionSizeHint(0));
     const int room = view_->viewport()->width();
     int beside = room - std::max(name_width_, std::min(needed, int(name_part * room)));
-    int width = room;
-    for (int c = 1; c < model_->columnCount() && view_->header()->sectionSize(c) <= beside; ++c) {
+    int width = room, whole = 0;
+    for (int c = 1; c < model_->columnCount() && view_->header()->sectionSize(c) <= beside; ++c, ++whole) {
         beside -= view_->header()->sectionSize(c);
         width -= view_->header()->sectionSize(c);
     }
-    view_->setColumnWidth(0, std::max(name_width_, std::min(needed, width)));
+    if (whole == 0 && model_->columnCount() > 1) width -= beside;
+    if (whole == model_->columnCount() - 1) width = std::min(needed, width);
+    view_->setColumnWidth(0, std::max(name_width_, width));
 }
 
 void RowsPanel::restore_folding(const QModelIndex& parent) {

@@ -67,7 +67,9 @@ QString NumberField::textFromValue(double value) const {
 }
 
 QString NumberField::bare(QString text) const {
-    if (!suffix().isEmpty() && text.endsWith(suffix())) text.chop(suffix().size());
+    constexpr int told = 3;  // letters: "texel" and "texels" are one unit
+    const auto unit = suffix().trimmed().left(told);
+    if (const auto at = unit.isEmpty() ? -1 : text.indexOf(unit); at > 0) text.truncate(at);
     return text.trimmed();
 }
 

@@ -59,9 +59,10 @@ QString tooltip_of(const ParameterDescription& parameter) {
 
 /// " texel" behind 1, " texels" behind all else.
 QString unit_behind(double value, const std::string& unit) {
-    static const std::map<std::string, const char*> of_one{{"degrees", "degree"}, {"frames", "frame"},
-                                                           {"pixels", "pixel"},   {"quanta", "quantum"},
-                                                           {"radii", "radius"},   {"texels", "texel"}};
+    static const std::map<std::string, const char*> of_one{
+        {"degrees", "degree"}, {"frames", "frame"}, {"pixels", "pixel"},
+        {"quanta", "quantum"}, {"radii", "radius"}, {"surfels per pixel", "surfel per pixel"},
+        {"texels", "texel"}};
     if (unit.empty()) return {};
     const auto found = value == 1 ? of_one.find(unit) : of_one.end();
     return QLatin1Char(' ') + QString::fromStdString(found == of_one.end() ? unit : found->second);

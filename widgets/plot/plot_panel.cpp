@@ -97,6 +97,9 @@ void PlotPanel::make_table() {
     table_->header()->setSortIndicator(-1, Qt::AscendingOrder);
     sorted_->sort(-1);
     table_->header()->setStretchLastSection(false);
+    connect(table_->header(), &QHeaderView::sectionResized, this, [this] {
+        has_own_widths_ |= table_->header()->underMouse() && QApplication::mouseButtons() & Qt::LeftButton;
+    });
     table_->header()->setMinimumSectionSize(36);
     add_copy(table_, [this] {
         QStringList lines;
@@ -235,9 +238,9 @@ void PlotPanel::show_data(const PlotData& data, const QString& waiting) {
         linking_ = true;
         model_->set_data(data);
         linking_ = false;
-        if (column_widths_of_ != data.headings || model_->rowCount() > fitted_rows_) {
+        if (column_widths_of_ != data.headings) has_own_widths_ = false;
+        if (!has_own_widths_) {
             column_widths_of_ = data.headings;
-            fitted_rows_ = model_->rowCount();
             for (int c = 0; c < model_->columnCount(); ++c) table_->resizeColumnToContents(c);
         }
         select_row(view_->selected());

@@ -67,7 +67,7 @@ class PlotPanel : public QWidget {
     const EmptyPage empty_ = make_empty_page();
     QLabel *waiting_ = nullptr, *point_ = nullptr;
     QListWidget* lines_ = nullptr;
-    int fitted_rows_ = 0;
+    bool has_own_widths_ = false;  ///< a person dragged a heading's end
     std::vector<std::string> column_widths_of_;
     bool linking_ = false;
 };

@@ -57,6 +57,8 @@ ContactSheet::ContactSheet(const SweepModel& model, QWidget* parent) : QListView
     setSelectionMode(ExtendedSelection);
     setEditTriggers(NoEditTriggers);
     setFrameShape(NoFrame);
+    setBackgroundRole(QPalette::Base);
+    setAutoFillBackground(true);
     setItemDelegate(new Cells(this));
     connect(&pictures_, &SheetPictures::arrived, this, [this] {
         ask_for_seen();
@@ -101,8 +103,9 @@ int ContactSheet::columns(int room) const {
     int values = 1;  // of the last axis
     while (values < count && are_beside(0, values)) ++values;
     if (values < 2 || values >= room || count % values) return 0;
+    const auto value = [&](int row) { return line(model()->index(row, 0)).cells[std::size_t(axes) - 1]; };
     for (int row = 0; row < count; ++row)
-        if (!are_beside(row - row % values, row)) return 0;
+        if (!are_beside(row - row % values, row) || !(value(row % values) == value(row))) return 0;
     const bool is_all_seen = count / values * gridSize().height() <= viewport()->height();
     return is_all_seen ? values : room / values * values;
 }
@@ -327,6 +330,10 @@ void ContactSheet::mouseReleaseEvent(QMouseEvent* event) {
 
 /// Keys of the sheet that are the window's, too.
 bool ContactSheet::event(QEvent* event) {
+    if (event->type() == QEvent::Wheel) {  // beside the cells of a grid, too
+        wheelEvent(static_cast<QWheelEvent*>(event));
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Plus || key == Qt::Key_Equal || key == Qt::Key_Minus || key == Qt::Key_0) {

@@ -34,7 +34,8 @@ class ContactSheet : public QListView {
     std::pair<QRect, QRect> boxes(const QModelIndex& index) const;
 
     void paint_cell(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
-    /// Of two axes and more, values of the last stand below each other while rows have the sweep's order.
+    /// Of two axes and more, values of the last stand below each other while rows have the sweep's order and
+    /// all of them have room in a row.
     void doItemsLayout() override;
 
   signals:

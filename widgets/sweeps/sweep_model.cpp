@@ -85,9 +85,11 @@ QVariant SweepModel::data(const QModelIndex& index, int role) const {
     const auto& line = rows_.lines[std::size_t(index.row())];
     if (role == id_role) return line.id;
     if (role == Qt::ToolTipRole) {
-        const auto state = line.problem.isEmpty() ? state_text(line.state) : line.problem;
-        return line.name + (state.isEmpty() ? QString() : QLatin1Char('\n') + state) + QLatin1Char('\n') +
-               tr("A click on its picture, or Enter, loads this setting");
+        QStringList lines{line.name};
+        if (line.state != SweepLine::State::failed) lines << state_text(line.state);
+        lines << line.problem << tr("A click on its picture, or Enter, loads this setting");
+        lines.removeAll(QString());
+        return lines.join(QLatin1Char('\n'));
     }
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
     if (index.column() == 0) {

@@ -17,7 +17,7 @@ struct SweepLine {
     enum class State { waiting, running, done, stale, failed };
     QString id, name;  ///< name: "directions = 64, seed = 2"
     State state = State::waiting;
-    QString problem;               ///< of one that failed, in one line
+    QString problem;               ///< why it failed, or why it has no picture, in one line
     std::vector<SweepCell> cells;  ///< as many as there are headings
     QString picture, reference;    ///< EXR files; empty: none
     QString version;               ///< another one: the files hold another picture

@@ -141,6 +141,7 @@ void TimeBar::paint_tracks(QPainter& painter) const {
 /// In the first stretch of the line that has room between its keys.
 void TimeBar::paint_name(QPainter& painter, std::size_t track) const {
     const auto& named = state_.tracks[track];
+    if (named.name.isEmpty()) return;
     double left = margin, right = width() - margin;
     for (const double time : named.keys) {
         if (time < 0 || time > state_.end) continue;

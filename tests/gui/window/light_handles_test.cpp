@@ -46,6 +46,7 @@ class LightHandlesTest : public WindowTest {
 TEST_F(LightHandlesTest, OnlyTheActiveViewSaysThatALightIsOutOfSight) {
     add("point:position=0,0,5;flux=10");  // at the camera
     trigger("views-2");
+    window.docks().raise("project");
     const auto hint = [&](int view) {
         return window.workspace().pane(view)->compare().main_view().state().hint;
     };
@@ -56,7 +57,7 @@ TEST_F(LightHandlesTest, OnlyTheActiveViewSaysThatALightIsOutOfSight) {
         EXPECT_EQ(hint(1 - active), QString());
     }
     // Where nobody sees the values of the light, it says nothing.
-    window.docks().hide("project");
+    window.docks().raise("parameters");
     EXPECT_TRUE(QTest::qWaitFor([&] { return hint(1).isEmpty(); }));
     window.docks().raise("project");
     EXPECT_TRUE(QTest::qWaitFor([&] { return hint(1).contains("at the camera"); }));

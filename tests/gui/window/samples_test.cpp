@@ -170,7 +170,8 @@ TEST_F(WindowTest, ARecentProjectIsFoundFromAnotherFolder) {
     // The start page says when it was saved, not when it was opened.
     const auto is_of_today = [&] {
         return std::ranges::any_of(other.findChildren<widgets::ProjectCard*>(), [&](const auto* card) {
-            return card->toolTip() == recent->path && card->accessibleDescription().startsWith("today");
+            return card->toolTip() == recent->path && card->accessibleName() == "New" &&
+                   card->accessibleDescription().startsWith("today");
         });
     };
     EXPECT_FALSE(is_of_today());

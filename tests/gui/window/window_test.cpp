@@ -51,6 +51,7 @@ TEST_F(WindowTest, StartsEmptyWithDocksAsideAndNamesTheDevice) {
     ASSERT_TRUE(settle());
     EXPECT_FALSE(window.session().has_project());
     EXPECT_FALSE(window.action("save")->isEnabled());
+    EXPECT_FALSE(window.action("play")->isEnabled());
     EXPECT_FALSE(window.findChild<QDockWidget*>("buffers")->isVisible());
     EXPECT_NE(label("device").find("no device"), std::string::npos);
 }
@@ -518,6 +519,8 @@ TEST_F(WindowTest, NoTwoEntriesOfAMenuShareALetter) {
             titles.insert(letter);
             if (action->menu()) all << shared_letters(*action->menu());
         }
+        for (auto* menu : window.findChildren<QMenu*>())  // of the picture and of the experiment
+            if (menu->title().isEmpty()) all << shared_letters(*menu);
         return all.join('\n').toStdString();
     };
     EXPECT_EQ(shared(), "");

@@ -424,6 +424,18 @@ TEST(RowsPanelTest, NamesHaveTheRoomFirst) {
     panel.resize(named + 200, 200);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view->columnWidth(0) > named; }))
         << view->columnWidth(0) << " of " << view->viewport()->width() << " for " << named;
+    // Columns beside it are seen whole, or not at all, but for the first.
+    const auto edge = [&](int column) { return view->header()->sectionViewportPosition(column + 1); };
+    for (int width = named / 2; width < 3 * named; width += 20) {
+        panel.resize(width, 200);
+        const bool is_whole = QTest::qWaitFor([&] {
+            const int room = view->viewport()->width();
+            for (int c = 1; c < 4; ++c)
+                if (edge(c - 1) < room - 1 && edge(c) > room && c > 1) return false;
+            return true;
+        });
+        EXPECT_TRUE(is_whole) << width;
+    }
 }
 
 }  // namespace

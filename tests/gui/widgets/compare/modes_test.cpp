@@ -229,6 +229,8 @@ TEST_P(CompareTest, TwoStandBelowEachOtherInAHighView) {
     view.resize(300, 640);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.views()[1]->y() > view.views()[0]->geometry().bottom(); }));
     EXPECT_EQ(view.views()[1]->x(), view.views()[0]->x());
+    view.resize(640, 560);  // one below the other would be larger
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.views()[1]->x() > view.views()[0]->geometry().right(); }));
 }
 
 TEST_P(CompareTest, FloatingAndDockingKeepsThePicture) {

@@ -118,6 +118,17 @@ TEST_F(SheetTest, TwoAxesAreAGridInTheSweepsOrder) {
                place(0).y() == place(1).y();
     };
     EXPECT_TRUE(QTest::qWaitFor(is_grid));
+    // Rows of one value each that are turned about are no grid.
+    two.lines[0].cells[2] = {{}, 0.2};
+    two.lines[1].cells[2] = {{}, 0.1};
+    two.lines[2].cells[2] = {{}, 0.3};
+    two.lines[3].cells[2] = {{}, 0.4};
+    shown.model.set_rows(two);
+    shown.order.sort(3);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return place(0).y() == place(2).y(); }));
+    two.lines[0].cells[2] = {{}, 0.0};
+    two.lines[2].cells[2] = {{}, 0.05};
+    shown.model.set_rows(two);
     // In the order of errors, three have room beside each other.
     shown.order.sort(3);
     EXPECT_TRUE(QTest::qWaitFor([&] { return place(0).y() == place(2).y(); }));
