@@ -67,7 +67,11 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
         wanted.setProfile(QSurfaceFormat::CoreProfile);
         setFormat(wanted);
     }
-    ~GlCanvas() override { release(); }
+    ~GlCanvas() override {
+        // The widget's context goes after what is in here: nobody is to be told of that.
+        if (context()) disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::release);
+        release();
+    }
     QWidget* widget() override { return this; }
     void state_changed() override {
         if (!state_.has_image() && program_ && !textures_.empty()) {  // a hidden pane needs no memory
