@@ -321,8 +321,7 @@ widgets::AnalysisFields AnalysesDock::fields() const {
         fields.why_read_only = read_only_text(session_.open_project());
     if (!session_.has_project()) return fields;
     for (const auto& each : session_.document().analyses)
-        fields.analyses.push_back(
-            {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.notes)});
+        fields.analyses.push_back({text_of(each.id), name_text(each), text_of(each.notes)});
     fields.analysis = text_of(chosen());
     fields.runs = runs_.is_running();
     fields.doing = doing_;
@@ -375,8 +374,8 @@ void AnalysesDock::write_svg(const QString& file) const {
 
 template <class Write>
 void AnalysesDock::export_to(const QString& suffix, const QString& filter, Write write) {
-    const auto name = analysis() && !analysis()->name.empty() ? analysis()->name : chosen();
-    const auto file = ask_for_export(this, tr("Export"), text_of(name), filter, {suffix});
+    const auto name = analysis() ? name_text(*analysis()) : QString();
+    const auto file = ask_for_export(this, tr("Export"), name, filter, {suffix});
     if (file.isEmpty()) return;
     try {
         (this->*write)(file);

@@ -14,7 +14,7 @@ namespace {
 /// What an edit is called, as a menu shows it: with the window's quotes, and no letter underlined.
 QString entry_of(const std::string& label) {
     static const QRegularExpression quoted(QStringLiteral(" '(.*)'"));
-    return text_of(label).replace(quoted, QStringLiteral(" “\\1”")).replace('&', "&&");
+    return in_menu(text_of(label).replace(quoted, QStringLiteral(" “\\1”")));
 }
 
 }  // namespace

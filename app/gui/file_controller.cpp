@@ -12,6 +12,7 @@
 #include "app/gui/dialog_folder.h"
 #include "app/gui/exports.h"
 #include "app/gui/patient_files.h"
+#include "app/gui/text_of.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
@@ -276,7 +277,7 @@ void FileController::update_recent() {
     listed_ = std::move(listed);
     recent_menu_->clear();
     for (const QString& path : paths)
-        recent_menu_->addAction(QString(path).replace('&', "&&"), this, [this, path] { go_to(path); });
+        recent_menu_->addAction(in_menu(path), this, [this, path] { go_to(path); });
     recent_menu_->setEnabled(!recent_menu_->isEmpty());
     welcome_.set_recent(listed_);
     welcome_.set_samples(samples);

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QSettings>
 
+#include "app/gui/text_of.h"
 #include "app/gui/workspace.h"
 
 namespace ir::gui {
@@ -127,13 +128,11 @@ void LayoutController::fill_menu() {
     actions_.fill(menu_, "layout-default |");
     for (const auto& entry : DockLayout::entries()) menu_->addAction(actions_.find(prefix + entry.name));
     menu_->addSeparator();
-    for (const auto& name : own_.keys())
-        menu_->addAction(QString(name).replace('&', "&&"), this, [this, name] { apply(name); });
+    for (const auto& name : own_.keys()) menu_->addAction(in_menu(name), this, [this, name] { apply(name); });
     removed_->clear();
     removed_->setEnabled(!own_.isEmpty());
     for (const auto& name : own_.keys())
-        removed_->addAction(QString(name).replace('&', "&&") + "…", this,
-                            [this, name] { ask_to_remove(name); });
+        removed_->addAction(in_menu(name) + "…", this, [this, name] { ask_to_remove(name); });
     menu_->addAction(actions_.find("layout-keep"));
     menu_->addMenu(removed_);
 }

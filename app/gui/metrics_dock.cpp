@@ -164,7 +164,7 @@ void MetricsDock::update() {
     send_wants(now);
     if (!visible_ || now.empty()) {
         panel_->set_fields(
-            {.why_empty = tr("Choose two pictures: any mode of the menu Compare but one picture.")});
+            {.why_empty = tr("Choose two pictures: a mode of the menu Compare that shows both.")});
         return panel_->measure({});
     }
     widgets::MetricsFields fields;

@@ -18,9 +18,7 @@ const QString scene_prefix = QStringLiteral("scene:");  ///< of cameras of the s
 template <class List>
 std::vector<widgets::Option> options_of(const List& list) {
     std::vector<widgets::Option> result;
-    for (const auto& item : list)
-        result.push_back(
-            {text_of(item.id), text_of(item.name.empty() ? item.id : item.name), text_of(item.id)});
+    for (const auto& item : list) result.push_back({text_of(item.id), name_text(item), text_of(item.id)});
     return result;
 }
 

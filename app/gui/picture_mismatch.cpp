@@ -84,7 +84,7 @@ QStringList PictureMismatch::sources(const projects::Experiment& a, const projec
     const auto* set_b = projects::find_item(sets, b.lights);
     if (set_a == set_b || (set_a && set_b && shine_alike(*set_a, *set_b))) return different;
     const auto name = [](const projects::LightSet* set) {
-        return set ? text_of(set->name.empty() ? set->id : set->name) : QObject::tr("the scene's");
+        return set ? name_text(*set) : QObject::tr("the scene's");
     };
     return different << QObject::tr("lights: %1 / %2").arg(name(set_a), name(set_b));
 }

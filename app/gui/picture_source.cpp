@@ -115,10 +115,9 @@ std::vector<widgets::Option> PictureSource::owners() const {
     std::vector<widgets::Option> options;
     if (!session_.has_project()) return options;
     for (const auto& each : session_.document().experiments)
-        options.push_back(
-            {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.method)});
+        options.push_back({text_of(each.id), name_text(each), text_of(each.method)});
     for (const auto& each : session_.document().images)
-        options.push_back({text_of("image:" + each.id), text_of(each.name.empty() ? each.id : each.name),
+        options.push_back({text_of("image:" + each.id), name_text(each),
                            text_of(each.source + (each.notes.empty() ? "" : "\n" + each.notes))});
     for (const auto& each : kept_.entries())
         options.push_back({text_of(kept_owner(each.key)), text_of(kept_pictures_.name(each)),

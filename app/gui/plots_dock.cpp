@@ -408,8 +408,7 @@ widgets::PlotChoices PlotsDock::plot_lists() const {
     }
     const auto& open = session_.open_project();
     for (const auto& each : session_.document().plots)
-        choices.plots.push_back(
-            {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.notes)});
+        choices.plots.push_back({text_of(each.id), name_text(each), text_of(each.notes)});
     choices.plot = text_of(chosen());
     if (open.is_read_only()) choices.why_read_only = read_only_text(open);
     return choices;
@@ -458,8 +457,8 @@ void PlotsDock::write_numbers(const QString& file) const {
 
 QString PlotsDock::ask_for_file(const QString& words, const QString& suffix, const QString& filter) {
     const auto* drawn = plot(chosen());
-    const auto name = drawn && !drawn->name.empty() ? drawn->name : chosen();
-    return ask_for_export(this, tr("Export"), text_of(name) + words, filter, {suffix});
+    const auto name = drawn ? name_text(*drawn) : QString();
+    return ask_for_export(this, tr("Export"), name + words, filter, {suffix});
 }
 
 void PlotsDock::export_picture(int scale, bool on_paper, bool to_clipboard) {

@@ -14,11 +14,9 @@ namespace {
 
 const char* const picker = "picker ";
 
-/// As a menu shows it.
-QString in_menu(QString name) {
+QString in_short(const QString& name) {
     constexpr int max_length = 40;
-    if (name.size() > max_length) name = name.left(max_length - 1) + QStringLiteral("…");
-    return name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+    return in_menu(name.size() > max_length ? name.left(max_length - 1) + QStringLiteral("…") : name);
 }
 
 }  // namespace
@@ -193,8 +191,8 @@ void SurfacePicker::update_actions() {
     if (why_not.isEmpty() && is_known && !point) why_not = tr("There is no surface under the cursor.");
     QString material = tr("&Edit material"), object = tr("Edit ob&ject");
     if (point) {
-        material = tr("&Edit material “%1”").arg(in_menu(text_of(point->material)));
-        object = tr("Edit ob&ject “%1”").arg(in_menu(object_text()));
+        material = tr("&Edit material “%1”").arg(in_short(text_of(point->material)));
+        object = tr("Edit ob&ject “%1”").arg(in_short(object_text()));
     }
     material_->setText(material);
     object_->setText(object);

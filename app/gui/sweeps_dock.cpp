@@ -436,8 +436,7 @@ widgets::SweepFields SweepsDock::fields() const {
     const auto& document = session_.document();
     const auto& open = session_.open_project();
     for (const auto& each : document.sweeps)
-        fields.sweeps.push_back(
-            {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.id)});
+        fields.sweeps.push_back({text_of(each.id), name_text(each), text_of(each.id)});
     fields.sweep = text_of(chosen());
     if (open.is_read_only()) fields.why_read_only = read_only_text(open);
     if (!sweep()) {
@@ -519,8 +518,9 @@ void SweepsDock::write_csv(const QString& file) const {
 }
 
 void SweepsDock::export_csv() {
-    const auto file = ask_for_export(this, tr("Export"), text_of(sweep() ? sweep()->name : "") + tr(" sweep"),
-                                     tr("Comma-separated values (*.csv)"), {QStringLiteral(".csv")});
+    const auto file =
+        ask_for_export(this, tr("Export"), (sweep() ? name_text(*sweep()) : QString()) + tr(" sweep"),
+                       tr("Comma-separated values (*.csv)"), {QStringLiteral(".csv")});
     if (file.isEmpty()) return;
     try {
         write_csv(file);

@@ -11,7 +11,7 @@ namespace {
 template <class List>
 QString name_in(const List& list, const std::string& id) {
     const auto* item = projects::find_item(list, id);
-    return text_of(!item || item->name.empty() ? id : item->name);
+    return item ? name_text(*item) : text_of(id);
 }
 
 QString what_moves(const projects::Project& project, const projects::Motion& motion) {
@@ -75,7 +75,7 @@ std::vector<widgets::TimelineTrack> TimelineDock::tracks() const {
     for (const auto* motion : projects::motions_of(project, projects::effective(*chosen))) {
         if (!projects::is_moving(*motion)) continue;
         widgets::TimelineTrack track;
-        track.name = text_of(motion->name.empty() ? motion->id : motion->name);
+        track.name = name_text(*motion);
         track.what = what_moves(project, *motion);
         track.loop = motion->loop;
         for (const auto& key : motion->keys) track.keys.push_back(key.time);

@@ -64,9 +64,11 @@ class SideBySide : public CompareMode {
     }
     /// Two in a view that is higher than wide stand one below the other where that shows them clearly larger.
     QSize grid(const ComparedPictures& all, int panes, const SizeIn& size_in) const override {
-        const QSize row(2, 1), column(1, 2), whole = size_in(QSize(1, 1));
-        if (panes == 2 && whole.height() <= whole.width()) return row;
-        if (panes == 2) return zoom(all, size_in(column)) > clearly * zoom(all, size_in(row)) ? column : row;
+        if (panes == 2) {
+            const QSize row(2, 1), column(1, 2), view = size_in(QSize(1, 1));
+            const bool is_larger = zoom(all, size_in(column)) > clearly * zoom(all, size_in(row));
+            return view.height() > view.width() && is_larger ? column : row;
+        }
         const int columns = panes <= 3 ? std::max(1, panes) : int(std::ceil(std::sqrt(double(panes))));
         return {columns, (panes + columns - 1) / columns};
     }
@@ -74,10 +76,10 @@ class SideBySide : public CompareMode {
     bool keeps_first() const override { return true; }
 
   protected:
-    static constexpr double clearly = 1.2;  ///< larger, for another order
+    static constexpr double clearly = 1.2;  ///< so much larger justifies another order
     /// By how much a picture that fills such a pane is enlarged.
     static double zoom(const ComparedPictures& all, QSize pane) {
-        const QSizeF picture = all.pictures.front() ? all.pictures.front()->size() : QSize();
+        const QSizeF picture = all.pictures.front()->size();
         return picture.isEmpty() || pane.isEmpty()
                    ? 0.0
                    : std::min(pane.width() / picture.width(), pane.height() / picture.height());

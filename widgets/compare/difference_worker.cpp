@@ -71,6 +71,19 @@ double rmse_of(const DifferenceRequest& request) {
     return compute_metrics(*request.a->image, *request.b->image, {"rmse"}, options).values.at("rmse");
 }
 
+/// By the names that the reader knows the pictures by: difference() calls them A and B.
+void require_equal_channels(const DifferenceRequest& request) {
+    const auto channels_of = [&](const Picture& each) {
+        return value_channels(request.a->semantic, each.image->channels);
+    };
+    const int a = channels_of(*request.a), b = channels_of(*request.b);
+    if (a == b) return;
+    const auto words = QCoreApplication::translate(
+        "Difference", "Channels differ: %1 has %2, %3 has %4. Choose outputs of one kind.");
+    throw Error(
+        words.arg(request.name_a, QString::number(a), request.name_b, QString::number(b)).toStdString());
+}
+
 DifferenceRequest at_one_size(const DifferenceRequest& request) {
     auto result = request;
     std::tie(result.a, result.b) = at_one_size(request.a, request.b);
@@ -87,20 +100,8 @@ std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request
     picture.label = label_of(request.kind).arg(requested.name_a, requested.name_b);
     picture.atlas = request.a->atlas;
     picture.unit = unit_of(request.kind, request.a->unit);
-    const auto channels_of = [&](const Picture& each) {
-        return value_channels(requested.a->semantic, each.image->channels);
-    };
-    const int of_a = channels_of(*requested.a), of_b = channels_of(*requested.b);
-    if (of_a != of_b) {
-        picture.note =
-            QCoreApplication::translate("Difference",
-                                        "Channels differ: %1 has %2, %3 has %4. "
-                                        "Choose outputs of one kind.")
-                .arg(requested.name_a, QString::number(of_a), requested.name_b, QString::number(of_b));
-        result->picture = std::make_shared<const Picture>(std::move(picture));
-        return result;
-    }
     try {
+        require_equal_channels(requested);
         auto computed = computed_difference(requested);
         result->rmse = rmse_of(requested);
         result->automatic = display_for_difference(request.kind, computed.image);

@@ -68,7 +68,7 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
         setFormat(wanted);
     }
     ~GlCanvas() override {
-        // The widget's context goes after what is in here: nobody is to be told of that.
+        // QOpenGLWidget ends the context after this part of the object: release() would be called without it.
         if (context()) disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::release);
         release();
     }

@@ -80,8 +80,8 @@ class Browser : public QTextBrowser {
         const int room = std::max(beside, window()->width() - beside);
         auto picture = QImage::fromData(loaded.toByteArray());
         if (picture.width() <= room) return loaded;
-        picture.convertTo(
-            QImage::Format_ARGB32_Premultiplied);  // one of a palette is dithered as it is scaled
+        // Scaled with a palette, it would be dithered.
+        picture.convertTo(QImage::Format_ARGB32_Premultiplied);
         const int width = std::min(picture.width(), int(room * devicePixelRatioF()));
         picture = picture.scaledToWidth(width, Qt::SmoothTransformation);
         picture.setDevicePixelRatio(double(width) / room);

@@ -168,9 +168,8 @@ bool RowsPanel::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// The first column is no wider than it needs: values stand beside their names in a wide panel. In a narrow
-/// one it has its part, and what is left by the others that are seen whole. The rest is scrolled to, and what
-/// has no room as a whole although it is the first is seen in part.
+/// Names are no wider than they need where all columns have room. Else they have their part, and what is left
+/// by as many values as are seen whole. Where not even the first value is, it is seen in part.
 void RowsPanel::fit_columns() {
     const QAbstractItemView* view = view_;
     const int needed = std::max(view->sizeHintForColumn(0), view_->header()->sectionSizeHint(0));

@@ -11,8 +11,9 @@
 namespace ir::engine {
 namespace {
 
-constexpr std::array colours{tints::sky,  tints::orange,    tints::green, tints::yellow,
-                             tints::blue, tints::vermilion, tints::purple};
+/// In the order of PlotStyle::screen(): where both list experiments alike, one has one colour in both.
+constexpr std::array colours{tints::sky,       tints::orange, tints::green, tints::yellow,
+                             tints::vermilion, tints::purple, tints::blue};
 /// One wins a pixel that is so much nearer, or farther, than the next: others are alike there.
 constexpr float margin = 1.05f;
 constexpr int alike = 0;  ///< category; those of the experiments count from 1
