@@ -40,7 +40,7 @@ class Groups {
     explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
     std::size_t of(std::size_t i) const { return parent_[i] == i ? i : of(parent_[i]); }
     void join(std::size_t a, std::size_t b) {
-        const auto [first, second] = std::minmax(of(a), of(b));
+        const auto [first, second] = std::minmax({of(a), of(b)});
         parent_[second] = first;
     }
 

@@ -290,7 +290,7 @@ void ContactSheet::select(const QModelIndex& index, Qt::KeyboardModifiers modifi
     if (!(modifiers & Qt::ShiftModifier) || !currentIndex().isValid())
         return selectionModel()->setCurrentIndex(index, S::ClearAndSelect | S::Rows);
     const auto from = currentIndex().siblingAtColumn(modelColumn());
-    const auto [low, high] = std::minmax(from.row(), index.row());
+    const auto [low, high] = std::minmax({from.row(), index.row()});
     selectionModel()->select(QItemSelection(from.siblingAtRow(low), from.siblingAtRow(high)),
                              S::ClearAndSelect | S::Rows);
 }
