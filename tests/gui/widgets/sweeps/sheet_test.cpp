@@ -5,6 +5,7 @@
 #include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "renderers/image/exr.h"
 #include "tests/gui/widgets/metrics/pictures.h"
@@ -132,6 +133,29 @@ TEST_F(SheetTest, TwoAxesAreAGridInTheSweepsOrder) {
     // In the order of errors, three have room beside each other.
     shown.order.sort(3);
     EXPECT_TRUE(QTest::qWaitFor([&] { return place(0).y() == place(2).y(); }));
+}
+
+TEST_F(SheetTest, ShiftSelectsAllBetweenWhereverItBegan) {
+    Shown shown(rows(8, {}));
+    ASSERT_TRUE(shown.settle());
+    const auto click = [&](int row, Qt::KeyboardModifiers held = {}) {
+        QTest::mouseClick(shown.sheet.viewport(), Qt::LeftButton, held,
+                          shown.sheet.visualRect(shown.order.index(row, 0)).center());
+    };
+    const auto selected = [&] {
+        std::vector<int> rows;
+        for (const auto& index : shown.sheet.selectionModel()->selectedRows()) rows.push_back(index.row());
+        std::ranges::sort(rows);
+        return rows;
+    };
+    click(4);
+    click(2, Qt::ShiftModifier);
+    EXPECT_EQ(selected(), (std::vector{2, 3, 4}));
+    click(1);
+    click(3, Qt::ShiftModifier);
+    EXPECT_EQ(selected(), (std::vector{1, 2, 3}));
+    click(5, Qt::ControlModifier);
+    EXPECT_EQ(selected(), (std::vector{1, 2, 3, 5}));
 }
 
 TEST_F(SheetTest, KeepsNoMoreThanItsBytesAndAllThatIsSeen) {
