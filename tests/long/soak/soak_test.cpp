@@ -237,8 +237,10 @@ class Soak : public testing::TestWithParam<std::string> {
         while (steps() > begin_) session().undo();
         // Hidden views keep frame buffers in the size that they had last.
         trigger("views-4");
+        widgets::ViewState first;
+        first.a = {first_, {}};
         for (int view = 0; view < widgets::ViewArea::max_views; ++view)
-            window().views().set_state(view, {.a = {first_, {}}});
+            window().views().set_state(view, first);
         QApplication::processEvents();
         trigger("views-1");
         window().views().show_owner(first_);
