@@ -47,6 +47,8 @@ struct SoakedWindow {
     MainWindow window{*renderer, engine::registry(), {.remember = false}};
 
     SoakedWindow() {
+        // Pictures of icons: Qt keeps 10 MiB of them, and the names of those that were thrown away.
+        QPixmapCache::setCacheLimit(0);
         QObject::connect(renderer.get(), &Renderer::messages_arrived,
                          [](const std::vector<Message>& messages) {
                              for (const auto& message : messages)
@@ -64,12 +66,6 @@ struct SoakedWindow {
         return QTest::qWaitFor([this] { return window.is_settled(); }, ms);
     }
 };
-
-/// Without the pictures of icons that Qt keeps, 10 MiB of them at most.
-test::Use use_now() {
-    QPixmapCache::clear();
-    return test::use_now();
-}
 
 void print(int at, const test::Use& use) {
     static bool has_head = false;
@@ -278,7 +274,7 @@ TEST_P(Soak, WhatTheProcessHoldsDoesNotGrow) {
             const auto& shown = window().view().image();
             EXPECT_TRUE(shown.pixels == expected.pixels)
                 << shown.width << "×" << shown.height << " of " << window().views().shown_key();
-            uses.push_back(use_now());
+            uses.push_back(test::use_now());
             print(int(uses.size()) * edits_between_measurements, uses.back());
         }
     }
@@ -315,7 +311,7 @@ TEST(SoakOfWindows, OpenedAndClosedTheyLeaveNothing) {
         }
         QApplication::processEvents();
         for (const auto& [kind, count] : test::living_gl_objects()) ADD_FAILURE() << count << " " << kind;
-        uses.push_back(use_now());
+        uses.push_back(test::use_now());
         print(done, uses.back());
     }
     expect_flat(uses);
