@@ -98,10 +98,13 @@ using Address = __eglMustCastToProperFunctionPointerType;
 template <class Function, int id>
 Address watched(const char* name, Address real) {
     using Of = Watched<Function, id>;
-    Of::name = name;
-    Of::is_storage = Of::name == "glNamedBufferStorage" || Of::name.starts_with("glTextureStorage");
-    Of::is_error = Of::name == "glGetError";
-    Of::real = reinterpret_cast<Function>(real);
+    static std::once_flag once;  // each context asks, in threads of their own
+    std::call_once(once, [&] {
+        Of::name = name;
+        Of::is_storage = Of::name == "glNamedBufferStorage" || Of::name.starts_with("glTextureStorage");
+        Of::is_error = Of::name == "glGetError";
+        Of::real = reinterpret_cast<Function>(real);
+    });
     return reinterpret_cast<Address>(&Of::call);
 }
 
