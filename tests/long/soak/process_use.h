@@ -7,18 +7,18 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "tests/watched_gl.h"
 
 namespace ir::test {
 
-/// What the process holds, by name: memory in MiB, the others as numbers. The heap is what was asked for and
-/// not given back; memory is what the allocator and the system make of it. Programs of OpenGL are counted
-/// apart: a library keeps some of them.
-using Use = std::map<std::string, double>;
+/// What the process holds, in one block so that a list of these does not grow with it. Memory and heap are in
+/// MiB, the others are numbers. The heap is what was asked for and not given back; memory is what the
+/// allocator and the system make of it. Programs of OpenGL are counted apart: a library keeps some of them.
+struct Use {
+    double memory = 0, heap = 0, handles = 0, threads = 0, gl_objects = 0, gl_programs = 0;
+};
 
 inline double entries_in(const char* folder) {
     return double(std::distance(std::filesystem::directory_iterator(folder), {}));
@@ -29,28 +29,29 @@ inline Use use_now() {
     long pages = 0, resident = 0;
     std::ifstream("/proc/self/statm") >> pages >> resident;
     const auto allocated = ::mallinfo2();  // of all arenas
-    Use use{{"memory", double(resident * ::sysconf(_SC_PAGESIZE)) / (1 << 20)},
-            {"heap", double(allocated.uordblks + allocated.hblkhd) / (1 << 20)},
-            {"handles", entries_in("/proc/self/fd")},
-            {"threads", entries_in("/proc/self/task")},
-            {"OpenGL objects", 0},
-            {"programs", 0}};
+    Use use{.memory = double(resident * ::sysconf(_SC_PAGESIZE)) / (1 << 20),
+            .heap = double(allocated.uordblks + allocated.hblkhd) / (1 << 20),
+            .handles = entries_in("/proc/self/fd"),
+            .threads = entries_in("/proc/self/task")};
     for (const auto& [kind, count] : living_gl_objects())
-        use[kind == "Programs" ? "programs" : "OpenGL objects"] += count;
+        (kind == "Programs" ? use.gl_programs : use.gl_objects) += count;
     return use;
 }
 
-/// How much more of a kind is used at least in the last quarter than in the one before: 1.02 is 2 % more. The
-/// first half is warm-up.
-inline double growth(const std::vector<Use>& uses, const std::string& kind) {
-    const auto quarter = uses.size() / 4;
-    const auto least = [&](std::size_t from) {
-        double found = uses[from].at(kind);
-        for (auto i = from; i < from + quarter; ++i) found = std::min(found, uses[i].at(kind));
-        return found;
-    };
-    const double before = least(uses.size() - 2 * quarter);
-    return before > 0 ? least(uses.size() - quarter) / before : 1;
-}
+/// The least of what `kind` is in the last quarter, and in the one before. The first half is warm-up.
+struct LeastUse {
+    double before = 0, after = 0;
+
+    LeastUse(const std::vector<Use>& uses, double Use::*kind) {
+        const auto quarter = uses.size() / 4;
+        const auto least = [&](std::size_t from) {
+            double found = uses[from].*kind;
+            for (auto i = from; i < from + quarter; ++i) found = std::min(found, uses[i].*kind);
+            return found;
+        };
+        before = least(uses.size() - 2 * quarter);
+        after = least(uses.size() - quarter);
+    }
+};
 
 }  // namespace ir::test
