@@ -1,5 +1,5 @@
 # Writes LIST, a script that adds one entry of ctest for each suite of the GoogleTest program PROGRAM; where several
-# tests of a suite share parameters, one for each parameter. A process per test would make contexts, shaders and scenes
+# tests of a suite share parameters, and where tests are long, one for each parameter. A process per test would make contexts, shaders and scenes
 # anew each time. LAUNCHER, where it is not empty, starts the program.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
@@ -15,7 +15,7 @@ endfunction()
 
 macro(add_suite)
   list(LENGTH parameters count)
-  if(count AND tests GREATER count)
+  if(count AND (tests GREATER count OR PROPERTIES MATCHES "LABELS long"))
     foreach(parameter IN LISTS parameters)
       add_entry(${suite}/${parameter} ${suite}.*/${parameter})
     endforeach()

@@ -80,6 +80,7 @@ void ExportController::export_to(const QString& suffix, const QString& filter, S
         save == &Exports::save_all_buffers ? exports_.owner_title() + tr(" buffers") : exports_.title();
     const auto file = ask_for_export(&window_, tr("Export"), name, filter, {suffix});
     if (file.isEmpty()) return;
+    // GCC's check of types takes the closure for the object in `(exports_.*save)(file)`.
     if (!notices_.attempt([&] { std::invoke(save, exports_, file); }, tr("Cannot export"))) return;
     if (save == &Exports::save_all_buffers)
         asked_.append(file);  // the renderer says when it is there

@@ -18,6 +18,7 @@ struct OrderedCall : QtPrivate::QSlotObjectBase {
         auto* ordered = static_cast<OrderedCall*>(self);
         if (operation == Call) ordered->call_->call(receiver, arguments);
         if (operation == Compare) *equal = ordered->call_->compare(arguments);
+        __tsan_release(self);  // whoever has the last reference destroys it
         if (operation != Destroy) return;
         ordered->call_->destroyIfLastRef();
         delete ordered;
@@ -32,5 +33,6 @@ bool QMetaObject::invokeMethodImpl(QObject* object, QtPrivate::QSlotObjectBase* 
     static const auto of_qt = reinterpret_cast<decltype(&invokeMethodImpl)>(::dlsym(
         RTLD_NEXT,
         "_ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv"));
+    if (!of_qt) qFatal("Qt has no QMetaObject::invokeMethodImpl of this name");
     return of_qt(object, new OrderedCall(call), type, result);
 }

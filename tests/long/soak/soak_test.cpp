@@ -12,12 +12,16 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <random>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/engine/execution.h"
 #include "app/gui/main_window.h"
+#include "renderers/gl/program.h"
 #include "tests/long/soak/process_use.h"
 #include "tests/small_sample.h"
 
@@ -30,7 +34,7 @@ constexpr int patience_ms = 120'000;
 /// A picture that takes longer is cancelled.
 constexpr int long_ms = 4'000;
 constexpr int edits_between_measurements = 20;
-/// What must not grow beyond `most_growth` times what it was and `more`.
+/// The most that is allowed: `most_growth` times the use before, and `more`.
 struct Kind {
     const char* name;
     double test::Use::*use;

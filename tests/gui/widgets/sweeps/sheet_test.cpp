@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <vector>
 
 #include "renderers/image/exr.h"
 #include "tests/gui/widgets/metrics/pictures.h"
