@@ -6,6 +6,10 @@ execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing CO
 string(REPLACE ";" "," listing "${listing}")
 string(REPLACE "\n" ";" lines "${listing}")
 set(script "")
+set(is_long NO)
+if(PROPERTIES MATCHES "LABELS long")
+  set(is_long YES)
+endif()
 
 function(add_entry name filter)
   string(APPEND script "add_test([=[${PREFIX}${name}]=] ${LAUNCHER} [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=] --gtest_brief=1)\n"
@@ -15,7 +19,7 @@ endfunction()
 
 macro(add_suite)
   list(LENGTH parameters count)
-  if(count AND (tests GREATER count OR PROPERTIES MATCHES "LABELS long"))
+  if(count AND (tests GREATER count OR is_long))
     foreach(parameter IN LISTS parameters)
       add_entry(${suite}/${parameter} ${suite}.*/${parameter})
     endforeach()
