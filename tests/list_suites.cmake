@@ -1,15 +1,13 @@
 # Writes LIST, a script that adds one entry of ctest for each suite of the GoogleTest program PROGRAM; where several
-# tests of a suite share parameters, and where tests are long, one for each parameter. A process per test would make contexts, shaders and scenes
-# anew each time. LAUNCHER, where it is not empty, starts the program.
+# tests of a suite share parameters, and where tests are long, one for each parameter. A process per test would make
+# contexts, shaders and scenes anew each time. LAUNCHER, where it is not empty, starts the program.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE ";" "," listing "${listing}")
 string(REPLACE "\n" ";" lines "${listing}")
 set(script "")
-set(is_long NO)
-if(PROPERTIES MATCHES "LABELS long")
-  set(is_long YES)
-endif()
+# Not by MATCHES in the macro, which would overwrite the name of the next suite in CMAKE_MATCH_1.
+string(FIND "${PROPERTIES}" "LABELS long" is_long)
 
 function(add_entry name filter)
   string(APPEND script "add_test([=[${PREFIX}${name}]=] ${LAUNCHER} [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=] --gtest_brief=1)\n"
@@ -19,7 +17,7 @@ endfunction()
 
 macro(add_suite)
   list(LENGTH parameters count)
-  if(count AND (tests GREATER count OR is_long))
+  if(count AND (tests GREATER count OR is_long GREATER_EQUAL 0))
     foreach(parameter IN LISTS parameters)
       add_entry(${suite}/${parameter} ${suite}.*/${parameter})
     endforeach()

@@ -13,9 +13,10 @@
 
 namespace ir::test {
 
-/// What the process holds, in one block so that a list of these does not grow with it. Memory and heap are in
-/// MiB, the others are numbers. The heap is what was asked for and not given back; memory is what the
-/// allocator and the system make of it. Programs of OpenGL are counted apart: a library keeps some of them.
+/// What the process holds. No member allocates: a reserved list of these adds nothing to the heap while it is
+/// filled. Memory and heap are in MiB, the others are numbers. The heap is what was asked for and not given
+/// back; memory is what the allocator and the system make of it. Programs of OpenGL are counted apart: a
+/// library keeps some of them.
 struct Use {
     double memory = 0, heap = 0, handles = 0, threads = 0, gl_objects = 0, gl_programs = 0;
 };

@@ -34,13 +34,13 @@ constexpr int patience_ms = 120'000;
 /// A picture that takes longer is cancelled.
 constexpr int long_ms = 4'000;
 constexpr int edits_between_measurements = 20;
-/// The most that is allowed: `most_growth` times the use before, and `more`.
-struct Kind {
+/// How much is allowed of one kind of use: `most_growth` times what it was, and `more`.
+struct Bound {
     const char* name;
     double test::Use::*use;
     double most_growth = 1.02, more = 0;
 };
-constexpr Kind kinds[] = {
+constexpr Bound bounds[] = {
     {"heap", &test::Use::heap},
     // Arenas of several threads are given back only as far as nothing lies at their ends.
     {"memory", &test::Use::memory, 1.05},
@@ -62,7 +62,7 @@ struct SoakedWindow {
     MainWindow window{*renderer, engine::registry(), {.remember = false}};
 
     SoakedWindow() {
-        // Pictures of icons: Qt keeps 10 MiB of them, and the names of those that were thrown away.
+        // Of pictures of icons Qt keeps 10 MiB, and after QPixmapCache::clear() all their names.
         QPixmapCache::setCacheLimit(0);
         QObject::connect(renderer.get(), &Renderer::messages_arrived,
                          [](const std::vector<Message>& messages) {
@@ -86,21 +86,21 @@ void print(int at, const test::Use& use) {
     static bool has_head = false;
     if (!std::exchange(has_head, true)) {
         std::cout << "after";
-        for (const auto& kind : kinds) std::cout << ", " << kind.name;
+        for (const auto& bound : bounds) std::cout << ", " << bound.name;
         std::cout << ", OpenGL programs\n";
     }
     std::cout << at;
-    for (const auto& kind : kinds) std::cout << ", " << use.*kind.use;
+    for (const auto& bound : bounds) std::cout << ", " << use.*bound.use;
     std::cout << ", " << use.gl_programs << std::endl;
 }
 
 void expect_flat(const std::vector<test::Use>& uses) {
     ASSERT_GE(uses.size(), 8u);
     EXPECT_LE(uses.back().gl_programs, double(2 * gl::ProgramLibrary::most_kept));
-    for (const auto& kind : kinds) {
-        const test::LeastUse least(uses, kind.use);
-        std::cout << kind.name << " " << least.before << ", then " << least.after << std::endl;
-        EXPECT_LE(least.after, kind.most_growth * least.before + kind.more) << kind.name;
+    for (const auto& bound : bounds) {
+        const test::LeastUse least(uses, bound.use);
+        std::cout << bound.name << " " << least.before << ", then " << least.after << std::endl;
+        EXPECT_LE(least.after, bound.most_growth * least.before + bound.more) << bound.name;
     }
 }
 

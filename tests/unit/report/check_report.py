@@ -347,6 +347,21 @@ class Reports(unittest.TestCase):
         said = self.cli("report", project, "--comparison", first["name"], status=2)
         self.assertIn("give an id: c, again", said)
 
+    def test_galleries_hold_what_is_compared_whichever_comes_first(self):
+        project = self.folder / "galleries.interreflect"
+        project.mkdir()
+        small = {"scene": "box", "method": "view-normals", "size": [8, 6]}
+        pairs = ("da", "bc", "cb", "ef", "fa")
+        (project / "project.json").write_text(json.dumps({
+            "schema": 6, "name": "Galleries", "scenes": self.document["scenes"],
+            "experiments": [{"id": name, "seed": seed, **small} for seed, name in enumerate("abcdefgh")],
+            "comparisons": [{"id": pair, "a": pair[0], "b": pair[1]} for pair in pairs]}), encoding="utf-8")
+        page = self.report(project, "--render")
+        captions = page.all("figcaption")
+        names = [[c["text"].split()[0] for c in captions if gallery in c["inside"]]
+                 for gallery in page.all("section", class_="gallery")]
+        self.assertEqual(names, [list("adef"), list("bc"), list("gh")])
+
     def test_a_comparison_renders_what_it_lacks_alone(self):
         project = self.folder / "other.interreflect"
         project.mkdir()
