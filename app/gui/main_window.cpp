@@ -18,6 +18,7 @@
 #include "app/gui/display_dock.h"
 #include "app/gui/gestures.h"
 #include "app/gui/json_fields.h"
+#include "app/gui/patient_files.h"
 #include "app/gui/text_of.h"
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/style/icons.h"
@@ -443,10 +444,10 @@ void MainWindow::go_to(const Message& message) {
 }
 
 bool MainWindow::is_settled() const {
-    return live_.is_settled() && !images_.is_reading() && !kept_.is_busy() && workspace_.is_settled() &&
-           metrics_.is_settled() && profile_.is_settled() && pipeline_.is_settled() && figure_.is_settled() &&
-           plots_->is_settled() && sweeps_->is_settled() && analyses_->is_settled() &&
-           benchmarks_->is_settled();
+    return !patient_files().is_waiting() && live_.is_settled() && !images_.is_reading() && !kept_.is_busy() &&
+           workspace_.is_settled() && metrics_.is_settled() && profile_.is_settled() &&
+           pipeline_.is_settled() && figure_.is_settled() && plots_->is_settled() && sweeps_->is_settled() &&
+           analyses_->is_settled() && benchmarks_->is_settled();
 }
 
 void MainWindow::end_work() {

@@ -97,6 +97,22 @@ TEST_F(SlowDisk, TheWindowDrawsWhileItOpens) {
     EXPECT_EQ(window.session().document().notes, "kept");
 }
 
+/// Or a screenshot would be taken of half a project.
+TEST_F(SlowDisk, AWindowThatWaitsForTheDiskIsNotSettled) {
+    window.session().files().close();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.is_settled(); }));
+    int looks = 0, settled = 0;
+    const auto looking = QObject::connect(&heart_, &QTimer::timeout, &window, [&] {
+        ++looks;
+        settled += window.is_settled();
+    });
+    reads_are_slow = true;
+    ASSERT_TRUE(window.open_path(QString::fromStdString(folder().string())));
+    QObject::disconnect(looking);
+    EXPECT_GE(looks, 1);
+    EXPECT_EQ(settled, 0);
+}
+
 TEST_F(SlowDisk, WhatIsChangedMeanwhileIsNotSavedYet) {
     write_notes("first");
     QTimer::singleShot(0, [&] { write_notes("second"); });
