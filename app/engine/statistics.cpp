@@ -22,7 +22,7 @@ Json picture_json(const Execution& execution) {
               {"method_version", execution.method().version}};
     json["values"] = Json::object();
     for (const auto& [key, value] : execution.settings())
-        std::visit([&](const auto& plain) { json["values"][key] = plain; }, value);
+        std::visit([&kept = json["values"][key]](const auto& plain) { kept = plain; }, value);
     for (const auto& [file, hunks] : experiment.shaders) json["shaders"][file] = change_text(hunks);
     if (const auto folder = shader_folder_digest(); !folder.empty()) json["shader_folder"] = folder;
     json["size"] = {experiment.width, experiment.height};

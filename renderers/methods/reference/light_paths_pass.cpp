@@ -90,7 +90,7 @@ class PathTracer {
     struct Bench {
         Bench(const scene::View& view, const PathWorld& world, const PathRules& rules,
               const passes::GBufferSurfaces* gbuffer, const SharedPaths* shared)
-            : primary(view, world, gbuffer), wavefront(world, rules, {}, shared) {}
+            : primary(view, gbuffer), wavefront(world, rules, {}, shared) {}
         PrimaryRays primary;
         Wavefront wavefront;
         std::vector<std::size_t> pixels;

@@ -12,8 +12,8 @@ namespace ir::methods::reference {
 /// G-buffer has there.
 class PrimaryRays {
   public:
-    PrimaryRays(const scene::View& view, const PathWorld& world, const passes::GBufferSurfaces* gbuffer)
-        : rays_(passes::pixel_rays(view)), width_(view.width), world_(world), gbuffer_(gbuffer) {}
+    PrimaryRays(const scene::View& view, const passes::GBufferSurfaces* gbuffer)
+        : rays_(passes::pixel_rays(view)), width_(view.width), gbuffer_(gbuffer) {}
 
     /// Forgets the surfaces of earlier pixels; `most` may be added then.
     void begin(std::size_t most) { surfaces_.clear(), surfaces_.reserve(most); }
@@ -26,7 +26,6 @@ class PrimaryRays {
     void find_surface(glm::ivec2 pixel, PathStart& start);
     passes::PixelRays rays_;
     int width_;
-    const PathWorld& world_;
     const passes::GBufferSurfaces* gbuffer_;
     std::vector<passes::Surface> surfaces_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <ranges>
 #include <sstream>
 
 #include "renderers/core/constants.h"
@@ -78,10 +77,17 @@ class EmissionRays {
         return sources_.traced_rows[row].light == light_sky ? passes::EmissionSampler::environment
                                                             : passes::EmissionSampler::emissive_mesh;
     }
+    /// By halves: clang 14 cannot compile std::views::iota for std::ranges::partition_point.
     std::uint64_t rays_before(std::int64_t place) const {
-        const auto rays = std::views::iota(std::uint64_t{0}, count_);
-        const auto is_before = [&](std::uint64_t i) { return place_of(sampler_.emitter(choice(i))) < place; };
-        return static_cast<std::uint64_t>(std::ranges::partition_point(rays, is_before) - rays.begin());
+        std::uint64_t before = 0, end = count_;
+        while (before < end) {
+            const auto middle = before + (end - before) / 2;
+            if (place_of(sampler_.emitter(choice(middle))) < place)
+                before = middle + 1;
+            else
+                end = middle;
+        }
+        return before;
     }
 
     passes::SurfaceLookup surfaces_;
