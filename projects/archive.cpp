@@ -7,8 +7,8 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <memory>
 #include <new>
-#include <vector>
 
 #include "projects/text.h"
 #include "renderers/core/error.h"
@@ -146,12 +146,11 @@ void ArchiveWriter::add_file(const std::string& name, const fs::path& source) {
     std::ifstream content(source, std::ios::binary);
     if (error || !content) throw Error(source.string() + ": cannot be read; check its permissions");
     header(name, size);
-    std::vector<char> buffer(block_size);
+    const auto buffer = std::make_unique_for_overwrite<char[]>(block_size);
     std::uint64_t read = 0;
-    while (out_ && (content.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
-                    content.gcount() > 0)) {
+    while (out_ && (content.read(buffer.get(), std::streamsize{block_size}) || content.gcount() > 0)) {
         if (cancel_) cancel_->check();
-        put(buffer.data(), static_cast<std::size_t>(content.gcount()));
+        put(buffer.get(), static_cast<std::size_t>(content.gcount()));
         read += static_cast<std::uint64_t>(content.gcount());
     }
     if (out_ && read != size) throw Error(source.string() + ": changed while it was packed; try again");
@@ -183,12 +182,12 @@ void read_archive(const fs::path& file,
     refuse_if(archive_read_open(archive, &unpacked, nullptr, UnpackedFile::read, nullptr) != ARCHIVE_OK);
     if (archive_filter_count(archive) > 2)  // the file itself counts
         throw InputError(file.string(), "", "is compressed more than once; it is no project");
-    std::vector<char> buffer(block_size);
+    const auto buffer = std::make_unique_for_overwrite<char[]>(block_size);
     const CopyContent copy = [&](std::ostream& out) {
         la_ssize_t count = 0;
-        while (out && (count = archive_read_data(archive, buffer.data(), buffer.size())) > 0) {
+        while (out && (count = archive_read_data(archive, buffer.get(), block_size)) > 0) {
             unpacked.take(archive, count);
-            out.write(buffer.data(), count);
+            out.write(buffer.get(), count);
         }
         refuse_if(count < 0);
     };

@@ -1,7 +1,7 @@
 #include "projects/hash.h"
 
 #include <fstream>
-#include <vector>
+#include <memory>
 
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
@@ -12,10 +12,11 @@ std::string hash_file(const std::filesystem::path& file, const CancelToken* canc
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError(file.string(), "", "cannot be opened; check its permissions");
     Hasher hasher;
-    std::vector<char> block(1u << 20);
-    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
+    constexpr std::size_t block_size = 1u << 20;
+    const auto block = std::make_unique_for_overwrite<char[]>(block_size);
+    while (stream.read(block.get(), std::streamsize{block_size}) || stream.gcount() > 0) {
         if (cancel) cancel->check();
-        hasher.add(std::as_bytes(std::span(block.data(), static_cast<std::size_t>(stream.gcount()))));
+        hasher.add(std::as_bytes(std::span(block.get(), static_cast<std::size_t>(stream.gcount()))));
     }
     if (stream.bad()) throw InputError(file.string(), "", "cannot be read to its end; check the disk");
     return hasher.hexadecimal();

@@ -17,7 +17,7 @@ bool needs_default_material(const gltf::Document& document) {
 
 }  // namespace
 
-Scene load_gltf(const std::string& file) {
+Scene read_gltf(const std::string& file) {
     auto document = gltf::read_document(file);
     Scene scene;
     scene.name = file;
@@ -29,11 +29,16 @@ Scene load_gltf(const std::string& file) {
     gltf::load_animations(document, scene, nodes);
     gltf::load_cameras(document, scene, nodes);
     gltf::load_lights(document, scene, nodes);
-    if (scene.cameras.empty()) scene.cameras.push_back(opening_camera(scene));
     if (scene.instanced_triangles() == 0) document.warnings.add("the scene draws no triangles");
     scene.extensions = std::move(document.extensions);
     scene.variants = std::move(document.variants);
     scene.warnings = std::move(document.warnings.messages);
+    return scene;
+}
+
+Scene load_gltf(const std::string& file) {
+    auto scene = read_gltf(file);
+    if (scene.cameras.empty()) scene.cameras.push_back(opening_camera(scene));
     return scene;
 }
 

@@ -18,10 +18,10 @@ void check_world(const scene::Scene& scene) {
 
 }  // namespace
 
-bool loads_scene(const std::string& file) {
+bool loads_scene(const std::string& file, bool wants_camera) {
     constexpr std::size_t many_triangles = 100'000;  // instances multiply
     try {
-        const auto scene = scene::load_gltf(file);
+        const auto scene = wants_camera ? scene::load_gltf(file) : scene::read_gltf(file);
         if (scene.instanced_triangles() < many_triangles) check_world(scene);
         return true;
     } catch (const InputError& error) {

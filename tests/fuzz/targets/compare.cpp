@@ -1,3 +1,5 @@
+#include <tbb/global_control.h>
+
 #include <cstring>
 
 #include "renderers/core/error.h"
@@ -40,8 +42,9 @@ class Bytes {
 
 /// Two small pictures of any values, not-a-number and infinities among them.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);  // few rows
     Bytes bytes(data, size);
-    const int width = 1 + bytes.below(16), height = 1 + bytes.below(16), channels = 1 + bytes.below(4);
+    const int width = 1 + bytes.below(16), height = 1 + bytes.below(4), channels = 1 + bytes.below(4);
     const int change = bytes.below(8);  // most pairs have one size
     MetricOptions options;
     options.semantic = static_cast<Semantic>(bytes.below(4));
