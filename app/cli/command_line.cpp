@@ -96,11 +96,20 @@ void add_commands(CLI::App& app, Run& run) {
 
 }  // namespace
 
-void check_command(std::vector<std::string> words) {
+struct CommandCheck::Commands {
     CLI::App app;
-    app.require_subcommand(1);
     Run run;
-    add_commands(app, run);
+};
+
+CommandCheck::CommandCheck() : commands_(std::make_unique<Commands>()) {
+    commands_->app.require_subcommand(1);
+    add_commands(commands_->app, commands_->run);
+}
+
+CommandCheck::~CommandCheck() = default;
+
+void CommandCheck::operator()(std::vector<std::string> words) {
+    auto& app = commands_->app;
     refuse_empty_words(app, words);
     std::reverse(words.begin(), words.end());
     try {

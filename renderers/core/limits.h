@@ -28,7 +28,7 @@ inline constexpr int max_repeats = 1000;
 /// while zip reaches 1032 for zeros. A file of 1 MiB takes 0.5 GiB at most.
 constexpr std::uint64_t max_expanded(std::uint64_t file_bytes) {
 #ifdef INTERREFLECT_FUZZING  // it would spend its time with filling memory
-    constexpr std::uint64_t least = 4;
+    constexpr std::uint64_t least = 1;
 #else
     constexpr std::uint64_t least = 512;
 #endif

@@ -30,7 +30,8 @@ inline bool understands(const std::vector<std::string>& words) {
             } catch (const Error&) {
             }
     try {
-        cli::check_command(words);
+        static cli::CommandCheck check;
+        check(words);
         return true;
     } catch (const CLI::Error&) {
         return false;

@@ -74,6 +74,20 @@ TEST(CommandWords, AreUnderstoodWithoutTheFilesThatTheyName) {
                                         "--allow-outside", "--out", "/none/a.exr"}));
 }
 
+TEST(CommandWords, OneCheckTakesManyLines) {
+    const std::vector<std::string> good = {"render", "--scene", "none.glb", "--method",
+                                           "none",   "--out",   "a.exr"};
+    auto bad = good;
+    bad.insert(bad.end(), {"--method", "once more"});
+    cli::CommandCheck check;
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NO_THROW(check(good));
+        EXPECT_THROW(check(bad), CLI::ParseError);
+        EXPECT_THROW(check({"render"}), CLI::ParseError) << "what was given before does not count";
+        EXPECT_THROW(check({""}), UsageError);
+    }
+}
+
 /// A script whose variable is not set; the parser would not come to an end.
 TEST(CommandWords, EmptyOnesAreRefused) {
     EXPECT_THROW(cli::check_command({"project", "p", "", "--json"}), UsageError);
