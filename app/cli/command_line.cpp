@@ -59,8 +59,9 @@ bool takes_value(const CLI::App& app, const std::string& word) {
 /// CLI11 looks for ever for what an empty word means that is no option's value, where options are in groups.
 void refuse_empty_words(const CLI::App& app, const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!words[i].empty()) continue;
         const bool is_value = i > 0 && words[i - 1].rfind('-', 0) == 0 && takes_value(app, words[i - 1]);
-        if (!words[i].empty() || is_value) continue;
+        if (is_value) continue;
         throw UsageError("word " + std::to_string(i + 1) + " of the command line is empty" +
                          (i > 0 ? " (after '" + words[i - 1] + "')" : "") + "; is a variable not set?");
     }
