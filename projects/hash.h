@@ -9,7 +9,7 @@
 
 namespace ir::projects {
 
-/// As hash_bytes() of a file's bytes, read in blocks of 1 MiB. Throws InputError when it cannot be read, and
+/// As hash_bytes() of a file's bytes, read in blocks. Throws InputError when it cannot be read, and
 /// Cancelled between two blocks once that is asked for.
 std::string hash_file(const std::filesystem::path& file, const CancelToken* cancel = nullptr);
 /// Of the canonical text: neither the order of keys nor the layout matters.

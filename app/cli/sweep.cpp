@@ -323,7 +323,8 @@ void add_sweep(CLI::App& app, Run& run) {
     command->add_option("--csv", flags->csv, "File for the list as a table");
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
-    add_sweep_merge(*command, run);
+    command->preparse_callback([command](std::size_t) { command->get_option("--out")->required(); });
+    add_sweep_merge(*command, run);  // needs an --out of its own, or none: after the callback above
     add_sweep_plan(*command, run);
     command->callback([flags, command, reference, project, name, &run] {
         if (!command->get_subcommands().empty()) return;

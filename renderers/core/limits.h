@@ -27,12 +27,12 @@ inline constexpr int max_repeats = 1000;
 /// Bytes that what a file keeps compressed may become: pictures seldom reach a hundred times their file,
 /// while zip reaches 1032 for zeros. A file of 1 MiB takes 0.5 GiB at most.
 constexpr std::uint64_t max_expanded(std::uint64_t file_bytes) {
-#ifdef INTERREFLECT_FUZZING  // it would spend its time with filling memory
-    constexpr std::uint64_t least = 1;
+#ifdef INTERREFLECT_FUZZING  // a fuzzer would spend its time with filling memory
+    constexpr std::uint64_t least_mib = 1;
 #else
-    constexpr std::uint64_t least = 512;
+    constexpr std::uint64_t least_mib = 512;
 #endif
-    return std::max(least << 20, 256 * file_bytes);
+    return std::max(least_mib << 20, 256 * file_bytes);
 }
 
 }  // namespace ir

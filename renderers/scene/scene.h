@@ -229,7 +229,6 @@ Bounds bounds_of(const Scene& scene, double time);
 Scene load_scene(const std::string& name);
 
 Scene load_gltf(const std::string& file);                     // gltf/
-Scene read_gltf(const std::string& file);                     // no opening_camera(): cameras may be empty
 Scene make_builtin(const std::string& name_version_options);  // builtin/
 std::vector<std::string> builtin_names();
 

@@ -6,9 +6,10 @@
 #include "renderers/scene/scene.h"
 
 namespace ir::scene {
+namespace gltf {
 namespace {
 
-bool needs_default_material(const gltf::Document& document) {
+bool needs_default_material(const Document& document) {
     for (const auto& mesh : document.model.meshes)
         for (const auto& primitive : mesh.primitives)
             if (primitive.material < 0) return true;
@@ -17,18 +18,18 @@ bool needs_default_material(const gltf::Document& document) {
 
 }  // namespace
 
-Scene read_gltf(const std::string& file) {
-    auto document = gltf::read_document(file);
+Scene load_without_camera(const std::string& file) {
+    auto document = read_document(file);
     Scene scene;
     scene.name = file;
     scene.content_hash = document.content_hash;
-    const int default_material = gltf::load_materials(document, scene, needs_default_material(document));
-    const auto meshes = gltf::load_meshes(document, scene, default_material);
-    const auto nodes = gltf::load_nodes(document, scene, meshes);
-    gltf::load_skins(document, scene, nodes);
-    gltf::load_animations(document, scene, nodes);
-    gltf::load_cameras(document, scene, nodes);
-    gltf::load_lights(document, scene, nodes);
+    const int default_material = load_materials(document, scene, needs_default_material(document));
+    const auto meshes = load_meshes(document, scene, default_material);
+    const auto nodes = load_nodes(document, scene, meshes);
+    load_skins(document, scene, nodes);
+    load_animations(document, scene, nodes);
+    load_cameras(document, scene, nodes);
+    load_lights(document, scene, nodes);
     if (scene.instanced_triangles() == 0) document.warnings.add("the scene draws no triangles");
     scene.extensions = std::move(document.extensions);
     scene.variants = std::move(document.variants);
@@ -36,8 +37,10 @@ Scene read_gltf(const std::string& file) {
     return scene;
 }
 
+}  // namespace gltf
+
 Scene load_gltf(const std::string& file) {
-    auto scene = read_gltf(file);
+    auto scene = gltf::load_without_camera(file);
     if (scene.cameras.empty()) scene.cameras.push_back(opening_camera(scene));
     return scene;
 }

@@ -7,6 +7,9 @@
 
 namespace ir::scene::gltf {
 
+/// All that a file says, as load_gltf(); cameras may be empty.
+Scene load_without_camera(const std::string& file);
+
 /// Turns all meshes into triangles: one scene mesh per primitive that has triangles. Returns, per glTF mesh,
 /// the indices of its scene meshes. Primitives without a material get `default_material`. Throws InputError.
 std::vector<std::vector<int>> load_meshes(Document& document, Scene& scene, int default_material);

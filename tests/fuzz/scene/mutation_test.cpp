@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "renderers/scene/gltf/scene_parts.h"
 #include "tests/fuzz/scene/attempts.h"
 #include "tests/unit/scene/gltf_builder.h"
 
@@ -222,6 +223,17 @@ TEST(SceneSeeds, LoadOrAreRefusedInOneLine) {
     for (const auto& entry : std::filesystem::directory_iterator(SOURCE_ROOT "/tests/fuzz/corpus/gltf"))
         EXPECT_NO_THROW(loaded += fuzz::loads_scene(entry.path().string()) ? 1 : 0) << entry.path();
     EXPECT_GT(loaded, 1);
+}
+
+TEST(SceneSeeds, OnlyTheCameraIsMadeUp) {
+    const std::string file = SOURCE_ROOT "/tests/fuzz/corpus/gltf/beyond-floats.gltf";
+    const auto read = scene::gltf::load_without_camera(file), loaded = scene::load_gltf(file);
+    EXPECT_TRUE(read.cameras.empty());
+    ASSERT_EQ(loaded.cameras.size(), 1u);
+    EXPECT_TRUE(loaded.cameras.front().is_made_up);
+    EXPECT_EQ(read.content_hash, loaded.content_hash);
+    EXPECT_EQ(read.warnings, loaded.warnings);
+    EXPECT_EQ(read.nodes.size(), loaded.nodes.size());
 }
 
 }  // namespace

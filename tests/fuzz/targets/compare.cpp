@@ -45,7 +45,8 @@ class Bytes {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);  // few rows
     Bytes bytes(data, size);
-    const int width = 1 + bytes.below(16), height = 1 + bytes.below(4), channels = 1 + bytes.below(4);
+    const int width = 1 + bytes.below(16), rows = bytes.below(16) == 0 ? 16 : 4;
+    const int height = 1 + bytes.below(rows), channels = 1 + bytes.below(4);
     const int change = bytes.below(8);  // most pairs have one size
     const bool wants_metrics = bytes.below(2) != 0;
     MetricOptions options;

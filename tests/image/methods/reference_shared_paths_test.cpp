@@ -306,7 +306,7 @@ std::vector<std::vector<double>> pictures(const Lab& lab, const Transport& trans
     const PathRules rules(transport);
     Wavefront wavefront(world, rules, estimator, with_light ? &shared : nullptr);
     const LightTracer tracer(world, rules, shared, estimator);
-    PrimaryRays primary(view, world, nullptr);
+    PrimaryRays primary(view, nullptr);
     const auto count = static_cast<std::size_t>(samples);
     std::vector<std::vector<double>> result;
     for (int seed = 0; seed < seeds; ++seed) {

@@ -85,6 +85,27 @@ TEST(CommandWords, OneCheckTakesManyLines) {
         EXPECT_THROW(check(bad), CLI::ParseError);
         EXPECT_THROW(check({"render"}), CLI::ParseError) << "what was given before does not count";
         EXPECT_THROW(check({""}), UsageError);
+        EXPECT_THROW(check({"sweep", "p", "s"}), CLI::ParseError) << "has no --out";
+        EXPECT_NO_THROW(check({"sweep", "plan", "p", "s"}));
+        EXPECT_NO_THROW(check({"sweep", "merge", "a", "--out", "o"}));
+    }
+}
+
+TEST(CommandWords, EarlierLinesDoNotMatter) {
+    const auto verdict = [](const Words& words, cli::CommandCheck& check) -> std::string {
+        try {
+            check(words);
+            return "";
+        } catch (const std::exception& error) {
+            return error.what();
+        }
+    };
+    cli::CommandCheck used;
+    std::mt19937 random(20261129);
+    for (int i = 0; i < 200; ++i) {
+        const auto words = mutated(random);
+        cli::CommandCheck fresh;
+        EXPECT_EQ(verdict(words, used), verdict(words, fresh)) << words.front();
     }
 }
 
