@@ -217,6 +217,9 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
     std::optional<fs::path> root, begun;
     std::optional<NewFolders> folders;
     std::error_code ignored;
+    std::vector<fs::path> missing;  // folders that are made, the innermost first
+    for (auto each = fs::absolute(parent); !fs::exists(each, ignored); each = each.parent_path())
+        missing.push_back(each);
     auto& files = real_file_system();
     try {
         const auto extract = [&](const std::string& name, const CopyContent& copy) {
@@ -252,6 +255,7 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
         files.sync_directory(root->parent_path());
     } catch (...) {
         if (begun) fs::remove_all(*begun, ignored);
+        for (const auto& each : missing) fs::remove(each, ignored);  // where they are empty
         throw;
     }
     return *root;

@@ -218,6 +218,8 @@ TEST(Pack, DamagedArchivesLeaveNothingBehind) {
         testing::write_text(here.path() / "bad.tar", bytes);
         EXPECT_THROW(unpack_project(here.path() / "bad.tar", there.path()), Error);
         EXPECT_TRUE(fs::is_empty(there.path()));
+        EXPECT_THROW(unpack_project(here.path() / "bad.tar", there.path() / "new" / "newer"), Error);
+        EXPECT_TRUE(fs::is_empty(there.path()));
     };
     refused("");
     refused("not a tar");
