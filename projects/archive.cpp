@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t block_size = 1u << 16;  // bytes that are read or written at once
+constexpr std::size_t block_size = 1u << 16;  // bytes at once; more slows small files down
 
 /// What failed in the archive itself.
 void require(archive* archive, int status) {

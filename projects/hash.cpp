@@ -12,7 +12,7 @@ std::string hash_file(const std::filesystem::path& file, const CancelToken* canc
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError(file.string(), "", "cannot be opened; check its permissions");
     Hasher hasher;
-    constexpr std::size_t block_size = 1u << 16;
+    constexpr std::size_t block_size = 1u << 20;
     const auto block = std::make_unique_for_overwrite<char[]>(block_size);
     while (stream.read(block.get(), std::streamsize{block_size}) || stream.gcount() > 0) {
         if (cancel) cancel->check();

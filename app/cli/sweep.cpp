@@ -253,7 +253,6 @@ void add_sweep_merge(CLI::App& sweep, Run& run) {
     command->add_option("--out", flags->out, "File for the list, as one machine would have written it")
         ->required();
     command->add_option("--csv", flags->csv, "File for the list as a table");
-    command->preparse_callback([&sweep](std::size_t) { sweep.get_option("--out")->required(false); });
     command->callback([flags, &run] { run = [flags] { return merge(*flags); }; });
 }
 
@@ -290,7 +289,6 @@ void add_sweep_plan(CLI::App& sweep, Run& run) {
     add_json_flag(*command, *as_json);
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
-    command->preparse_callback([&sweep](std::size_t) { sweep.get_option("--out")->required(false); });
     command->callback([flags, reference, as_json, &run] {
         flags->is_judged = reference->count() > 0;
         run = [flags, as_json] { return plan(*flags, *as_json); };
@@ -307,11 +305,10 @@ void add_sweep(CLI::App& app, Run& run) {
         "shards");
     const auto* project = command->add_option("PROJECT", flags->project, "Project folder")->check(no_scene());
     const auto* name = command->add_option("NAME", flags->name, "Id or name of the sweep");
-    command
-        ->add_option("--out", flags->out,
-                     "Folder for ID-0001.exr, …, the list sweep.json, and sweep.jsonl with a line for each "
-                     "variation as it ends")
-        ->required();
+    const auto* out = command->add_option(
+        "--out", flags->out,
+        "Folder for ID-0001.exr, …, the list sweep.json, and sweep.jsonl with a line for each variation as it "
+        "ends; required without `plan` and `merge`");
     const auto* reference = add_work_flags(*command, *flags);
     command->add_flag("--resume", flags->resume,
                       "Render only what --out lacks: what failed, what was not reached, and what would be "
@@ -323,12 +320,11 @@ void add_sweep(CLI::App& app, Run& run) {
     command->add_option("--csv", flags->csv, "File for the list as a table");
     add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
-    command->preparse_callback([command](std::size_t) { command->get_option("--out")->required(); });
-    add_sweep_merge(*command, run);  // needs an --out of its own, or none: after the callback above
+    add_sweep_merge(*command, run);
     add_sweep_plan(*command, run);
-    command->callback([flags, command, reference, project, name, &run] {
+    command->callback([flags, command, reference, project, name, out, &run] {
         if (!command->get_subcommands().empty()) return;
-        require_places({project, name});
+        require_places({project, name, out});
         if (command->count("--json") && flags->json.empty()) flags->json = "-";
         flags->is_judged = reference->count() > 0;
         run = [flags] { return SweepCommand(*flags).run(); };

@@ -21,7 +21,7 @@ Json picture_json(const Execution& execution) {
               {"method", execution.method().id},
               {"method_version", execution.method().version}};
     json["values"] = Json::object();
-    for (const auto& [key, value] : execution.settings())
+    for (const auto& [key, value] : execution.settings())  // clang 14 captures neither of the two
         std::visit([&kept = json["values"][key]](const auto& plain) { kept = plain; }, value);
     for (const auto& [file, hunks] : experiment.shaders) json["shaders"][file] = change_text(hunks);
     if (const auto folder = shader_folder_digest(); !folder.empty()) json["shader_folder"] = folder;

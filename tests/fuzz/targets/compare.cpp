@@ -43,7 +43,7 @@ class Bytes {
 /// Two small pictures of any values, not-a-number and infinities among them: their metrics, or their
 /// differences.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);  // few rows
+    static const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);  // rows are few
     Bytes bytes(data, size);
     const int width = 1 + bytes.below(16), rows = bytes.below(16) == 0 ? 16 : 4;
     const int height = 1 + bytes.below(rows), channels = 1 + bytes.below(4);

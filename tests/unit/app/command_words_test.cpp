@@ -21,6 +21,8 @@ const std::vector<Words> seeds{
     {"compare", "a.exr", "b.exr", "--metric", "rmse,flip", "--fail-above", "rmse=0.1", "--json"},
     {"project", "p.interreflect", "--changes", "a", "b", "--json"},
     {"sweep", "p.interreflect", "s", "--shard", "1/4", "--out", "out", "--resume"},
+    {"sweep", "plan", "p.interreflect", "s"},
+    {"sweep", "merge", "a", "b", "--out", "all.json"},
     {"reference", "p.interreflect", "--samples", "64", "--threads", "2", "--memory", "2GB"},
     {"figure", "a.exr", "b.exr", "--out", "a.pdf", "--inset", "1,2,3,4", "--range", "0,1"},
     {"bench", "ldm-ao", "--csv", "a.csv"},
